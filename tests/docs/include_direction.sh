@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# The house has one direction: studio -> viz -> results, studio -> engine -> results.
+set -u
+cd "$1" || exit 2
+wrong=0
+refuse() { # WHAT PATTERN FOLDERS...
+  local what=$1 pattern=$2
+  shift 2
+  local found
+  found=$(grep -rnE --include='*.cpp' --include='*.hpp' "$pattern" "$@" 2>/dev/null) || return 0
+  printf '%s:\n%s\n' "$what" "$found"
+  wrong=1
+}
+refuse 'engine reaches upwards' '#include "(viz|studio)/' engine
+refuse 'results reaches into the engine' '#include "engine/(scene|lattice|mechanics|fracture|theory|study|simulation)/' engine/results
+refuse 'viz knows more than results' '#include "(studio|engine/(scene|lattice|mechanics|fracture|theory|study|simulation))/' viz
+refuse 'VTK outside viz' '#include <vtk' engine studio
+refuse 'ncurses outside studio' '#include <n?curses' engine viz
+refuse 'CLI11 outside studio' '#include <CLI/' engine viz
+exit $wrong
