@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/theory/plane.hpp"
+
+namespace rift::theory {
+
+/// Dynamic correction of a reference problem: K/K_static and G_ID/G_I0 [-].
+struct Factor {
+  double k = 0.0;
+  double g = 0.0;
+};
+
+/// Self-similar crack expanding from zero in an infinite plate (Broberg 1960).
+///   k = D / (alpha_d (v/c_s)^2) mu A / sigma,   g = A_I k^2   [physics.md §8]
+/// @param v_over_cr      [-] in [0, 1]: 1 at rest, 0 at c_R (both limits); NaN outside, where no such
+/// solution exists
+/// @param poisson_ratio  of the material in (-1, 0.5], in plane strain below 0.5, where c_d is finite
+/// (asserted) Relative error below 1e-13; some hundred evaluations of the integrand.
+Factor broberg(double v_over_cr, double poisson_ratio, Plane plane);
+
+/// Semi-infinite crack in an infinite plate (Freund 1990, ch. 6): k = freund_k, g = A_I k^2. Arguments as
+/// above.
+Factor freund(double v_over_cr, double poisson_ratio, Plane plane);
+
+/// Steady crack in a clamped strip (Nilsson 1972): all the energy stored ahead arrives, g = 1 at every v <
+/// c_R, so k = 1 / sqrt(A_I). Arguments as above; NaN from c_R on, where the argument of the steady state
+/// ends.
+Factor strip(double v_over_cr, double poisson_ratio, Plane plane);
+
+/// A_I, which turns a stress intensity factor into a release rate: G = (1 - nu) / (2 mu) A_I K^2 (nu of plane
+/// strain).
+///   A_I = v^2 alpha_d / ((1 - nu) c_s^2 D)   [physics.md §8]
+/// @param v_over_cr  [-] in [-1, 1]; even in it, 1 at rest, infinite at c_R
+double release_rate_function(double v_over_cr, double poisson_ratio, Plane plane);
+
+/// Freund's universal function of the crack velocity, by which a static K becomes a dynamic one.
+///   k(v) = (1 - v/c_R) / sqrt(1 - v/c_d) exp(1/pi int_a^b arctan[4 eta^2 sqrt((eta^2 - a^2)(b^2 - eta^2))
+///          / (b^2 - 2 eta^2)^2] d eta / (1/v - eta)),   A_I(v) k(v) k(-v) = 1   [physics.md §8]
+/// @param v_over_cr  [-] in [-1, 1]; negative ones serve the identity
+double freund_k(double v_over_cr, double poisson_ratio, Plane plane);
+
+}  // namespace rift::theory
