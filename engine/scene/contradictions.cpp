@@ -1,0 +1,188 @@
+#include "engine/scene/contradictions.hpp"
+
+#include "engine/scene/crack_text.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/scene/units.hpp"
+#include "engine/scene/wording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <utility>
+
+namespace rift {
+
+namespace {
+
+struct Checks {
+  const Preset& preset;
+  const Scene& scene;
+  const std::set<std::string>& unsound;
+  std::vector<Issue> issues;
+
+  bool given(const std::string& key) const { return preset.origins.contains(key); }
+  bool sound(std::initializer_list<const char*> keys) const {
+    return std::none_of(keys.begin(), keys.end(), [&](const char* key) { return unsound.contains(key); });
+  }
+  void say(const std::string& key, std::string text) {
+    issues.push_back(issue_at(preset, key, std::move(text)));
+  }
+};
+
+std::string millimetres(double metres) { return rounded_text(metres, Dimension::length); }
+
+/// "line 7" or "--set", to point at the other side of a contradiction.
+std::string where(const Preset& preset, const std::string& key) {
+  const Origin& origin = preset.origins.at(key);
+  return origin.line == 0 ? origin.file : fmt::format("line {}", origin.line);
+}
+
+void check_exclusive(Checks& c) {
+  constexpr std::array<std::pair<const char*, const char*>, 3> pairs{
+      {{"specimen.thickness", "specimen.layers"},
+       {"material.density", "material.rayleigh_speed"},
+       {"solver.dt", "solver.dt_fraction"}}};
+  for (const auto& [one, other] : pairs) {
+    if (!c.given(one) || !c.given(other)) continue;
+    c.say(one, fmt::format("excludes {} ({}): give one of them", other, where(c.preset, other)));
+  }
+}
+
+void check_micro(Checks& c) {
+  if (!c.sound({"material.stiffness"})) return;
+  const bool wanted = c.scene.material.stiffness == StiffnessChoice::explicit_values;
+  std::vector<std::string> missing;
+  for (const char* key :
+       {"material.micro_young_modulus", "material.micro_poisson_ratio", "material.micro_radius_ratio"}) {
+    if (wanted && !c.given(key)) missing.emplace_back(key);
+    if (!wanted && c.given(key)) c.say(key, "goes with material.stiffness = \"explicit\" only");
+  }
+  if (!missing.empty()) c.say("material.stiffness", fmt::format("needs {} as well", listed(missing, "and")));
+}
+
+void check_damping(Checks& c) {
+  if (!c.sound({"damping.alpha", "damping.region"})) return;
+  const bool somewhere = c.scene.damping.region != DampingRegion::none;
+  if (c.scene.damping.alpha > 0 && !somewhere) {
+    c.say("damping.alpha", "damps nothing with damping.region = \"none\": choose \"surface\" or \"all\"");
+  }
+  if (c.scene.damping.alpha == 0 && somewhere) {
+    c.say("damping.region", "damps nothing with damping.alpha = 0: give an alpha above 0");
+  }
+}
+
+void check_sizes(Checks& c) {
+  if (!c.sound({"specimen.length", "specimen.height", "specimen.layers", "specimen.thickness",
+                "specimen.elements", "specimen.radius_spread"})) {
+    return;
+  }
+  if (c.given("specimen.thickness") && c.given("specimen.layers")) return;  // which one counts is not known
+  const double diameter = 2 * expected_mean_radius_m(c.scene), thickness = thickness_m(c.scene);
+  const std::string element = fmt::format("one element, {} across on average", millimetres(diameter));
+  if (thickness < diameter) {
+    const bool by_layers = !c.scene.specimen.thickness;
+    c.say(by_layers ? "specimen.layers" : "specimen.thickness",
+          fmt::format("{}is thinner than {}: make it thicker, or raise specimen.elements",
+                      by_layers ? fmt::format("a plate of {} ", millimetres(thickness)) : "", element));
+  }
+  if (std::min(c.scene.specimen.length, c.scene.specimen.height) < diameter) {
+    c.say("specimen.elements", fmt::format("too few: the plate is smaller than {}", element));
+  }
+}
+
+void check_path(Checks& c) {
+  if (!c.sound({"crack.path", "specimen.height"})) return;
+  if (path_height_m(c.scene) >= c.scene.specimen.height) {
+    c.say("crack.path",
+          fmt::format("must lie inside the plate, (0, {})", millimetres(c.scene.specimen.height)));
+  }
+}
+
+/// Whether c_r can be told at all.
+bool knows_rayleigh_speed(const Checks& c) {
+  const bool both = c.given("material.density") && c.given("material.rayleigh_speed");
+  return !both && c.sound({"material.young_modulus", "material.poisson_ratio", "material.plane",
+                           "material.rayleigh_speed", "material.density"});
+}
+
+void check_speeds(Checks& c) {
+  if (!c.sound({"crack.velocity"}) || !knows_rayleigh_speed(c)) return;
+  if (highest_velocity(c.scene) <= highest_velocity_over_cr) return;
+  const double limit = highest_velocity_over_cr * rayleigh_speed(c.scene);
+  c.say("crack.velocity", fmt::format("must lie in (0, {}] c_r, here (0, {}]", highest_velocity_over_cr,
+                                      rounded_text(limit, Dimension::speed)));
+}
+
+/// Start and end on the plate and in order; false where nothing further can be said of the crack's way.
+bool check_ends(Checks& c) {
+  const auto& [length, crack] = std::pair{c.scene.specimen.length, c.scene.crack};
+  if (crack.start >= length) {
+    c.say("crack.start", fmt::format("must lie before the end of the plate, {}", millimetres(length)));
+    return false;
+  }
+  if (!crack.end) return true;
+  if (*crack.end > length) {
+    c.say("crack.end", fmt::format("must not lie beyond the end of the plate, {}", millimetres(length)));
+    return false;
+  }
+  if (*crack.end <= crack.start) {
+    c.say("crack.end", fmt::format("must lie beyond crack.start = {}", millimetres(crack.start)));
+    return false;
+  }
+  return true;
+}
+
+/// The measuring window lies on the crack's way. The blame goes to the window where it was given.
+bool check_window(Checks& c) {
+  const double length = c.scene.specimen.length;
+  const double slack = 1e-9 * length;  // 0.4 L is not the double that 80 mm is
+  const auto [lower, upper] = window_over_length(c.scene);
+  const bool window_given = c.given("output.window");
+  const std::string window = fmt::format("the measuring window, {} to {},", millimetres(lower * length),
+                                         millimetres(upper * length));
+  const std::size_t before = c.issues.size();
+  if (upper * length > crack_end(c.scene) + slack) {
+    c.say(window_given ? "output.window" : "crack.end",
+          fmt::format("{} ends beyond crack.end = {}", window, millimetres(crack_end(c.scene))));
+  }
+  if (lower * length < c.scene.crack.start - slack) {
+    c.say(window_given ? "output.window" : "crack.start",
+          fmt::format("{} begins before crack.start = {}", window, millimetres(c.scene.crack.start)));
+  }
+  return c.issues.size() == before;
+}
+
+void check_pieces(Checks& c) {
+  const double start = c.scene.crack.start, end = crack_end(c.scene);
+  for (const VelocityPiece& piece : c.scene.crack.velocity) {
+    if (!piece.until || (*piece.until > start && *piece.until < end)) continue;
+    c.say("crack.velocity", fmt::format("'until {}' lies outside the crack's way, {} to {}",
+                                        millimetres(*piece.until), millimetres(start), millimetres(end)));
+  }
+}
+
+void check_crack_way(Checks& c) {
+  if (!c.sound({"specimen.length", "crack.start", "crack.end"})) return;
+  if (!check_ends(c)) return;
+  // The default window depends on the velocity, a velocity in m/s on c_r.
+  if (!c.sound({"crack.velocity", "output.window"}) || !knows_rayleigh_speed(c)) return;
+  if (check_window(c)) check_pieces(c);
+}
+
+}  // namespace
+
+std::vector<Issue> contradictions(const Preset& preset, const std::set<std::string>& unsound) {
+  Checks checks{preset, preset.scene, unsound, {}};
+  check_exclusive(checks);
+  check_sizes(checks);
+  check_micro(checks);
+  check_damping(checks);
+  check_path(checks);
+  check_speeds(checks);
+  check_crack_way(checks);
+  return std::move(checks.issues);
+}
+
+}  // namespace rift

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/scene/preset.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rift {
+
+/// Mistakes that show only when parameters are seen together: contradictions, an order along the crack's way,
+/// sizes that do not fit. A check that would rest on a key of `unsound` (already reported) is left out.
+std::vector<Issue> contradictions(const Preset& preset, const std::set<std::string>& unsound);
+
+}  // namespace rift

@@ -1,0 +1,72 @@
+#include "engine/scene/derived.hpp"
+
+#include "engine/theory/wave_speeds.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace rift {
+
+double thickness_m(const Scene& scene) {
+  const Scene::Specimen& s = scene.specimen;
+  if (s.thickness) return *s.thickness;
+  assert(s.layers);
+  const double elements_per_area = s.elements / (s.length * s.height);
+  return 2e-3 * std::sqrt(20000 / (0.2 * 0.04) / elements_per_area) * std::pow(*s.layers / 2, 1.5);
+}
+
+double expected_mean_radius_m(const Scene& scene) {
+  const Scene::Specimen& s = scene.specimen;
+  const double solid = 0.615 * s.length * s.height * thickness_m(scene);
+  const double spread = 1 + s.radius_spread * s.radius_spread;
+  return std::cbrt(solid / (s.elements * 4.0 / 3.0 * std::numbers::pi * spread));
+}
+
+double density(const Scene& scene) {
+  const Scene::Material& m = scene.material;
+  if (m.density) return *m.density;
+  assert(m.rayleigh_speed);
+  const double shear_speed = *m.rayleigh_speed / theory::rayleigh_over_shear(m.poisson_ratio, m.plane);
+  const double shear_modulus = m.young_modulus / (2 * (1 + m.poisson_ratio));
+  return shear_modulus / (shear_speed * shear_speed);
+}
+
+double rayleigh_speed(const Scene& scene) {
+  const Scene::Material& m = scene.material;
+  if (m.rayleigh_speed) return *m.rayleigh_speed;
+  assert(m.density);
+  return theory::wave_speeds(m.young_modulus, m.poisson_ratio, *m.density, m.plane).rayleigh;
+}
+
+double speed_m_s(const Speed& speed, double rayleigh_speed) {
+  return speed.relative ? speed.value * rayleigh_speed : speed.value;
+}
+
+double highest_velocity(const Scene& scene) {
+  double highest = 0.0;
+  for (const VelocityPiece& piece : scene.crack.velocity) {
+    const Speed& v = piece.speed;
+    highest = std::max(highest, v.relative ? v.value : v.value / rayleigh_speed(scene));
+  }
+  return highest;
+}
+
+double path_height_m(const Scene& scene) {
+  const PathHeight& path = scene.crack.path;
+  return path.relative ? path.value * scene.specimen.height : path.value;
+}
+
+std::array<double, 2> window_over_length(const Scene& scene) {
+  if (scene.output.window) return *scene.output.window;
+  if (highest_velocity(scene) > 0.8) return {0.4, 0.6};
+  return {0.2, 0.4};
+}
+
+double crack_end(const Scene& scene) {
+  if (scene.crack.end) return *scene.crack.end;
+  return window_over_length(scene)[1] * scene.specimen.length;
+}
+
+}  // namespace rift

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/scene/scene.hpp"
+
+#include <array>
+
+/// What follows from a scene by itself, without a lattice. All ask for a scene without issues.
+namespace rift {
+
+/// Thickness of the plate [m]: as given, or B = 2 mm sqrt(20,000 L H / (N 200 mm 40 mm)) (layers/2)^(3/2)
+/// [physics.md §1], which keeps `layers` elements through the thickness for any N.
+double thickness_m(const Scene& scene);
+
+/// Mean radius [m] to be expected of the packing, from a solid fraction of 0.615 (measured, physics.md §1):
+/// (4/3) pi R^3 (1 + s^2) N = 0.615 L H B, with <r^3> = R^3 (1 + s^2) for radii uniform in R (1 +- s).
+double expected_mean_radius_m(const Scene& scene);
+
+/// Density [kg/m3], as given or rho = G / c_s^2 with c_s from the Rayleigh speed   [physics.md §5]
+double density(const Scene& scene);
+
+/// Rayleigh speed c_r [m/s], as given or from the density   [physics.md §5]
+double rayleigh_speed(const Scene& scene);
+
+/// A speed in m/s, c_r where it is relative being `rayleigh_speed` [m/s].
+double speed_m_s(const Speed& speed, double rayleigh_speed);
+
+/// The highest velocity of the crack's pieces, in c_r.
+double highest_velocity(const Scene& scene);
+
+/// Height of the straight crack path [m].
+double path_height_m(const Scene& scene);
+
+/// Window of the plateau in fractions of the length: as given, or 0.2 to 0.4, or 0.4 to 0.6 where the crack
+/// is faster than 0.8 c_r   [physics.md §7]
+std::array<double, 2> window_over_length(const Scene& scene);
+
+/// Where the crack's way ends [m]: as given, or the end of the window.
+double crack_end(const Scene& scene);
+
+}  // namespace rift

@@ -1,0 +1,33 @@
+#include "engine/scene/needs.hpp"
+
+namespace rift {
+
+Needs needs_of(const Scene& scene) {
+  Needs needs;
+  needs.damping = scene.damping.alpha > 0 && scene.damping.region != DampingRegion::none;
+  needs.numerical_damping = scene.solver.beta < 1;
+  needs.damage_zone = scene.crack.technique == Technique::progressive;
+  needs.ramp = scene.loading.method == LoadingMethod::ramp;
+  needs.frames = scene.output.frames > 0 && !scene.output.fields.empty();
+  return needs;
+}
+
+std::vector<std::string> left_out(const Scene& scene) {
+  const Needs needs = needs_of(scene);
+  std::vector<std::string> lines;
+  if (!needs.damping) {
+    const bool no_alpha = scene.damping.alpha == 0;
+    lines.emplace_back(no_alpha ? "damping: alpha = 0, no damped beams are built"
+                                : "damping: region = none, no damped beams are built");
+  }
+  if (!needs.numerical_damping) lines.emplace_back("numerical damping: beta = 1");
+  if (!needs.damage_zone) lines.emplace_back("damage zone: technique = simple");
+  if (!needs.ramp) lines.emplace_back("ramp: method = static, the pre-stress is one solve");
+  if (!needs.frames) {
+    lines.emplace_back(scene.output.frames == 0 ? "frames: frames = 0, no fields are written"
+                                                : "frames: fields = [], no fields are written");
+  }
+  return lines;
+}
+
+}  // namespace rift

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rift {
+
+/// What the scene asks of the engine beyond the bare lattice; the rest is not even compiled into its loop.
+struct Needs {
+  bool damping = false;            // viscous, on beams (alpha > 0)
+  bool numerical_damping = false;  // beta < 1 while the crack runs
+  bool damage_zone = false;        // P-NRT
+  bool ramp = false;               // pre-stress marched in time
+  bool frames = false;             // fields are written
+};
+
+Needs needs_of(const Scene& scene);
+
+/// One line for each thing that is left out, and why, as `rift check` prints it.
+std::vector<std::string> left_out(const Scene& scene);
+
+}  // namespace rift

@@ -1,0 +1,237 @@
+#include "engine/scene/parameters.hpp"
+
+#include "engine/scene/toml_text.hpp"
+
+#include <cassert>
+
+namespace rift {
+
+namespace {
+
+using enum Dimension;
+
+constexpr double largest_exact_integer =
+    9007199254740991.0;  // 2^53 - 1: every value of the range is a double
+
+constexpr Range closed(double lower, double upper) { return {lower, upper, false, false}; }
+constexpr Range above(double lower, double upper) { return {lower, upper, true, false}; }
+constexpr Range below(double lower, double upper) { return {lower, upper, false, true}; }
+constexpr Range inside(double lower, double upper) { return {lower, upper, true, true}; }
+
+// A row reads: key, default, member, doc, dimension, range, choices. Sources of defaults: physics.md §1, 3-7.
+
+std::vector<Parameter> specimen_rows() {
+  return {
+      {"specimen.length", "200 mm", [](Scene& s) -> Slot { return &s.specimen.length; },
+       "Length L of the plate along x, the way of the crack.", length, above(0, 100)},
+      {"specimen.height", "40 mm", [](Scene& s) -> Slot { return &s.specimen.height; },
+       "Height H of the plate along y, between the grips.", length, above(0, 100)},
+      {"specimen.layers", "2", [](Scene& s) -> Slot { return &s.specimen.layers; },
+       "Elements through the thickness; fixes the thickness. Excludes `thickness`.", none, above(0, 100)},
+      {"specimen.thickness", "", [](Scene& s) -> Slot { return &s.specimen.thickness; },
+       "Thickness B of the plate along z, in place of `layers`.", length, above(0, 100)},
+      {"specimen.elements", "20000", [](Scene& s) -> Slot { return &s.specimen.elements; },
+       "Number N of spheres.", none, closed(2, 5e6)},
+      {"specimen.radius_spread", "0.125", [](Scene& s) -> Slot { return &s.specimen.radius_spread; },
+       "Radii are uniform within plus or minus this fraction of their mean.", none, below(0, 0.9)},
+      {"specimen.coordination", "6.0", [](Scene& s) -> Slot { return &s.specimen.coordination; },
+       "Coordination number of the packing, 2 contacts / N, walls not counted.", none, closed(4, 7)},
+      {"specimen.contact_tolerance", "1", [](Scene& s) -> Slot { return &s.specimen.contact_tolerance; },
+       "A beam joins every pair nearer than this times the sum of their radii.", none, closed(1, 1.2)},
+      {"specimen.seed", "1", [](Scene& s) -> Slot { return &s.specimen.seed; }, "Seed of the random packing.",
+       none, closed(0, largest_exact_integer)},
+  };
+}
+
+std::vector<Parameter> material_rows() {
+  return {
+      {"material.young_modulus", "10 GPa", [](Scene& s) -> Slot { return &s.material.young_modulus; },
+       "Young's modulus E of the material.", pressure, above(0, 1e13)},
+      {"material.poisson_ratio", "0.3", [](Scene& s) -> Slot { return &s.material.poisson_ratio; },
+       "Poisson's ratio of the material.", none, inside(-1, 0.5)},
+      {"material.plane",
+       "stress",
+       [](Scene& s) -> Slot { return &s.material.plane; },
+       "Plane elasticity in which constants, wave speeds and references are read.",
+       none,
+       {},
+       {"stress", "strain"}},
+      {"material.rayleigh_speed", "2200 m/s", [](Scene& s) -> Slot { return &s.material.rayleigh_speed; },
+       "Rayleigh speed c_r, from which the density follows. Excludes `density`.", speed, above(0, 1e5)},
+      {"material.density", "", [](Scene& s) -> Slot { return &s.material.density; },
+       "Density, from which the Rayleigh speed follows, in place of `rayleigh_speed`.", density,
+       above(0, 1e5)},
+      {"material.stiffness",
+       "in-situ",
+       [](Scene& s) -> Slot { return &s.material.stiffness; },
+       "Beams: scaled to this specimen's own modulus, the calibrated bulk set, or the `micro_*` given.",
+       none,
+       {},
+       {"in-situ", "bulk", "explicit"}},
+      {"material.micro_young_modulus", "", [](Scene& s) -> Slot { return &s.material.micro_young_modulus; },
+       "Young's modulus of a beam, with stiffness = \"explicit\".", pressure, above(0, 1e15)},
+      {"material.micro_poisson_ratio", "", [](Scene& s) -> Slot { return &s.material.micro_poisson_ratio; },
+       "Poisson's ratio of a beam, with stiffness = \"explicit\".", none, inside(-1, 0.5)},
+      {"material.micro_radius_ratio", "", [](Scene& s) -> Slot { return &s.material.micro_radius_ratio; },
+       "Radius of a beam over the mean radius of its two elements, with stiffness = \"explicit\".", none,
+       above(0, 1)},
+  };
+}
+
+std::vector<Parameter> loading_rows() {
+  return {
+      {"loading.displacement", "2 mm", [](Scene& s) -> Slot { return &s.loading.displacement; },
+       "Displacement of the top face along y, held while the crack runs.", length, above(0, 10)},
+      {"loading.method",
+       "static",
+       [](Scene& s) -> Slot { return &s.loading.method; },
+       "Pre-stress by one static solve, or by ramping the top face in time.",
+       none,
+       {},
+       {"static", "ramp"}},
+      {"loading.ramp_steps", "20000", [](Scene& s) -> Slot { return &s.loading.ramp_steps; },
+       "Steps of loading, with method = \"ramp\".", none, closed(1, 1e8)},
+      {"loading.hold_steps", "10000", [](Scene& s) -> Slot { return &s.loading.hold_steps; },
+       "Steps of stabilisation after the ramp.", none, closed(0, 1e8)},
+      {"loading.ramp_beta", "0.9", [](Scene& s) -> Slot { return &s.loading.ramp_beta; },
+       "Numerical damping while ramping and holding; taken out before the crack starts.", none, above(0, 1)},
+  };
+}
+
+std::vector<Parameter> crack_rows() {
+  return {
+      {"crack.velocity", "0.5 c_r", [](Scene& s) -> Slot { return &s.crack.velocity; },
+       "Velocity of the tip, always with a unit; in pieces: \"0.2 c_r until 40 mm, 0.6 c_r\"."},
+      {"crack.path", "0.5 H", [](Scene& s) -> Slot { return &s.crack.path; },
+       "Height of the straight crack path along x."},
+      {"crack.start", "0", [](Scene& s) -> Slot { return &s.crack.start; },
+       "Where the tip starts; beams before it are absent from the pre-stress on (a notch).", length,
+       closed(0, 100)},
+      {"crack.end", "", [](Scene& s) -> Slot { return &s.crack.end; },
+       "Where the run ends; without it at the end of the measuring window.", length, above(0, 100)},
+      {"crack.tips", "1", [](Scene& s) -> Slot { return &s.crack.tips; },
+       "Number of tips: 1, running to the right.", none, closed(1, 1)},
+      {"crack.technique",
+       "progressive",
+       [](Scene& s) -> Slot { return &s.crack.technique; },
+       "Release of a beam at once (S-NRT), or over a damage zone ahead of the tip (P-NRT).",
+       none,
+       {},
+       {"simple", "progressive"}},
+      {"crack.relaxation", "linear", [](Scene& s) -> Slot { return Exponent{&s.crack.relaxation}; },
+       "Exponent p of the stiffness (1 - b/l)^p over the damage zone: linear 1, square-root 0.5, quadratic "
+       "2.",
+       none, above(0, 16)},
+      {"crack.damage_zone_ratio", "1", [](Scene& s) -> Slot { return &s.crack.damage_zone_ratio; },
+       "Length of the damage zone r_l, in mean radii.", none, above(0, 1000)},
+  };
+}
+
+std::vector<Parameter> damping_rows() {
+  return {
+      {"damping.alpha", "0", [](Scene& s) -> Slot { return &s.damping.alpha; },
+       "Viscous damping of the beams, as a fraction of critical.", none, closed(0, 1)},
+      {"damping.region",
+       "none",
+       [](Scene& s) -> Slot { return &s.damping.region; },
+       "Which beams are damped: none, those near the crack surface, all.",
+       none,
+       {},
+       {"none", "surface", "all"}},
+      {"damping.surface_width", "1.5", [](Scene& s) -> Slot { return &s.damping.surface_width; },
+       "A beam with an end this near to the path, in mean radii, is near the crack surface.", none,
+       above(0, 100)},
+  };
+}
+
+std::vector<Parameter> solver_rows() {
+  return {
+      {"solver.kinematics",
+       "linear",
+       [](Scene& s) -> Slot { return &s.solver.kinematics; },
+       "Beam axes fixed at the initial geometry.",
+       none,
+       {},
+       {"linear"}},
+      {"solver.precision",
+       "double",
+       [](Scene& s) -> Slot { return &s.solver.precision; },
+       "Numbers of the state.",
+       none,
+       {},
+       {"double"}},
+      {"solver.dt", "", [](Scene& s) -> Slot { return &s.solver.dt; },
+       "Time step; without it and `dt_fraction` chosen from the critical step and the damage zone.", time,
+       above(0, 1)},
+      {"solver.dt_fraction", "", [](Scene& s) -> Slot { return &s.solver.dt_fraction; },
+       "Time step as a fraction of the undamped critical step, in place of `dt`.", none, inside(0, 1)},
+      {"solver.beta", "1", [](Scene& s) -> Slot { return &s.solver.beta; },
+       "Parameter of the integrator: 1 conserves energy, below 1 damps.", none, above(0, 1)},
+  };
+}
+
+std::vector<Parameter> output_rows() {
+  return {
+      {"output.samples", "400", [](Scene& s) -> Slot { return &s.output.samples; },
+       "Samples of the energies and the release rate over the run.", none, closed(10, 1e6)},
+      {"output.frames", "40", [](Scene& s) -> Slot { return &s.output.frames; },
+       "Frames of the fields over the run; 0 for none.", none, closed(0, 1e5)},
+      {"output.fields",
+       R"(["displacement", "damage"])",
+       [](Scene& s) -> Slot { return &s.output.fields; },
+       "Fields of a frame.",
+       none,
+       {},
+       {"displacement", "velocity", "damage"}},
+      {"output.window", "", [](Scene& s) -> Slot { return &s.output.window; },
+       "Window of the plateau as two fractions of the length; without it [0.2, 0.4], or [0.4, 0.6] above 0.8 "
+       "c_r.",
+       none, closed(0, 1)},
+      {"output.g_i0_reference",
+       "strip",
+       [](Scene& s) -> Slot { return &s.output.g_i0_reference; },
+       "Reference of the release rate: energy per length of the pre-stressed strip, middle half.",
+       none,
+       {},
+       {"strip"}},
+  };
+}
+
+std::vector<Parameter> all_rows() {
+  std::vector<Parameter> rows;
+  for (const auto part :
+       {specimen_rows, material_rows, loading_rows, crack_rows, damping_rows, solver_rows, output_rows}) {
+    const std::vector<Parameter> table = part();
+    rows.insert(rows.end(), table.begin(), table.end());
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::span<const Parameter> parameters() {
+  static const std::vector<Parameter> rows = all_rows();
+  return rows;
+}
+
+const Parameter* find_parameter(std::string_view key) {
+  for (const Parameter& row : parameters()) {
+    if (row.key == key) return &row;
+  }
+  return nullptr;
+}
+
+std::string table_of(const Parameter& row) { return std::string(row.key.substr(0, row.key.find('.'))); }
+std::string name_of(const Parameter& row) { return std::string(row.key.substr(row.key.find('.') + 1)); }
+
+Scene default_scene() {
+  Scene scene{};
+  for (const Parameter& row : parameters()) {
+    if (row.standard.empty()) continue;
+    [[maybe_unused]] const std::string problem = assign(scene, row, value_from_text(row.standard));
+    assert(problem.empty());
+  }
+  return scene;
+}
+
+}  // namespace rift

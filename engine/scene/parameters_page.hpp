@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace rift {
+
+/// The reference page docs/parameters.md, made from the parameter table; a test keeps the file equal to it.
+std::string parameters_markdown();
+
+}  // namespace rift

@@ -1,0 +1,160 @@
+#include "engine/scene/preset.hpp"
+
+#include "engine/scene/contradictions.hpp"
+#include "engine/scene/parameters.hpp"
+#include "engine/scene/preset_file.hpp"
+#include "engine/scene/toml_text.hpp"
+#include "engine/scene/unknown_key.hpp"
+#include "engine/scene/wording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace rift {
+
+namespace {
+
+/// A value that somebody gave to a known parameter.
+struct Given {
+  const Parameter* row;
+  Value value;
+  Origin origin;
+};
+
+struct Reading {
+  Preset preset;
+  std::vector<Given> given;
+  std::set<std::string> unsound;  // keys with an issue of their own
+
+  void say(Issue issue) { preset.issues.push_back(std::move(issue)); }
+};
+
+/// What [[lanes]] is.
+bool is_list_of_tables(const Value& value) {
+  const auto* list = std::get_if<std::vector<Value>>(&value.held);
+  return list && !list->empty() && kind_of(list->front()) == "a table";
+}
+
+void take_entry(Reading& reading, const TomlEntry& entry) {
+  const std::string key = entry.table + '.' + entry.name;
+  if (const Parameter* row = find_parameter(key)) {
+    reading.given.push_back({row, entry.value, {reading.preset.name, entry.line, shown(entry.value)}});
+    return;
+  }
+  if (entry.table.empty() && is_table(entry.name)) {
+    const std::string got = fmt::format("expected a table [{}], got {}", entry.name, kind_of(entry.value));
+    reading.say({reading.preset.name, entry.line, entry.name, got, shown(entry.value)});
+    return;
+  }
+  const bool as_table = entry.table.empty() && is_list_of_tables(entry.value);
+  reading.say({reading.preset.name, entry.line, "",
+               as_table ? unknown_table(entry.name) : unknown_key(entry.table, entry.name)});
+}
+
+void take_text(Reading& reading, std::string_view text) {
+  const TomlDocument document = read_toml(text);
+  if (document.error) {
+    const TomlError& e = *document.error;
+    reading.say({reading.preset.name, e.line, "", e.text, "", e.column});
+    return;
+  }
+  for (const TomlTable& table : document.tables) {
+    if (!is_table(table.name)) reading.say({reading.preset.name, table.line, "", unknown_table(table.name)});
+  }
+  for (const TomlEntry& entry : document.entries) {
+    if (entry.table.empty() || is_table(entry.table)) take_entry(reading, entry);
+  }
+}
+
+/// One --set: takes the place of what was given for its key before.
+void take_override(Reading& reading, std::string_view text) {
+  const auto equals = text.find('=');
+  if (equals == std::string_view::npos) {
+    reading.say({"--set", 0, printable(text), "expected key=value"});
+    return;
+  }
+  const std::string key(trimmed(text.substr(0, equals)));
+  const std::string_view written = trimmed(text.substr(equals + 1));
+  const Parameter* row = find_parameter(key);
+  if (!row) {
+    reading.say({"--set", 0, printable(key), unknown_key("", key), printable(written)});
+    return;
+  }
+  std::erase_if(reading.given, [&](const Given& earlier) { return earlier.row == row; });
+  reading.given.push_back({row, value_from_text(written), {"--set", 0, printable(written)}});
+}
+
+/// What is given takes the place of the default that excludes it.
+void drop_excluded_defaults(Preset& preset) {
+  const auto given = [&](const char* key) { return preset.origins.contains(key); };
+  if (given("specimen.thickness") && !given("specimen.layers")) preset.scene.specimen.layers.reset();
+  if (given("material.density") && !given("material.rayleigh_speed"))
+    preset.scene.material.rayleigh_speed.reset();
+}
+
+void assign_all(Reading& reading) {
+  reading.preset.scene = default_scene();
+  for (const Given& given : reading.given) {
+    const std::string key(given.row->key);
+    reading.preset.origins[key] = given.origin;
+    std::string problem = assign(reading.preset.scene, *given.row, given.value);
+    if (problem.empty()) continue;
+    reading.unsound.insert(key);
+    reading.say(issue_at(reading.preset, key, std::move(problem)));
+  }
+  drop_excluded_defaults(reading.preset);
+}
+
+void sort_by_place(std::vector<Issue>& issues) {
+  const auto place = [](const Issue& issue) { return std::pair{issue.file == "--set", issue.line}; };
+  std::stable_sort(issues.begin(), issues.end(),
+                   [&](const Issue& a, const Issue& b) { return place(a) < place(b); });
+}
+
+Preset finished(Reading reading, const std::vector<std::string>& overrides, bool readable) {
+  for (const std::string& text : overrides) take_override(reading, text);
+  assign_all(reading);
+  if (readable) {
+    for (Issue& issue : contradictions(reading.preset, reading.unsound)) reading.say(std::move(issue));
+  }
+  sort_by_place(reading.preset.issues);
+  return std::move(reading.preset);
+}
+
+}  // namespace
+
+Preset read_preset_text(std::string_view text, const std::string& name,
+                        const std::vector<std::string>& overrides) {
+  Reading reading;
+  reading.preset.name = name;
+  take_text(reading, text);
+  // After a syntax error nothing is known of the file, so nothing can contradict it.
+  const bool readable = reading.preset.issues.empty() || reading.preset.issues.front().column == 0;
+  return finished(std::move(reading), overrides, readable);
+}
+
+Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  const PresetFile file = read_preset_file(path);
+  if (file.problem.empty()) return read_preset_text(file.text, path.string(), overrides);
+  Reading reading;
+  reading.preset.name = path.string();
+  reading.say({path.string(), 0, "", file.problem});
+  return finished(std::move(reading), overrides, false);
+}
+
+Issue issue_at(const Preset& preset, const std::string& key, std::string text) {
+  const auto found = preset.origins.find(key);
+  if (found != preset.origins.end()) {
+    const Origin& origin = found->second;
+    return {origin.file, origin.line, key, std::move(text), origin.value};
+  }
+  const Parameter* row = find_parameter(key);
+  const std::string value = row ? toml_value(preset.scene, *row) : std::string{};
+  return {preset.name, 0, key, std::move(text), value.empty() ? value : value + " (default)"};
+}
+
+}  // namespace rift

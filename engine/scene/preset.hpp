@@ -1,0 +1,48 @@
+#pragma once
+
+#include "engine/scene/issue.hpp"
+#include "engine/scene/scene.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rift {
+
+/// Where a parameter was set.
+struct Origin {
+  std::string file;   // the preset, or "--set"
+  int line = 0;       // 0 for --set
+  std::string value;  // as shown in messages
+};
+
+/// A preset read into a scene, with every mistake that was found. The scene counts only where `issues` is
+/// empty: a parameter with an issue keeps its default.
+struct Preset {
+  Scene scene;
+  std::map<std::string, Origin> origins;  // by full key; what is not here is a default
+  std::vector<Issue> issues;              // in the order of the file, those of --set last
+  std::string name;                       // of the preset in messages
+};
+
+/// Reads a preset file, applies overrides ("crack.velocity=0.3 c_r", full keys only) and checks all of it.
+/// An override replaces what the file says of its key, the last one wins; it contradicts another key of the
+/// file as a line of the file would (thickness with layers given). Never throws for bad input, a missing file
+/// included.
+Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// The same for a text; `name` stands for the file in messages. An empty text is a preset: all defaults.
+Preset read_preset_text(std::string_view text, const std::string& name,
+                        const std::vector<std::string>& overrides = {});
+
+/// An issue about `key` that points at where it was set, or at the preset with the default value.
+/// For checks which come later and need more than the scene (the lattice, the critical step).
+Issue issue_at(const Preset& preset, const std::string& key, std::string text);
+
+/// The effective preset as TOML: every key with a line of doc, absent ones as comments. Reading it gives the
+/// scene back to the last bit.
+std::string preset_text(const Scene& scene);
+
+}  // namespace rift

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "engine/theory/plane.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rift {
+
+enum class StiffnessChoice { in_situ, bulk, explicit_values };
+enum class LoadingMethod { static_solve, ramp };
+enum class Technique { simple, progressive };
+enum class DampingRegion { none, surface, all };
+enum class Kinematics { linear };
+enum class Precision { double_precision };
+enum class ReleaseRateReference { strip };
+
+/// A speed [m/s], or a fraction of the Rayleigh speed c_r where `relative`.
+struct Speed {
+  double value = 0.0;
+  bool relative = false;
+  bool operator==(const Speed&) const = default;
+};
+
+/// One stretch of the crack's history: `speed` until the tip reaches `until` [m]; the last stretch has no
+/// end.
+struct VelocityPiece {
+  Speed speed;
+  std::optional<double> until;
+  bool operator==(const VelocityPiece&) const = default;
+};
+
+/// A straight crack path along x at height `value`: a length [m], or a fraction of the plate's height.
+struct PathHeight {
+  double value = 0.5;
+  bool relative = true;
+  bool operator==(const PathHeight&) const = default;
+};
+
+/// All that a preset says, in SI units: what the run depends on and nothing else.
+/// Each member is one row of the parameter table (scene/parameters), which holds its key, unit, default,
+/// range and doc.
+struct Scene {
+  struct Specimen {
+    double length, height;  // [m]
+    std::optional<double>
+        layers;  // elements through the thickness; fixes the thickness (physics: B ~ (L H / N)^1/2)
+    std::optional<double> thickness;  // [m]; excludes layers
+    int elements;
+    double radius_spread;  // radii uniform within +- this fraction of the mean
+    double coordination;   // 2 contacts / N, walls not counted
+    double contact_tolerance;
+    long seed;
+  } specimen;
+  struct Material {
+    double young_modulus;  // [Pa]
+    double poisson_ratio;
+    Plane plane;
+    std::optional<double> rayleigh_speed;  // [m/s]
+    std::optional<double> density;         // [kg/m3]; excludes rayleigh_speed
+    StiffnessChoice stiffness;
+    std::optional<double> micro_young_modulus;  // [Pa]; these three with stiffness = "explicit" only
+    std::optional<double> micro_poisson_ratio, micro_radius_ratio;
+  } material;
+  struct Loading {
+    double displacement;  // [m] of the top face along y
+    LoadingMethod method;
+    int ramp_steps, hold_steps;
+    double ramp_beta;  // numerical damping while ramping and holding, taken out before the crack starts
+  } loading;
+  struct Crack {
+    std::vector<VelocityPiece> velocity;
+    PathHeight path;
+    double start;               // [m]
+    std::optional<double> end;  // [m]; the end of the window where absent
+    int tips;
+    Technique technique;
+    double relaxation;         // the exponent p of Y1/Y2 = (1 - b/l)^p
+    double damage_zone_ratio;  // r_l = L_CZM / R_mean
+  } crack;
+  struct Damping {
+    double alpha;  // fraction of critical
+    DampingRegion region;
+    double surface_width;  // [mean radii]
+  } damping;
+  struct Solver {
+    Kinematics kinematics;
+    Precision precision;
+    std::optional<double> dt;           // [s]; excludes dt_fraction
+    std::optional<double> dt_fraction;  // of the undamped critical step
+    double beta;
+  } solver;
+  struct Output {
+    int samples, frames;
+    std::vector<std::string> fields;              // of "displacement", "velocity", "damage"
+    std::optional<std::array<double, 2>> window;  // fractions of the length
+    ReleaseRateReference g_i0_reference;
+  } output;
+};
+
+}  // namespace rift

@@ -1,0 +1,104 @@
+#include "engine/scene/toml_text.hpp"
+
+#include "engine/scene/wording.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+namespace rift {
+
+namespace {
+
+constexpr std::size_t largest_text = std::size_t{1} << 20;
+constexpr int most_dots_a_line = 128;
+
+Value value_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::boolean:
+      return {node.as_boolean()->get()};
+    case toml::node_type::integer:
+      return {node.as_integer()->get()};
+    case toml::node_type::floating_point:
+      return {node.as_floating_point()->get()};
+    case toml::node_type::string:
+      return {node.as_string()->get()};
+    case toml::node_type::array: {
+      std::vector<Value> list;
+      for (const toml::node& item : *node.as_array()) list.push_back(value_of(item));
+      return {std::move(list)};
+    }
+    case toml::node_type::table:
+      return {Value::Other{"a table"}};
+    case toml::node_type::time:
+      return {Value::Other{"a time of day"}};
+    default:
+      return {Value::Other{"a date"}};
+  }
+}
+
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+/// toml++ bounds the depth of lists but not of dotted keys, and frees nested tables by recursion: a key of a
+/// hundred thousand parts would exhaust the stack. Such a line is refused before it is parsed. A row of dots
+/// in a comment is no key: only dots that follow something else count.
+std::optional<TomlError> too_deep(std::string_view text) {
+  int line = 1, dots = 0;
+  char before = '.';
+  for (const char c : text) {
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+    } else if (c == '.' && before != '.' && ++dots > most_dots_a_line) {
+      return TomlError{line, 1, "the line has too many dots"};
+    }
+    before = c;
+  }
+  return {};
+}
+
+TomlDocument flattened(const toml::table& root) {
+  TomlDocument document;
+  for (const auto& [key, node] : root) {
+    const std::string name(key.str());
+    const toml::table* table = node.as_table();
+    if (!table) {
+      document.entries.push_back({"", name, value_of(node), line_of(node)});
+      continue;
+    }
+    document.tables.push_back({name, line_of(node)});
+    for (const auto& [inner, value] : *table) {
+      document.entries.push_back({name, std::string(inner.str()), value_of(value), line_of(value)});
+    }
+  }
+  const auto by_line = [](const auto& a, const auto& b) { return a.line < b.line; };
+  std::stable_sort(document.tables.begin(), document.tables.end(), by_line);
+  std::stable_sort(document.entries.begin(), document.entries.end(), by_line);
+  return document;
+}
+
+}  // namespace
+
+TomlDocument read_toml(std::string_view text) {
+  if (text.size() > largest_text) return {{}, {}, TomlError{1, 1, "larger than 1 MiB: not a preset"}};
+  if (auto error = too_deep(text)) return {{}, {}, std::move(error)};
+  try {
+    return flattened(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    return {{},
+            {},
+            TomlError{static_cast<int>(at.line), static_cast<int>(at.column),
+                      printable(error.description(), 200)}};
+  }
+}
+
+Value value_from_text(std::string_view text) {
+  const TomlDocument document = read_toml(fmt::format("value = {}", text));
+  const bool one_value = !document.error && document.tables.empty() && document.entries.size() == 1;
+  if (one_value && text.find('\n') == std::string_view::npos) return document.entries.front().value;
+  return {std::string(text)};
+}
+
+}  // namespace rift

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/scene/value.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rift {
+
+struct TomlTable {
+  std::string name;
+  int line = 0;
+};
+
+/// One `name = value` of a preset; `table` is empty at the top level. Deeper tables are values of kind "a
+/// table".
+struct TomlEntry {
+  std::string table, name;
+  Value value;
+  int line = 0;
+};
+
+struct TomlError {
+  int line = 0, column = 0;
+  std::string text;
+};
+
+/// A TOML text laid flat, in the order of its lines; where it does not parse, only the error.
+struct TomlDocument {
+  std::vector<TomlTable> tables;
+  std::vector<TomlEntry> entries;
+  std::optional<TomlError> error;
+};
+
+/// Never throws on bad text, however hostile: texts above 1 MiB and keys of absurd depth are refused.
+TomlDocument read_toml(std::string_view text);
+
+/// One value as it stands after the '=' of --set: a TOML value where it parses, else the bare text.
+Value value_from_text(std::string_view text);
+
+}  // namespace rift

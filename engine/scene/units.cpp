@@ -1,0 +1,143 @@
+#include "engine/scene/units.hpp"
+
+#include "engine/scene/wording.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+namespace rift {
+
+namespace {
+
+struct Unit {
+  std::string_view name;
+  int exponent;  // of ten, to SI
+  bool written;  // used when we write; the others are only understood
+};
+
+// From large to small.
+constexpr std::array lengths{Unit{"m", 0, true},   Unit{"cm", -2, false}, Unit{"mm", -3, true},
+                             Unit{"um", -6, true}, Unit{"µm", -6, false}, Unit{"μm", -6, false},
+                             Unit{"nm", -9, true}};
+constexpr std::array times{Unit{"s", 0, true},    Unit{"ms", -3, true},  Unit{"us", -6, true},
+                           Unit{"µs", -6, false}, Unit{"μs", -6, false}, Unit{"ns", -9, true}};
+constexpr std::array pressures{Unit{"GPa", 9, true}, Unit{"MPa", 6, true}, Unit{"kPa", 3, true},
+                               Unit{"Pa", 0, true}};
+constexpr std::array speeds{Unit{"km/s", 3, false}, Unit{"m/s", 0, true}, Unit{"mm/s", -3, false}};
+constexpr std::array densities{Unit{"g/cm3", 3, false}, Unit{"g/cm^3", 3, false}, Unit{"kg/m3", 0, true},
+                               Unit{"kg/m^3", 0, false}};
+
+struct DimensionRow {
+  std::string_view name, si, example;
+  std::span<const Unit> units;
+};
+
+DimensionRow row_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::none:
+      return {"a number", "", "0.5", {}};
+    case Dimension::length:
+      return {"a length", "m", "2 mm", lengths};
+    case Dimension::time:
+      return {"a time", "s", "0.47 ms", times};
+    case Dimension::pressure:
+      return {"a pressure", "Pa", "10 GPa", pressures};
+    case Dimension::speed:
+      return {"a speed", "m/s", "2200 m/s", speeds};
+    case Dimension::density:
+      return {"a density", "kg/m3", "667 kg/m3", densities};
+  }
+  std::abort();  // no such dimension
+}
+
+const char* end_of(std::string_view text) { return text.data() + text.size(); }
+
+/// The number `digits` times ten to `shift`, rounded once. `digits` is a finite decimal number.
+Parsed<double> shifted(std::string_view digits, int shift) {
+  const auto e = digits.find_first_of("eE");
+  int exponent = 0;
+  if (e != std::string_view::npos) {
+    std::string_view written = digits.substr(e + 1);
+    if (written.starts_with('+')) written.remove_prefix(1);
+    if (std::from_chars(written.data(), end_of(written), exponent).ec != std::errc{} ||
+        std::abs(exponent) > 10000) {
+      return {{}, "the number is too large or too small to be held"};
+    }
+  }
+  const std::string text = fmt::format("{}e{}", digits.substr(0, e), exponent + shift);
+  double value = 0.0;
+  if (std::from_chars(text.data(), end_of(text), value).ec != std::errc{}) {
+    return {{}, "the number is too large or too small to be held"};
+  }
+  return {value, {}};
+}
+
+std::string unit_names(std::span<const Unit> units) {
+  std::vector<std::string> names;
+  for (const Unit& unit : units) {
+    if (unit.written) names.emplace_back(unit.name);
+  }
+  return listed(names);
+}
+
+}  // namespace
+
+std::string_view dimension_name(Dimension dimension) { return row_of(dimension).name; }
+std::string_view si_unit(Dimension dimension) { return row_of(dimension).si; }
+std::string_view example_quantity(Dimension dimension) { return row_of(dimension).example; }
+
+std::string understood_units(Dimension dimension) {
+  std::vector<std::string> names;
+  for (const Unit& unit : row_of(dimension).units) names.emplace_back(unit.name);
+  return listed(names, "and");
+}
+
+Parsed<double> read_quantity(std::string_view text, Dimension dimension) {
+  const DimensionRow row = row_of(dimension);
+  text = trimmed(text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), end_of(text), number);
+  if (error == std::errc::invalid_argument) {
+    return {{}, fmt::format("expected {} such as \"{}\"", row.name, row.example)};
+  }
+  if (!std::isfinite(number)) return {{}, "must be a finite number"};
+
+  const std::string_view digits(text.data(), static_cast<std::size_t>(end - text.data()));
+  const std::string_view name = trimmed(text.substr(digits.size()));
+  if (name.empty()) return {{}, fmt::format("needs a unit: {}", unit_names(row.units))};
+  for (const Unit& unit : row.units) {
+    if (unit.name == name) return shifted(digits, unit.exponent);
+  }
+  return {
+      {},
+      fmt::format("unknown unit '{}' for {}: use {}", printable(name, 20), row.name, unit_names(row.units))};
+}
+
+std::string quantity_text(double si, Dimension dimension) {
+  if (dimension == Dimension::none) return fmt::format("{}", si);
+  const DimensionRow row = row_of(dimension);
+  for (const Unit& unit : row.units) {
+    if (!unit.written || std::abs(si) < std::pow(10.0, unit.exponent)) continue;
+    // 15 digits name every short decimal; whether they name this very double is what the reading back asks.
+    const std::string text = fmt::format("{:.15g} {}", si * std::pow(10.0, -unit.exponent), unit.name);
+    if (read_quantity(text, dimension).value == si) return text;
+    break;
+  }
+  return fmt::format("{} {}", si, row.si);
+}
+
+std::string rounded_text(double si, Dimension dimension) {
+  const std::string digits = fmt::format("{:.6g}", si);
+  double rounded = si;
+  std::from_chars(digits.data(), end_of(digits), rounded);
+  return quantity_text(rounded, dimension);
+}
+
+}  // namespace rift

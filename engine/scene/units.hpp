@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rift {
+
+enum class Dimension { none, length, time, pressure, speed, density };
+
+/// What was read, or what is wrong with the text.
+template <class T>
+struct Parsed {
+  std::optional<T> value;
+  std::string problem;
+};
+
+/// "a length", "a time", ... for messages.
+std::string_view dimension_name(Dimension dimension);
+
+/// The SI unit: "m", "s", "Pa", "m/s", "kg/m3"; empty for Dimension::none.
+std::string_view si_unit(Dimension dimension);
+
+/// Every unit that is understood, "m, cm, mm, ..."; the spellings with a Greek letter for micro among them.
+std::string understood_units(Dimension dimension);
+
+/// A text that would be read: "2 mm", "0.47 ms", "10 GPa", ...
+std::string_view example_quantity(Dimension dimension);
+
+/// Reads a number with a unit ("2 mm", "10 GPa", "667 kg/m3") into SI.
+/// All units are powers of ten and shift the decimal exponent before the number is rounded, so that "0.47 ms"
+/// is the double nearest to 0.00047 and no factor adds an error. NaN, infinities and a missing unit are
+/// problems.
+/// @param dimension  any but none
+Parsed<double> read_quantity(std::string_view text, Dimension dimension);
+
+/// Readable text which read_quantity turns into exactly `si` again: 0.002 m is "2 mm"; where no short text
+/// does, the SI number with its unit. For Dimension::none the number alone.
+std::string quantity_text(double si, Dimension dimension);
+
+/// As quantity_text with six digits, for messages about computed lengths and speeds.
+std::string rounded_text(double si, Dimension dimension);
+
+}  // namespace rift

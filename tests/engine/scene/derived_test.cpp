@@ -1,0 +1,84 @@
+#include "engine/scene/derived.hpp"
+
+#include "engine/scene/preset.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace rift {
+namespace {
+
+Scene scene_of(const std::vector<std::string>& overrides) {
+  const Preset preset = read_preset_text("", "x.toml", overrides);
+  for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+  return preset.scene;
+}
+
+TEST(Thickness, KeepsTwoLayersForAnyNumberOfElements) {
+  EXPECT_NEAR(thickness_m(scene_of({})), 2e-3, 1e-15);
+  EXPECT_NEAR(thickness_m(scene_of({"specimen.elements=5000"})), 4e-3, 1e-15);
+  EXPECT_NEAR(thickness_m(scene_of({"specimen.elements=80000"})), 1e-3, 1e-15);
+  // The half-size plate at a quarter of the elements has the paper's thickness, and radius.
+  EXPECT_NEAR(
+      thickness_m(scene_of({"specimen.elements=5000", "specimen.length=100 mm", "specimen.height=20 mm"})),
+      2e-3, 1e-15);
+}
+
+TEST(Thickness, GrowsWithLayersToThreeHalves) {
+  EXPECT_NEAR(thickness_m(scene_of({"specimen.layers=8"})), 16e-3, 1e-14);
+  EXPECT_EQ(thickness_m(scene_of({"specimen.thickness=3 mm"})), 3e-3);
+}
+
+TEST(MeanRadius, IsTheMeasuredOneOfThePaperPlate) {
+  EXPECT_NEAR(expected_mean_radius_m(scene_of({})), 0.487e-3, 0.0005e-3);  // physics.md §1 gives three digits
+}
+
+TEST(Density, FollowsFromTheRayleighSpeedInEitherPlane) {
+  EXPECT_NEAR(density(scene_of({})), 667, 0.5);  // physics.md §5 gives three digits
+  EXPECT_NEAR(density(scene_of({"material.plane=strain"})), 683, 0.5);
+  EXPECT_EQ(density(scene_of({"material.density=700"})), 700.0);
+}
+
+TEST(RayleighSpeed, IsTheInverseOfDensity) {
+  Scene scene = scene_of({});
+  scene.material.density = density(scene);
+  scene.material.rayleigh_speed.reset();
+  EXPECT_NEAR(rayleigh_speed(scene), 2200, 1e-8);
+  EXPECT_EQ(rayleigh_speed(scene_of({})), 2200.0);
+}
+
+TEST(HighestVelocity, IsThatOfTheFastestPieceInRayleighSpeeds) {
+  EXPECT_DOUBLE_EQ(highest_velocity(scene_of({"crack.velocity=1100 m/s"})), 0.5);
+  EXPECT_DOUBLE_EQ(
+      highest_velocity(scene_of({"crack.velocity=0.2 c_r until 20 mm, 1540 m/s until 50 mm, 0.3 c_r"})), 0.7);
+  EXPECT_EQ(speed_m_s({0.5, true}, 2200), 1100.0);
+  EXPECT_EQ(speed_m_s({900, false}, 2200), 900.0);
+}
+
+TEST(PathHeightInMetres, IsAFractionOfTheHeightOrALength) {
+  EXPECT_DOUBLE_EQ(path_height_m(scene_of({"crack.path=0.25 H"})), 0.01);
+  EXPECT_EQ(path_height_m(scene_of({"crack.path=30 mm"})), 0.03);
+}
+
+TEST(Window, LiesFurtherOnForFastCracks) {
+  using Window = std::array<double, 2>;
+  EXPECT_EQ(window_over_length(scene_of({})), (Window{0.2, 0.4}));
+  EXPECT_EQ(window_over_length(scene_of({"crack.velocity=0.8 c_r"})), (Window{0.2, 0.4}));
+  EXPECT_EQ(window_over_length(scene_of({"crack.velocity=0.9 c_r"})), (Window{0.4, 0.6}));
+  EXPECT_EQ(window_over_length(scene_of({"crack.velocity=2000 m/s"})), (Window{0.4, 0.6}));
+  EXPECT_EQ(window_over_length(scene_of({"crack.velocity=0.2 c_r until 20 mm, 1 c_r"})), (Window{0.4, 0.6}));
+  EXPECT_EQ(window_over_length(scene_of({"crack.velocity=1 c_r", "output.window=[0.1, 0.2]"})),
+            (Window{0.1, 0.2}));
+}
+
+TEST(CrackEnd, IsTheEndOfTheWindowUnlessGiven) {
+  EXPECT_NEAR(crack_end(scene_of({})), 0.08, 1e-15);
+  EXPECT_NEAR(crack_end(scene_of({"crack.velocity=0.9 c_r"})), 0.12, 1e-15);
+  EXPECT_EQ(crack_end(scene_of({"crack.end=150 mm"})), 0.15);
+}
+
+}  // namespace
+}  // namespace rift

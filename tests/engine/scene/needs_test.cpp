@@ -1,0 +1,57 @@
+#include "engine/scene/needs.hpp"
+
+#include "engine/scene/parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace rift {
+namespace {
+
+TEST(Needs, OfTheDefaultSceneAreTheDamageZoneAndFrames) {
+  const Needs needs = needs_of(default_scene());
+  EXPECT_FALSE(needs.damping);
+  EXPECT_FALSE(needs.numerical_damping);
+  EXPECT_TRUE(needs.damage_zone);
+  EXPECT_FALSE(needs.ramp);
+  EXPECT_TRUE(needs.frames);
+}
+
+Scene scene_with_everything() {
+  Scene scene = default_scene();
+  scene.damping.alpha = 0.001;
+  scene.damping.region = DampingRegion::surface;
+  scene.solver.beta = 0.9;
+  scene.loading.method = LoadingMethod::ramp;
+  return scene;
+}
+
+TEST(Needs, FollowTheScene) {
+  const Needs needs = needs_of(scene_with_everything());
+  EXPECT_TRUE(needs.damping);
+  EXPECT_TRUE(needs.numerical_damping);
+  EXPECT_TRUE(needs.ramp);
+  Scene none = scene_with_everything();
+  none.damping.region = DampingRegion::none;
+  EXPECT_FALSE(needs_of(none).damping);
+  none.output.fields.clear();
+  EXPECT_FALSE(needs_of(none).frames);
+}
+
+TEST(LeftOut, SaysWhatAndWhy) {
+  Scene scene = default_scene();
+  scene.crack.technique = Technique::simple;
+  scene.output.frames = 0;
+  EXPECT_EQ(left_out(scene),
+            (std::vector<std::string>{"damping: alpha = 0, no damped beams are built",
+                                      "numerical damping: beta = 1", "damage zone: technique = simple",
+                                      "ramp: method = static, the pre-stress is one solve",
+                                      "frames: frames = 0, no fields are written"}));
+}
+
+TEST(LeftOut, IsEmptyWhereAllIsNeeded) { EXPECT_TRUE(left_out(scene_with_everything()).empty()); }
+
+}  // namespace
+}  // namespace rift

@@ -1,0 +1,187 @@
+#include "engine/scene/parameters.hpp"
+
+#include "engine/scene/parameters_page.hpp"
+#include "engine/scene/toml_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace rift {
+namespace {
+
+std::string problem_of(const char* key, const char* text) {
+  Scene scene = default_scene();
+  return assign(scene, *find_parameter(key), value_from_text(text));
+}
+
+TEST(ParameterTable, HasEveryKeyOnceInTableOrder) {
+  std::set<std::string_view> keys;
+  std::set<std::string> opened;
+  std::string table;
+  for (const Parameter& row : parameters()) {
+    EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+    if (table_of(row) != table) {
+      table = table_of(row);
+      EXPECT_TRUE(opened.insert(table).second) << row.key;
+    }
+    EXPECT_FALSE(row.doc.empty()) << row.key;
+    EXPECT_EQ(find_parameter(row.key), &row);
+  }
+  EXPECT_EQ(find_parameter("crack.history"), nullptr);
+}
+
+TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
+  Scene scene{};
+  std::set<const void*> members;
+  const auto address = [](auto slot) -> const void* {
+    if constexpr (std::is_same_v<decltype(slot), Exponent>) {
+      return slot.p;
+    } else {
+      return slot;
+    }
+  };
+  for (const Parameter& row : parameters()) {
+    EXPECT_TRUE(members.insert(std::visit(address, row.slot(scene))).second) << row.key;
+  }
+}
+
+TEST(ParameterTable, EveryDefaultLiesInItsOwnRange) {
+  for (const Parameter& row : parameters()) {
+    if (row.standard.empty()) continue;
+    Scene scene{};
+    EXPECT_EQ(assign(scene, row, value_from_text(row.standard)), "") << row.key;
+  }
+}
+
+TEST(DefaultScene, IsThePlateOfThePaper) {
+  const Scene s = default_scene();
+  EXPECT_EQ(s.specimen.length, 0.2);
+  EXPECT_EQ(s.specimen.height, 0.04);
+  EXPECT_EQ(s.specimen.layers, 2.0);
+  EXPECT_FALSE(s.specimen.thickness);
+  EXPECT_EQ(s.specimen.elements, 20000);
+  EXPECT_EQ(s.specimen.radius_spread, 0.125);
+  EXPECT_EQ(s.material.young_modulus, 10e9);
+  EXPECT_EQ(s.material.plane, Plane::stress);
+  EXPECT_EQ(s.material.rayleigh_speed, 2200.0);
+  EXPECT_FALSE(s.material.density);
+  EXPECT_EQ(s.material.stiffness, StiffnessChoice::in_situ);
+  EXPECT_EQ(s.loading.displacement, 0.002);
+  EXPECT_EQ(s.loading.method, LoadingMethod::static_solve);
+  EXPECT_EQ(s.crack.velocity, (std::vector<VelocityPiece>{{{0.5, true}, {}}}));
+  EXPECT_EQ(s.crack.path, (PathHeight{0.5, true}));
+  EXPECT_EQ(s.crack.technique, Technique::progressive);
+  EXPECT_EQ(s.crack.relaxation, 1.0);
+  EXPECT_EQ(s.damping.region, DampingRegion::none);
+  EXPECT_EQ(s.solver.beta, 1.0);
+  EXPECT_EQ(s.output.fields, (std::vector<std::string>{"displacement", "damage"}));
+}
+
+TEST(Assign, WordsNameTheEnumerators) {
+  Scene s = default_scene();
+  const auto set = [&](const char* key, const char* word) {
+    return assign(s, *find_parameter(key), {std::string(word)});
+  };
+  EXPECT_EQ(set("material.plane", "strain"), "");
+  EXPECT_EQ(s.material.plane, Plane::strain);
+  EXPECT_EQ(set("material.stiffness", "bulk"), "");
+  EXPECT_EQ(s.material.stiffness, StiffnessChoice::bulk);
+  EXPECT_EQ(set("material.stiffness", "explicit"), "");
+  EXPECT_EQ(s.material.stiffness, StiffnessChoice::explicit_values);
+  EXPECT_EQ(set("loading.method", "ramp"), "");
+  EXPECT_EQ(s.loading.method, LoadingMethod::ramp);
+  EXPECT_EQ(set("crack.technique", "simple"), "");
+  EXPECT_EQ(s.crack.technique, Technique::simple);
+  EXPECT_EQ(set("damping.region", "surface"), "");
+  EXPECT_EQ(s.damping.region, DampingRegion::surface);
+  EXPECT_EQ(set("damping.region", "all"), "");
+  EXPECT_EQ(s.damping.region, DampingRegion::all);
+}
+
+TEST(Assign, RejectsAboveAndBelowEveryRangeAndKeepsTheScene) {
+  for (const Parameter& row : parameters()) {
+    if (row.range.lower == 0.0 && row.range.upper == 0.0) continue;  // no number
+    Scene scene = default_scene();
+    const std::string before = toml_value(scene, row);
+    for (const double x : {row.range.lower - 1e-3 * (1 + row.range.lower), 2 * row.range.upper + 1,
+                           std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()}) {
+      EXPECT_NE(assign(scene, row, {x}), "") << row.key << " " << x;
+      EXPECT_EQ(toml_value(scene, row), before) << row.key;
+    }
+  }
+}
+
+TEST(Assign, ObservesOpenAndClosedEnds) {
+  EXPECT_EQ(problem_of("damping.alpha", "0"), "");
+  EXPECT_EQ(problem_of("damping.alpha", "1"), "");
+  EXPECT_EQ(problem_of("solver.beta", "1"), "");
+  EXPECT_EQ(problem_of("solver.beta", "0"), "must lie in (0, 1]");
+  EXPECT_EQ(problem_of("specimen.radius_spread", "0"), "");
+  EXPECT_EQ(problem_of("specimen.radius_spread", "0.9"), "must lie in [0, 0.9)");
+  EXPECT_EQ(problem_of("material.poisson_ratio", "-1"), "must lie in (-1, 0.5)");
+  EXPECT_EQ(problem_of("material.poisson_ratio", "0.5"), "must lie in (-1, 0.5)");
+  EXPECT_EQ(problem_of("crack.tips", "2"), "must be 1");
+}
+
+TEST(Assign, TakesWholeNumbersInAnySpelling) {
+  Scene scene = default_scene();
+  const Parameter& row = *find_parameter("specimen.elements");
+  EXPECT_EQ(assign(scene, row, value_from_text("8e4")), "");
+  EXPECT_EQ(scene.specimen.elements, 80000);
+  EXPECT_EQ(assign(scene, row, value_from_text("5_000")), "");
+  EXPECT_EQ(scene.specimen.elements, 5000);
+  EXPECT_EQ(assign(scene, row, value_from_text("2.5")), "must be a whole number");
+}
+
+TEST(Assign, ChecksLists) {
+  EXPECT_EQ(problem_of("output.fields", "[]"), "");
+  EXPECT_EQ(problem_of("output.fields", R"(["velocity", "speed"])"),
+            "\"speed\" is none of \"displacement\", \"velocity\" and \"damage\"");
+  EXPECT_EQ(problem_of("output.fields", R"(["damage", "damage"])"), "\"damage\" twice");
+  EXPECT_EQ(problem_of("output.window", "[0, 1]"), "");
+  EXPECT_EQ(problem_of("output.window", "[0.4, 0.2]"), "must rise within [0, 1]");
+  EXPECT_EQ(problem_of("output.window", "[0.4, nan]"), "must rise within [0, 1]");
+  EXPECT_EQ(problem_of("output.window", "[0.4, 1.1]"), "must rise within [0, 1]");
+  EXPECT_EQ(problem_of("output.window", "[0.4]"), "must be two fractions of the length such as [0.2, 0.4]");
+  EXPECT_EQ(problem_of("output.window", "[\"a\", 1]"),
+            "must be two fractions of the length such as [0.2, 0.4]");
+}
+
+TEST(Assign, TakesRelaxationByNameOrNumber) {
+  Scene scene = default_scene();
+  const Parameter& row = *find_parameter("crack.relaxation");
+  EXPECT_EQ(assign(scene, row, value_from_text("quadratic")), "");
+  EXPECT_EQ(scene.crack.relaxation, 2.0);
+  EXPECT_EQ(assign(scene, row, value_from_text("0.75")), "");
+  EXPECT_EQ(toml_value(scene, row), "0.75");
+  EXPECT_EQ(assign(scene, row, value_from_text("0")), "must lie in (0, 16]");
+  EXPECT_EQ(scene.crack.relaxation, 0.75);
+}
+
+TEST(Allowed, ReadsLikeMathematics) {
+  EXPECT_EQ(allowed(*find_parameter("specimen.length")), "(0, 100] m");
+  EXPECT_EQ(allowed(*find_parameter("material.young_modulus")), "(0, 1e13] Pa");
+  EXPECT_EQ(allowed(*find_parameter("loading.method")), "\"static\" or \"ramp\"");
+}
+
+TEST(ParametersPage, IsUpToDate) {
+  std::ifstream file(RIFT_SOURCE_DIR "/docs/parameters.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(page, parameters_markdown()) << "write parameters_markdown() to docs/parameters.md";
+}
+
+TEST(ParametersPage, NamesEveryKey) {
+  const std::string page = parameters_markdown();
+  for (const Parameter& row : parameters()) {
+    EXPECT_NE(page.find("| `" + name_of(row) + "` |"), std::string::npos) << row.key;
+  }
+}
+
+}  // namespace
+}  // namespace rift
