@@ -1,0 +1,255 @@
+#include "engine/results/archive.hpp"
+
+#include "engine/results/cell_fields.hpp"
+#include "engine/results/columns.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/hdf5.hpp"
+#include "engine/results/journal_scan.hpp"
+#include "engine/results/series.hpp"
+#include "engine/results/world_error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace rift::results {
+namespace {
+
+using hdf5::Group;
+using hdf5::Growing;
+
+template <typename T>
+void write_column(Group& group, const std::string& name, const std::vector<T>& values) {
+  group.write<T>(name, values);
+}
+
+template <typename T, std::size_t K>
+std::span<const T> flat(const std::vector<std::array<T, K>>& rows) {
+  return {rows.empty() ? nullptr : rows.front().data(), rows.size() * K};
+}
+
+/// Chunks of at most 64 Ki rows that divide a frame as evenly as can be.
+std::size_t chunk_rows(std::size_t frame_rows) {
+  const std::size_t parts = frame_rows / 65536 + 1;
+  return (frame_rows + parts - 1) / parts;
+}
+
+/// `cells` cells of `size` points each, numbered as in `connectivity`.
+void write_topology(Group& vtk, const std::string& name, std::int64_t cells, std::int64_t size,
+                    const std::vector<std::int64_t>& connectivity) {
+  auto group = vtk.group(name);
+  write_column(group, "NumberOfCells", std::vector{cells});
+  write_column(group, "NumberOfConnectivityIds", std::vector{static_cast<std::int64_t>(connectivity.size())});
+  write_column(group, "Connectivity", connectivity);
+  std::vector<std::int64_t> offsets(static_cast<std::size_t>(cells) + 1);
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(i) * size;
+  write_column(group, "Offsets", offsets);
+}
+
+/// Elements as points with a vertex each, beams as lines; stored once, whatever the number of steps.
+void write_geometry(Group& vtk, const Geometry& geometry) {
+  vtk.attribute<std::int64_t>("Version", std::vector<std::int64_t>{2, 0});
+  vtk.ascii_attribute("Type", "PolyData");
+  const auto elements = static_cast<std::int64_t>(geometry.position.size());
+  write_column(vtk, "NumberOfPoints", std::vector{elements});
+  vtk.write<float>("Points", flat(geometry.position), 3);
+
+  std::vector<std::int64_t> vertices(geometry.position.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  const auto ends = flat(geometry.beam);
+  write_topology(vtk, "Vertices", elements, 1, vertices);
+  write_topology(vtk, "Lines", static_cast<std::int64_t>(geometry.beam.size()), 2,
+                 {ends.begin(), ends.end()});
+  write_topology(vtk, "Polygons", 0, 0, {});
+  write_topology(vtk, "Strips", 0, 0, {});
+}
+
+/// One array over time: the rows of all its steps on end, and where each step's rows begin.
+template <typename T>
+struct TimeField {
+  Growing<T> rows;
+  std::vector<std::int64_t> offsets;
+
+  /// Steps of which nothing was heard show the last rows before them, or else the first there will be.
+  void pad(std::size_t steps) { offsets.resize(steps, offsets.empty() ? 0 : offsets.back()); }
+  void append(std::size_t step, std::span<const T> values) {
+    pad(step);
+    offsets.push_back(static_cast<std::int64_t>(rows.rows()));
+    rows.append(values);
+  }
+};
+
+/// The arrays of PointData or of CellData, each made when its first values come.
+template <typename T>
+class TimeFields {
+ public:
+  TimeFields(Group& group, std::size_t step_rows, std::size_t columns)
+      : group_(group), step_rows_(step_rows), columns_(columns) {}
+
+  void append(const std::string& name, std::size_t step, std::span<const T> values) {
+    auto field = fields_.find(name);
+    if (field == fields_.end()) {
+      auto rows = group_.growing<T>(name, chunk_rows(step_rows_), columns_);
+      field = fields_.emplace(name, TimeField<T>{std::move(rows), {}}).first;
+    }
+    field->second.append(step, values);
+  }
+  void write_offsets(Group& offsets, std::size_t steps) {
+    for (auto& [name, field] : fields_) {
+      field.pad(steps);
+      field.rows.flush();
+      write_column(offsets, name, field.offsets);
+    }
+  }
+
+ private:
+  Group& group_;
+  std::size_t step_rows_;
+  std::size_t columns_;
+  std::map<std::string, TimeField<T>> fields_;
+};
+
+/// The Steps group of a mesh that never changes: all its offsets stay at the one copy there is.
+void write_steps(Group& steps, const std::vector<double>& times) {
+  const std::size_t count = times.size();
+  steps.attribute("NSteps", static_cast<std::int64_t>(count));
+  write_column(steps, "Values", times);
+  write_column(steps, "NumberOfParts", std::vector<std::int64_t>(count, 1));
+  for (const char* name : {"PartOffsets", "PointOffsets"})
+    write_column(steps, name, std::vector<std::int64_t>(count, 0));
+  const std::vector<std::int64_t> per_topology(4 * count, 0);  // vertices, lines, polygons, strips
+  for (const char* name : {"CellOffsets", "ConnectivityIdOffsets"})
+    steps.write<std::int64_t>(name, per_topology, 4);
+}
+
+void write_vtkhdf(Group& root, const std::filesystem::path& journal, const JournalScan& scan) {
+  const auto& geometry = *scan.geometry;
+  auto vtk = root.group("VTKHDF");
+  write_geometry(vtk, geometry);
+  auto point_data = vtk.group("PointData");
+  auto cell_data = vtk.group("CellData");
+  write_column(point_data, "radius", geometry.radius);
+  if (scan.frames == 0) return;
+
+  const std::size_t cells = geometry.position.size() + geometry.beam.size();
+  TimeFields<float> vectors(point_data, geometry.position.size(), 3);
+  TimeFields<float> factors(cell_data, cells, 0);
+  TimeFields<std::uint8_t> flags(cell_data, cells, 0);
+  std::vector<double> times;
+  for_each_moment(journal, geometry, [&](std::span<const Frame> frames) {
+    const std::size_t step = times.size();
+    times.push_back(frames.front().time_s);
+    for (const auto& frame : frames) {
+      const auto name = [&](const char* field) { return lane_name(field, frame.lane, scan.lanes); };
+      if (!frame.displacement.empty()) vectors.append(name("displacement"), step, flat(frame.displacement));
+      if (!frame.velocity.empty()) vectors.append(name("velocity"), step, flat(frame.velocity));
+      if (frame.damage_factor.empty()) continue;
+      const auto spread = cell_fields(geometry, frame);
+      factors.append(name("damage_factor"), step, spread.damage_factor);
+      flags.append(name("broken"), step, spread.broken);
+    }
+  });
+
+  auto steps = vtk.group("Steps");
+  write_steps(steps, times);
+  auto point_offsets = steps.group("PointDataOffsets");
+  auto cell_offsets = steps.group("CellDataOffsets");
+  write_column(point_offsets, "radius", std::vector<std::int64_t>(times.size(), 0));
+  vectors.write_offsets(point_offsets, times.size());
+  factors.write_offsets(cell_offsets, times.size());
+  flags.write_offsets(cell_offsets, times.size());
+}
+
+/// One member of each row, as a dataset.
+template <typename Rows, typename Get>
+void write_member(Group& group, const std::string& name, const Rows& rows, Get get) {
+  std::vector<std::decay_t<decltype(get(rows.front()))>> values;
+  values.reserve(rows.size());
+  for (const auto& row : rows) values.push_back(get(row));
+  write_column(group, name, values);
+}
+
+template <typename Rows, typename Columns>
+void write_columns(Group& group, const Rows& rows, const Columns& columns) {
+  for (const auto& column : columns)
+    write_member(group, column.name, rows, [&](const auto& row) { return row.*column.value; });
+}
+
+void write_series(Group& root, const JournalScan& scan) {
+  auto series = root.group("series");
+  write_member(series, "step", scan.samples, [](const Sample& s) { return s.step; });
+  write_member(series, "time_s", scan.samples, [](const Sample& s) { return s.time_s; });
+  write_member(series, "phase", scan.samples,
+               [](const Sample& s) { return static_cast<std::uint8_t>(s.phase); });
+  write_member(series, "lane", scan.samples, [](const Sample& s) { return s.lane; });
+  write_columns(series, scan.samples, sample_columns);
+  const auto matched = match_rates(scan.samples, scan.rates);
+  for (const auto& column : rate_columns)
+    write_member(series, column.name, matched, [&](const RatePoint* point) {
+      return point ? point->*column.value : std::numeric_limits<double>::quiet_NaN();
+    });
+}
+
+void write_crack(Group& root, const JournalScan& scan) {
+  auto crack = root.group("crack");
+  std::map<std::int32_t, const RateCurve*>
+      last;  // where a lane's curve was computed again, the later one holds
+  for (const auto& curve : scan.rates) last[curve.lane] = &curve;
+  for (const auto& [lane, curve] : last) {
+    auto group = crack.group(fmt::format("lane{}", lane));
+    write_member(group, "tip_m", curve->points, [](const RatePoint& p) { return p.tip_m; });
+    write_columns(group, curve->points, rate_columns);
+  }
+}
+
+void write_events(Group& root, const JournalScan& scan) {
+  auto events = root.group("events");
+  write_member(events, "beam", scan.events, [](const ReleaseEvent& e) { return e.beam; });
+  write_member(events, "lane", scan.events, [](const ReleaseEvent& e) { return e.lane; });
+  write_columns(events, scan.events, event_columns);
+}
+
+/// Each entry of the header as a text of its own, numbers and nested entries as JSON.
+void write_scene(Group& root, const JournalScan& scan) {
+  auto scene = root.group("scene");
+  const auto header = nlohmann::json::parse(scan.header_json, nullptr, false);
+  if (header.is_object()) {
+    for (const auto& [key, value] : header.items()) {
+      std::string name = key;
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return c == '/' || c == '.'; }, '_');
+      if (name.empty() || name == "header" || name == "summary") continue;
+      scene.write_text(name, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
+  scene.write_text("header", scan.header_json);
+  if (scan.summary_json) scene.write_text("summary", *scan.summary_json);
+}
+
+}  // namespace
+
+void assemble_archive(const std::filesystem::path& run_folder) {
+  const auto journal = run_folder / journal_name;
+  const auto scan = scan_journal(journal);
+  if (!scan.geometry) throw WorldError("assemble an archive from", journal, "it holds no geometry");
+
+  PendingFile pending(run_folder / archive_name);
+  hdf5::File file(pending.temporary());
+  {
+    auto root = file.root();
+    write_vtkhdf(root, journal, scan);
+    write_series(root, scan);
+    write_crack(root, scan);
+    write_events(root, scan);
+    write_scene(root, scan);
+  }
+  file.close();
+  pending.commit();
+}
+
+}  // namespace rift::results

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+namespace rift::results {
+
+/// Names of the files in a run's folder.
+inline constexpr const char* journal_name = "journal.rift";
+inline constexpr const char* archive_name = "run.vtkhdf";
+inline constexpr const char* series_name = "series.csv";
+inline constexpr const char* summary_name = "summary.json";
+
+/// Writes `run.vtkhdf` from what is whole of `journal.rift`, under a temporary name that is renamed when
+/// complete. /VTKHDF follows the VTKHDF specification, version 2.0, PolyData; /series, /crack, /events and
+/// /scene lie beside it (docs/results-format.md). Without frames the file is static: the geometry alone.
+/// Reads the journal twice; memory O(geometry + samples + the frames of one moment).
+/// Throws WorldError where the journal is missing or holds no geometry, or a file cannot be read or written.
+void assemble_archive(const std::filesystem::path& run_folder);
+
+}  // namespace rift::results

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/results/schema.hpp"
+
+#include <array>
+
+/// The names that series.csv, the archive and the exports share, each beside the number it stands for.
+namespace rift::results {
+
+template <typename Row>
+struct Column {
+  const char* name;
+  double Row::*value;
+};
+
+/// What follows step, time_s, phase and lane.
+inline constexpr std::array sample_columns{
+    Column<Sample>{"tip_m", &Sample::tip_m},
+    Column<Sample>{"velocity_m_s", &Sample::velocity_m_s},
+    Column<Sample>{"energy_elastic_j", &Sample::elastic_j},
+    Column<Sample>{"energy_kinetic_translation_j", &Sample::kinetic_translation_j},
+    Column<Sample>{"energy_kinetic_rotation_j", &Sample::kinetic_rotation_j},
+    Column<Sample>{"energy_step_correction_j", &Sample::step_correction_j},
+    Column<Sample>{"energy_fracture_j", &Sample::fracture_j},
+    Column<Sample>{"energy_damping_j", &Sample::damping_j},
+    Column<Sample>{"energy_numerical_damping_j", &Sample::numerical_damping_j},
+    Column<Sample>{"work_external_j", &Sample::work_external_j},
+    Column<Sample>{"ledger_residual", &Sample::residual},
+};
+
+/// What follows a tip position.
+inline constexpr std::array rate_columns{
+    Column<RatePoint>{"ratio", &RatePoint::ratio},
+    Column<RatePoint>{"ratio_release", &RatePoint::ratio_release},
+    Column<RatePoint>{"ratio_with_damping", &RatePoint::ratio_with_damping},
+    Column<RatePoint>{"ratio_translation_only", &RatePoint::ratio_translation_only},
+};
+
+/// What follows beam and lane.
+inline constexpr std::array event_columns{
+    Column<ReleaseEvent>{"time_s", &ReleaseEvent::time_s},
+    Column<ReleaseEvent>{"position_m", &ReleaseEvent::position_m},
+    Column<ReleaseEvent>{"energy_j", &ReleaseEvent::energy_j},
+};
+
+}  // namespace rift::results

@@ -1,0 +1,106 @@
+#include "engine/results/export.hpp"
+
+#include "engine/results/archive.hpp"
+#include "engine/results/columns.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/journal_scan.hpp"
+#include "engine/results/series.hpp"
+#include "engine/results/vtp.hpp"
+#include "engine/results/world_error.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <system_error>
+
+namespace rift::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw WorldError("create the folder", folder, error.message());
+  return folder;
+}
+
+template <typename Columns>
+std::string names(const Columns& columns) {
+  std::string text;
+  for (const auto& column : columns) text += fmt::format(",{}", column.name);
+  return text + "\n";
+}
+
+template <typename Row, typename Columns>
+std::string numbers(const Row& row, const Columns& columns) {
+  std::string text;
+  for (const auto& column : columns) text += "," + csv_number(row.*column.value);
+  return text + "\n";
+}
+
+std::string events_csv(const JournalScan& scan) {
+  std::string text = "beam,lane" + names(event_columns);
+  for (const auto& event : scan.events)
+    text += fmt::format("{},{}", event.beam, event.lane) + numbers(event, event_columns);
+  return text;
+}
+
+std::string rate_csv(const JournalScan& scan) {
+  std::string text = "lane,tip_m" + names(rate_columns);
+  for (const auto& curve : scan.rates)
+    for (const auto& point : curve.points)
+      text += fmt::format("{},{}", curve.lane, csv_number(point.tip_m)) + numbers(point, rate_columns);
+  return text;
+}
+
+std::string crack_csv(const JournalScan& scan) {
+  std::string text = "step,time_s,lane,tip_m,velocity_m_s\n";
+  for (const auto& sample : scan.samples) {
+    if (sample.phase != Phase::fracture) continue;
+    text += fmt::format("{},{},{},{},{}\n", sample.step, csv_number(sample.time_s), sample.lane,
+                        csv_number(sample.tip_m), csv_number(sample.velocity_m_s));
+  }
+  return text;
+}
+
+}  // namespace
+
+fs::path export_csv(const fs::path& run_folder) {
+  const auto scan = scan_journal(run_folder / journal_name);
+  const auto folder = make_folder(run_folder / "csv");
+  write_whole_file(folder / "series.csv", series_csv(scan.samples, scan.rates));
+  write_whole_file(folder / "events.csv", events_csv(scan));
+  write_whole_file(folder / "rate.csv", rate_csv(scan));
+  write_whole_file(folder / "crack.csv", crack_csv(scan));
+  return folder;
+}
+
+fs::path export_pvd(const fs::path& run_folder) {
+  const auto journal = run_folder / journal_name;
+  const auto scan = scan_journal(journal);
+  if (!scan.geometry) throw WorldError("export", journal, "it holds no geometry");
+  const auto folder = make_folder(run_folder / "pvd");
+
+  std::string entries;
+  int count = 0;
+  const auto add = [&](double time_s, std::span<const Frame> frames) {
+    const auto name = fmt::format("frame_{:06}.vtp", count++);
+    write_vtp(folder / name, *scan.geometry, frames, scan.lanes);
+    entries +=
+        fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", time_s, name);
+  };
+  for_each_moment(journal, *scan.geometry,
+                  [&](std::span<const Frame> frames) { add(frames.front().time_s, frames); });
+  if (count == 0) add(0.0, {});
+
+  const auto collection = folder / "run.pvd";
+  write_whole_file(
+      collection,
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n" +
+          entries + "  </Collection>\n</VTKFile>\n");
+  return collection;
+}
+
+}  // namespace rift::results

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// Writing HDF5 files: what the archive needs of the C API, with its handles closed and its failures thrown
+/// as WorldError that names the file, the object and the library's own reason. The library's printing is
+/// silenced. Element types: float, double, std::int32_t, std::int64_t, std::uint8_t; stored little-endian.
+namespace rift::results::hdf5 {
+
+/// An HDF5 handle that closes itself.
+class Handle {
+ public:
+  using Closer = int (*)(std::int64_t);  // hid_t -> herr_t; hdf5.h stays out of this header
+  Handle(std::int64_t id, Closer closer) : id_(id), closer_(closer) {}
+  Handle(Handle&& other) noexcept;
+  Handle& operator=(Handle&& other) noexcept;
+  ~Handle();
+  [[nodiscard]] std::int64_t id() const { return id_; }
+
+ private:
+  std::int64_t id_;
+  Closer closer_;
+};
+
+/// Where an object is, for messages, and the open file it is in.
+struct Place {
+  std::filesystem::path file;
+  std::string object;
+  std::int64_t file_id;
+};
+
+/// A dataset of rows that grows: chunks of `chunk_rows` rows, shuffled and deflated.
+template <typename T>
+class Growing {
+ public:
+  /// @param values  whole rows
+  void append(std::span<const T> values);
+  /// Writes what the library still holds of it and says whether that worked.
+  void flush();
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+
+ private:
+  friend class Group;
+  Growing(Handle dataset, Place place, std::size_t columns)
+      : dataset_(std::move(dataset)), place_(std::move(place)), columns_(columns) {}
+  Handle dataset_;
+  Place place_;
+  std::size_t columns_;
+  std::size_t rows_ = 0;
+};
+
+/// A group of an open file; must not outlive it.
+class Group {
+ public:
+  [[nodiscard]] Group group(const std::string& name);
+
+  /// A dataset of the values' own size: [n], or [n / columns, columns] where columns > 0. Larger ones are
+  /// compressed.
+  template <typename T>
+  void write(const std::string& name, std::span<const T> values, std::size_t columns = 0);
+
+  /// A scalar dataset: one fixed-length UTF-8 text.
+  void write_text(const std::string& name, std::string_view text);
+
+  /// A dataset of no rows yet, [0] or, where columns > 0, [0, columns].
+  template <typename T>
+  [[nodiscard]] Growing<T> growing(const std::string& name, std::size_t chunk_rows, std::size_t columns = 0);
+
+  /// A scalar attribute, or an array of [n].
+  template <typename T>
+  void attribute(const std::string& name, T value);
+  template <typename T>
+  void attribute(const std::string& name, std::span<const T> values);
+  /// A fixed-length ASCII attribute, not null-terminated, as VTKHDF asks of `Type`.
+  void ascii_attribute(const std::string& name, std::string_view text);
+
+ private:
+  friend class File;
+  Group(Handle handle, Place place) : handle_(std::move(handle)), place_(std::move(place)) {}
+  [[nodiscard]] Place at(const std::string& name) const;
+  Handle handle_;
+  Place place_;
+};
+
+/// A new HDF5 file; one of the name is replaced. Datasets and groups must be gone before close().
+class File {
+ public:
+  explicit File(const std::filesystem::path& path);
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  /// Without a close() before it, gives the file up: what it holds is of no use.
+  ~File();
+  [[nodiscard]] Group root();
+  /// Writes what the library still holds and says whether that worked.
+  void close();
+
+ private:
+  std::filesystem::path path_;
+  std::int64_t id_;
+};
+
+}  // namespace rift::results::hdf5

@@ -1,0 +1,128 @@
+#include "engine/results/journal.hpp"
+
+#include "engine/results/world_error.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#define XXH_INLINE_ALL
+#include <fmt/format.h>
+#include <xxhash.h>
+
+namespace rift::results {
+namespace {
+
+constexpr std::string_view magic = "RIFTJRNL";
+constexpr std::uint32_t version = 1;
+constexpr std::size_t preamble_size = 16;  // magic, version, zero
+
+/// Precedes each payload. `check` guards the head alone: a size that lies is told from a record cut short.
+struct Head {
+  std::uint32_t kind;
+  std::uint32_t check;
+  std::uint64_t size;
+};
+static_assert(sizeof(Head) == 16);
+
+std::uint32_t head_check(std::uint32_t kind, std::uint64_t size) {
+  const std::array<std::uint64_t, 2> both{kind, size};
+  return static_cast<std::uint32_t>(XXH3_64bits(both.data(), sizeof(both)));
+}
+
+template <typename T>
+std::string_view bytes_of(const T& value) {
+  return {reinterpret_cast<const char*>(&value), sizeof(T)};
+}
+
+std::array<char, preamble_size> preamble() {
+  std::array<char, preamble_size> bytes{};
+  std::memcpy(bytes.data(), magic.data(), magic.size());
+  std::memcpy(bytes.data() + magic.size(), &version, sizeof(version));
+  return bytes;
+}
+
+}  // namespace
+
+JournalWriter::JournalWriter(const std::filesystem::path& path) : file_(path) {
+  file_.append(bytes_of(preamble()));
+  file_.flush();
+}
+
+void JournalWriter::write(const Record& record) {
+  // One append a record: a flush, which an append may cause, then never ends inside one.
+  const auto payload = encode(record);
+  const Head head{kind_of(record), head_check(kind_of(record), payload.size()), payload.size()};
+  const std::uint64_t checksum = XXH3_64bits(payload.data(), payload.size());
+  std::string bytes;
+  bytes.reserve(sizeof(head) + payload.size() + sizeof(checksum));
+  bytes.append(bytes_of(head)).append(payload).append(bytes_of(checksum));
+  file_.append(bytes);
+}
+
+JournalReader::JournalReader(const std::filesystem::path& path, std::uint64_t from) : path_(path) {
+  // Opening a folder succeeds and fails only at the first read, with a poorer message.
+  std::error_code error;
+  size_ = std::filesystem::file_size(path, error);
+  if (error) throw WorldError("open", path, error.message());
+  stream_.open(path, std::ios::binary);
+  if (!stream_) throw WorldError("open", path, std::generic_category().message(errno));
+
+  std::array<char, preamble_size> bytes{};
+  stream_.read(bytes.data(), std::min<std::streamsize>(preamble_size, static_cast<std::streamsize>(size_)));
+  if (stream_.bad()) throw WorldError("read", path, std::generic_category().message(errno));
+  const auto expected = preamble();
+  if (std::memcmp(bytes.data(), expected.data(), std::min<std::size_t>(preamble_size, size_)) != 0) {
+    stop(JournalState::foreign, "not a journal of version 1");
+  } else if (size_ < preamble_size) {
+    stop(JournalState::truncated, "cut short in its first 16 bytes");
+  } else {
+    good_bytes_ = std::max<std::uint64_t>(from, preamble_size);
+    stream_.seekg(static_cast<std::streamoff>(good_bytes_));
+  }
+}
+
+std::optional<Record> JournalReader::stop(JournalState state, std::string reason) {
+  stopped_ = true;
+  state_ = state;
+  reason_ = std::move(reason);
+  return std::nullopt;
+}
+
+std::optional<Record> JournalReader::next() {
+  if (stopped_) return std::nullopt;
+  if (good_bytes_ > size_) return stop(JournalState::truncated, "shorter than when it was last read");
+  const std::uint64_t left = size_ - good_bytes_;
+  if (left == 0) return stop(JournalState::whole, "");
+  if (left < sizeof(Head))
+    return stop(JournalState::truncated, fmt::format("the record at byte {} is cut short", good_bytes_));
+
+  Head head{};
+  stream_.read(reinterpret_cast<char*>(&head), sizeof(head));
+  if (!stream_) throw WorldError("read", path_, std::generic_category().message(errno));
+  if (head.check != head_check(head.kind, head.size))
+    return stop(JournalState::damaged,
+                fmt::format("the head of the record at byte {} is damaged", good_bytes_));
+  constexpr std::uint64_t around = sizeof(Head) + sizeof(std::uint64_t);
+  if (left < around || head.size > left - around)
+    return stop(JournalState::truncated, fmt::format("the record at byte {} is cut short", good_bytes_));
+
+  std::string payload(head.size, '\0');
+  std::uint64_t checksum = 0;
+  stream_.read(payload.data(), static_cast<std::streamsize>(payload.size()));
+  stream_.read(reinterpret_cast<char*>(&checksum), sizeof(checksum));
+  if (!stream_) throw WorldError("read", path_, std::generic_category().message(errno));
+  if (checksum != XXH3_64bits(payload.data(), payload.size()))
+    return stop(JournalState::damaged, fmt::format("the record at byte {} is damaged", good_bytes_));
+  auto record = decode(head.kind, payload);
+  if (!record)
+    return stop(JournalState::damaged,
+                fmt::format("the record at byte {} (kind {}) makes no sense", good_bytes_, head.kind));
+  good_bytes_ += around + head.size;
+  return record;
+}
+
+}  // namespace rift::results

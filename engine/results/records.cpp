@@ -1,0 +1,145 @@
+#include "engine/results/records.hpp"
+
+#include <bit>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace rift::results {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "the journal stores the memory of a little-endian machine");
+static_assert(sizeof(RatePoint) == 5 * sizeof(double), "stored as it lies in memory");
+static_assert(sizeof(std::array<float, 3>) == 12 && sizeof(std::array<std::int32_t, 2>) == 8);
+
+/// Appends numbers and arrays to a payload.
+struct Encoder {
+  std::string bytes;
+
+  template <typename T>
+  void operator()(const T& value) {
+    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+  }
+  template <typename T>
+  void operator()(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    (*this)(static_cast<std::uint64_t>(values.size()));
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  }
+  void operator()(const std::string& text) { bytes.append(text); }
+};
+
+/// Takes numbers and arrays off a payload; `good` falls where it holds less than they need.
+struct Decoder {
+  std::string_view bytes;
+  bool good = true;
+
+  bool take(void* target, std::size_t size) {
+    good = good && size <= bytes.size();
+    if (!good) return false;
+    if (size > 0) std::memcpy(target, bytes.data(), size);
+    bytes.remove_prefix(size);
+    return true;
+  }
+  template <typename T>
+  void operator()(T& value) {
+    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+    take(&value, sizeof(T));
+  }
+  template <typename T>
+  void operator()(std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::uint64_t count = 0;
+    if (!take(&count, sizeof(count))) return;
+    good = count <= bytes.size() / sizeof(T);  // before the allocation: the count may lie
+    if (!good) return;
+    values.resize(count);
+    take(values.data(), count * sizeof(T));
+  }
+  void operator()(std::string& text) {
+    text = bytes;
+    bytes = {};
+  }
+};
+
+// One list of fields per kind serves both directions, so that they cannot drift apart.
+
+template <typename Codec, typename R>
+void fields(Codec& code, R& record) {
+  using T = std::remove_const_t<R>;
+  const auto all = [&code](auto&... field) { (code(field), ...); };
+  if constexpr (std::is_same_v<T, RunHeader>) {
+    all(record.json);
+  } else if constexpr (std::is_same_v<T, Geometry>) {
+    all(record.position, record.radius, record.beam, record.crossing);
+  } else if constexpr (std::is_same_v<T, Sample>) {
+    all(record.step, record.time_s, record.phase, record.lane, record.tip_m, record.velocity_m_s,
+        record.elastic_j, record.kinetic_translation_j, record.kinetic_rotation_j, record.step_correction_j,
+        record.fracture_j, record.damping_j, record.numerical_damping_j, record.work_external_j,
+        record.residual);
+  } else if constexpr (std::is_same_v<T, Frame>) {
+    all(record.step, record.time_s, record.lane, record.tip_m, record.displacement, record.velocity,
+        record.damage_factor);
+  } else if constexpr (std::is_same_v<T, ReleaseEvent>) {
+    all(record.beam, record.lane, record.time_s, record.position_m, record.energy_j);
+  } else if constexpr (std::is_same_v<T, RateCurve>) {
+    all(record.lane, record.points);
+  } else {
+    static_assert(std::is_same_v<T, RunEnd>);
+    all(record.summary_json);
+  }
+}
+
+/// Counts that agree with one another and indices that point into the arrays they index.
+bool is_sound(const Geometry& geometry) {
+  const auto elements = static_cast<std::int64_t>(geometry.position.size());
+  const auto beams = static_cast<std::int64_t>(geometry.beam.size());
+  if (geometry.radius.size() != geometry.position.size()) return false;
+  for (const auto& [a, b] : geometry.beam)
+    if (a < 0 || b < 0 || a >= elements || b >= elements) return false;
+  for (std::size_t i = 0; i < geometry.crossing.size(); ++i) {
+    if (geometry.crossing[i] < 0 || geometry.crossing[i] >= beams) return false;
+    if (i > 0 && geometry.crossing[i] <= geometry.crossing[i - 1]) return false;
+  }
+  return true;
+}
+
+bool is_sound(const Sample& sample) { return sample.phase <= Phase::fracture && sample.lane >= 0; }
+bool is_sound(const Frame& frame) { return frame.lane >= 0; }
+bool is_sound(const ReleaseEvent& event) { return event.lane >= 0 && event.beam >= 0; }
+bool is_sound(const RateCurve& curve) { return curve.lane >= 0; }
+bool is_sound(const RunHeader&) { return true; }
+bool is_sound(const RunEnd&) { return true; }
+
+template <std::size_t I = 0>
+std::optional<Record> decode_kind(std::size_t index, std::string_view payload) {
+  if constexpr (I == std::variant_size_v<Record>) {
+    return std::nullopt;
+  } else {
+    if (index != I) return decode_kind<I + 1>(index, payload);
+    std::variant_alternative_t<I, Record> record;
+    Decoder decoder{payload};
+    fields(decoder, record);
+    if (!decoder.good || !decoder.bytes.empty() || !is_sound(record)) return std::nullopt;
+    return record;
+  }
+}
+
+}  // namespace
+
+std::uint32_t kind_of(const Record& record) { return static_cast<std::uint32_t>(record.index()) + 1; }
+
+std::string encode(const Record& record) {
+  Encoder encoder;
+  std::visit([&encoder](const auto& one) { fields(encoder, one); }, record);
+  return std::move(encoder.bytes);
+}
+
+std::optional<Record> decode(std::uint32_t kind, std::string_view payload) {
+  if (kind == 0) return std::nullopt;
+  return decode_kind(kind - 1, payload);
+}
+
+}  // namespace rift::results

@@ -1,0 +1,137 @@
+#include "engine/results/run_folder.hpp"
+
+#include "engine/results/archive.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/journal_scan.hpp"
+#include "engine/results/world_error.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace rift::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has_affixes(std::string_view name, std::string_view prefix, std::string_view suffix) {
+  return name.size() >= prefix.size() + suffix.size() && name.starts_with(prefix) && name.ends_with(suffix);
+}
+
+bool is_run_file(std::string_view name) {
+  if (name.ends_with(".part")) name.remove_suffix(5);  // left by a kill
+  return name == journal_name || name == archive_name || name == series_name || name == summary_name ||
+         has_affixes(name, "checkpoint", ".h5");
+}
+
+bool is_export(std::string_view folder, std::string_view name) {
+  if (name.ends_with(".part")) name.remove_suffix(5);
+  if (folder == "csv")
+    return name == "series.csv" || name == "events.csv" || name == "rate.csv" || name == "crack.csv";
+  return folder == "pvd" && (name == "run.pvd" || has_affixes(name, "frame_", ".vtp"));
+}
+
+std::vector<fs::path> entries(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> paths;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    paths.push_back(entry->path());
+  if (error) throw WorldError("read the folder", folder, error.message());
+  return paths;
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw WorldError("remove", path, error.message());
+}
+
+/// Removes a former run and its exports, and nothing else.
+void remove_run(const fs::path& folder) {
+  for (const auto& path : entries(folder)) {
+    const auto name = path.filename().string();
+    if (is_run_file(name) && !fs::is_directory(path)) remove_file(path);
+    if ((name == "csv" || name == "pvd") && fs::is_directory(path) && !fs::is_symlink(path)) {
+      for (const auto& file : entries(path))
+        if (is_export(name, file.filename().string()) && !fs::is_directory(file)) remove_file(file);
+      if (entries(path).empty()) remove_file(path);
+    }
+  }
+}
+
+void try_to_write(const fs::path& folder) {
+  const auto probe = folder / ".rift_probe.part";
+  std::error_code nothing_to_remove;
+  fs::remove(probe, nothing_to_remove);
+  try {
+    AppendFile file(probe);
+    file.append("rift");
+    file.close();
+  } catch (const WorldError& failure) {
+    fs::remove(probe, nothing_to_remove);
+    throw WorldError("write into", folder, failure.what());
+  }
+  remove_file(probe);
+}
+
+}  // namespace
+
+void create_run_folder(const fs::path& folder, bool force) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw WorldError("create the folder", folder, error.message());
+  if (!fs::is_directory(folder)) throw WorldError("create the folder", folder, "a file of that name exists");
+
+  bool empty = true;
+  bool holds_run = false;
+  for (const auto& path : entries(folder)) {
+    empty = false;
+    holds_run = holds_run || is_run_file(path.filename().string());
+  }
+  if (!empty && !force)
+    throw FolderExists(
+        fmt::format("{} exists and is not empty; --force replaces a run in it", folder.string()));
+  if (!empty && !holds_run)
+    throw FolderExists(
+        fmt::format("{} holds other files and no run; --force replaces only runs", folder.string()));
+  try_to_write(folder);
+  remove_run(folder);
+}
+
+RunState inspect_run(const fs::path& folder) {
+  RunState state;
+  const auto journal = folder / journal_name;
+  std::error_code ignored;
+  if (!fs::exists(journal, ignored)) {
+    state.reason = fmt::format("{} holds no {}", folder.string(), journal_name);
+    return state;
+  }
+  auto scan = scan_journal(journal);
+  state.reason = scan.reason;
+  state.header_json = std::move(scan.header_json);
+  state.summary_json = std::move(scan.summary_json);
+  state.lanes = scan.lanes;
+  state.samples = static_cast<std::int64_t>(scan.samples.size());
+  state.frames = scan.frames;
+  state.last_step = scan.last_step;
+  state.last_time_s = scan.last_time_s;
+  state.good_bytes = scan.good_bytes;
+  state.has_archive = fs::exists(folder / archive_name, ignored);
+
+  if (scan.state == JournalState::foreign) {
+    state.condition = RunCondition::not_a_run;
+  } else if (scan.state == JournalState::damaged) {
+    state.condition = RunCondition::damaged;
+  } else if (scan.state == JournalState::whole && state.summary_json) {
+    state.condition = RunCondition::finished;
+  } else {
+    state.condition = RunCondition::unfinished;
+    if (state.reason.empty()) state.reason = "the run has not ended: stopped, killed or still going on";
+  }
+  return state;
+}
+
+}  // namespace rift::results

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+/// The folder of a run: made, and found again (docs/results-format.md).
+namespace rift::results {
+
+/// The folder is there and must not be written into; the user's mistake, exit code 2.
+struct FolderExists : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Makes the folder and its parents, and tries whether it can be written to. An empty folder is as good as
+/// none. With `force` a former run's own files are removed, its exports among them; files that rift did not
+/// write are never touched, and a folder that holds such files but no run is refused even so. Throws
+/// FolderExists, or WorldError where the folder cannot be made or written to.
+void create_run_folder(const std::filesystem::path& folder, bool force);
+
+enum class RunCondition : std::uint8_t {
+  finished,    // the run ended by itself
+  unfinished,  // stopped, killed or still going on; whole up to its last flush
+  damaged,     // the journal is damaged at byte good_bytes; what lies before is whole
+  not_a_run,   // no journal, or none of ours
+};
+
+/// What a folder holds, by its journal.
+struct RunState {
+  RunCondition condition = RunCondition::not_a_run;
+  std::string reason;                       // for people: why it is not finished, or not a run
+  std::string header_json;                  // empty where the journal holds none
+  std::optional<std::string> summary_json;  // where the run ended by itself
+  std::int32_t lanes = 0;
+  std::int64_t samples = 0;
+  std::int64_t frames = 0;
+  std::int64_t last_step = 0;
+  double last_time_s = 0;
+  std::uint64_t good_bytes = 0;  // of the journal
+  bool has_archive = false;      // run.vtkhdf is there
+};
+
+/// Reads the journal once. Throws WorldError only where it is there and cannot be read.
+[[nodiscard]] RunState inspect_run(const std::filesystem::path& folder);
+
+}  // namespace rift::results

@@ -1,0 +1,58 @@
+#include "engine/results/run_writer.hpp"
+
+#include "engine/results/archive.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/journal_scan.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <utility>
+
+namespace rift::results {
+namespace {
+
+/// NaN and infinities become null (JSON has neither); bytes that are no UTF-8, as paths may hold, are
+/// replaced.
+std::string json_text(const nlohmann::ordered_json& value, int indent) {
+  return value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+RunWriter::RunWriter(std::filesystem::path folder, const nlohmann::ordered_json& header,
+                     const Geometry& geometry)
+    : folder_(std::move(folder)), journal_(folder_ / journal_name), series_(folder_ / series_name) {
+  journal_.write(RunHeader{json_text(header, -1)});
+  journal_.write(geometry);
+  journal_.flush();
+}
+
+void RunWriter::sample(const Sample& sample) {
+  journal_.write(sample);
+  series_.write(sample);
+}
+
+void RunWriter::frame(const Frame& frame) { journal_.write(frame); }
+
+void RunWriter::event(const ReleaseEvent& event) { journal_.write(event); }
+
+void RunWriter::flush() {
+  journal_.flush();
+  series_.flush();
+}
+
+void RunWriter::finish(const nlohmann::ordered_json& summary,
+                       const std::vector<std::vector<RatePoint>>& rate_per_lane) {
+  for (std::size_t lane = 0; lane < rate_per_lane.size(); ++lane)
+    journal_.write(RateCurve{static_cast<std::int32_t>(lane), rate_per_lane[lane]});
+  journal_.write(RunEnd{json_text(summary, -1)});
+  journal_.close();
+  series_.close();
+
+  const auto scan = scan_journal(folder_ / journal_name);
+  write_whole_file(folder_ / series_name, series_csv(scan.samples, scan.rates));
+  assemble_archive(folder_);
+  write_whole_file(folder_ / summary_name, json_text(summary, 2) + "\n");
+}
+
+}  // namespace rift::results

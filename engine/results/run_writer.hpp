@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/results/journal.hpp"
+#include "engine/results/series.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <vector>
+
+namespace rift::results {
+
+/// Writes a run's folder while the run goes on and completes it at the end. Killed at any moment it leaves a
+/// journal that is whole up to the last flush. One thread at a time. Every failure is a WorldError with path
+/// and reason.
+class RunWriter {
+ public:
+  /// @param folder  made by create_run_folder()
+  /// @param header  an object: what is run and by what: "preset" (effective, as text), "version", "seed",
+  /// "compiler",
+  ///                "instruction_set", "lanes" (how many) and more; each becomes /scene/<name> of the archive
+  RunWriter(std::filesystem::path folder, const nlohmann::ordered_json& header, const Geometry& geometry);
+
+  void sample(const Sample& sample);
+  void frame(const Frame& frame);
+  void event(const ReleaseEvent& event);
+  /// After each batch: what was given so far is then seen by `watch` and survives a kill.
+  void flush();
+
+  /// The run has ended by itself: the rates and the summary go into the journal, then the final series.csv,
+  /// run.vtkhdf and, last, summary.json (undefined values null). Each appears whole or not at all.
+  /// @param rate_per_lane  points of lane 0, 1, ...
+  void finish(const nlohmann::ordered_json& summary,
+              const std::vector<std::vector<RatePoint>>& rate_per_lane);
+
+ private:
+  std::filesystem::path folder_;
+  JournalWriter journal_;
+  SeriesWriter series_;
+};
+
+}  // namespace rift::results

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What a run leaves behind, as plain data. Everything here is SI and knows nothing of how it was computed.
+namespace rift::results {
+
+enum class Phase : std::uint8_t { loading, hold, fracture };
+
+/// One lane's books at one step; energies and works in J since the start of the run.
+struct Sample {
+  std::int64_t step = 0;
+  double time_s = 0;
+  Phase phase = Phase::fracture;
+  std::int32_t lane = 0;
+  double tip_m = 0;
+  double velocity_m_s = 0;  // of the tip
+  double elastic_j = 0;
+  double kinetic_translation_j = 0;
+  double kinetic_rotation_j = 0;
+  double step_correction_j = 0;
+  double fracture_j = 0;
+  double damping_j = 0;
+  double numerical_damping_j = 0;
+  double work_external_j = 0;
+  double residual = 0;  // relative to the largest lattice energy so far
+};
+
+/// Release rate at one tip position, by a centred difference; ratios of G_I0 [-].
+struct RatePoint {
+  double tip_m = 0;
+  double ratio = 0;
+  double ratio_release = 0;
+  double ratio_with_damping = 0;
+  double ratio_translation_only = 0;
+};
+
+/// The lattice as a viewer needs it.
+struct Geometry {
+  std::vector<std::array<float, 3>> position;     // N [m], unloaded
+  std::vector<float> radius;                      // N [m]
+  std::vector<std::array<std::int32_t, 2>> beam;  // B pairs of elements
+  std::vector<std::int32_t> crossing;             // the beams that the crack path crosses, ascending
+};
+
+/// The state of one lane at one moment; a field not asked for is empty.
+struct Frame {
+  std::int64_t step = 0;
+  double time_s = 0;
+  std::int32_t lane = 0;
+  double tip_m = 0;
+  std::vector<std::array<float, 3>> displacement;  // N [m]
+  std::vector<std::array<float, 3>> velocity;      // N [m/s]
+  std::vector<float> damage_factor;                // per crossing beam, 1 intact, 0 broken
+};
+
+/// A beam that the crack has released for good.
+struct ReleaseEvent {
+  std::int32_t beam = 0;
+  std::int32_t lane = 0;
+  double time_s = 0;
+  double position_m = 0;  // arc length of the crossing
+  double energy_j = 0;    // booked as fracture energy over its whole release
+};
+
+}  // namespace rift::results

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "engine/results/schema.hpp"
+
+#include <stdlib.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+/// A run small enough to check by hand: 4 elements in a chain of 3 beams, of which the path crosses the last
+/// two.
+namespace rift::results::small_run {
+
+inline Geometry geometry() {
+  return {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0.5F, 0.25F}},
+          {0.5F, 0.4F, 0.3F, 0.2F},
+          {{0, 1}, {1, 2}, {2, 3}},
+          {1, 2}};
+}
+
+inline Sample sample(std::int64_t step, std::int32_t lane, double tip_m) {
+  return {step,
+          1e-8 * static_cast<double>(step),
+          Phase::fracture,
+          lane,
+          tip_m,
+          1100.1,
+          0.1 + 0.2,
+          1.0 / 3,
+          2e-300,
+          -3e-9,
+          0.25,
+          0.125,
+          0.0625,
+          1e22,
+          5e-12};
+}
+
+/// All fields, with values that tell step, lane and place apart.
+inline Frame frame(std::int64_t step, std::int32_t lane) {
+  Frame frame{step, 1e-6 * static_cast<double>(step), lane, 0.1, {}, {}, {}};
+  for (int i = 0; i < 4; ++i) {
+    const auto base = static_cast<float>(step) * 100 + static_cast<float>(lane) * 10 + static_cast<float>(i);
+    frame.displacement.push_back({base, base + 0.25F, base + 0.5F});
+    frame.velocity.push_back({-base, 0, 1});
+  }
+  frame.damage_factor = {1, 0.5F};
+  if (step > 0) frame.damage_factor = {0.25F, 0};
+  return frame;
+}
+
+/// A folder of its own, gone with the object.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (std::filesystem::temp_directory_path() / "rift_results_XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("mkdtemp failed");
+    path_ = name;
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() { std::filesystem::remove_all(path_); }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline void put_bytes(const std::filesystem::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+}  // namespace rift::results::small_run
