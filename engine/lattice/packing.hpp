@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+namespace rift {
+
+/// A box [0, length] x [0, height] x [0, thickness] with flat walls [m].
+struct Box {
+  double length = 0, height = 0, thickness = 0;
+  double volume() const { return length * height * thickness; }
+};
+
+/// What a packing depends on; two equal requests give the same packing, bit for bit, on one instruction set.
+struct PackingRequest {
+  Box box;
+  int elements = 0;
+  double radius_spread = 0;  // radii uniform within +- this fraction of their mean
+  double coordination = 0;   // 2 contacts / N over all elements, walls not counted
+  std::uint64_t seed = 0;
+};
+
+/// Overlapping spheres at rest against each other and the walls of their box.
+struct Packing {
+  std::vector<Eigen::Vector3d> centre;  // N [m], in rows along y that follow each other along x
+  std::vector<double> radius;           // N [m]
+};
+
+/// How dense and how overlapping a packing is.
+struct PackingStatistics {
+  double coordination = 0;
+  double solid_fraction = 0;  // sum of the spheres' volumes over the box's
+  double mean_overlap = 0;    // mean of 1 - distance / (r_i + r_j) over the contacts
+  double mean_radius = 0;     // [m]
+};
+
+/// The coordination asked for is out of reach of a packing that is dense enough and not pressed too hard.
+struct PackingError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Told the fraction done in [0, 1] from time to time; answers false to give up (throws Interrupted then).
+using PackingProgress = std::function<bool(double)>;
+
+/// Random compact packing: spheres grow from a loose random start while their overlap energy
+///   U = 1/2 sum (r_i + r_j - d_ij)^2 + sum (r_i - d_i,wall)^2
+/// (a wall counts as half a contact with the sphere's mirror image; walls half as stiff make a plate of the
+/// same coordination 7 % softer) is kept at a minimum (FIRE, Bitzek et al. 2006, with the step of Guenole et
+/// al. 2020), until the coordination number at a minimum converged to 1e-6 of the mean contact force reaches
+/// the request   [physics.md §1]. Throws PackingError where that takes a mean overlap above 4 %.
+Packing pack_box(const PackingRequest& request, const PackingProgress& progress = {});
+
+/// Pairs (i < j) at a distance of at most tolerance x (r_i + r_j), ordered by i, then j. Cost O(N).
+std::vector<std::array<int, 2>> contacts(const Packing& packing, double tolerance);
+
+PackingStatistics statistics(const Packing& packing, const Box& box);
+
+}  // namespace rift
