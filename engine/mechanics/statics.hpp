@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/lattice/lattice.hpp"
+
+#include <stdexcept>
+#include <vector>
+
+namespace rift {
+
+/// The linear system of the pre-stress could not be solved to its tolerance.
+struct StaticsError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Displacements of all elements at rest, K q = 0 on the free ones   [physics.md §4].
+/// Bottom elements are clamped, top elements move by `displacement` along y without turning; elements that no
+/// path of present beams joins to a grip stay where they are.
+/// @param[in] present       B, 0 for a beam that a notch has cut
+/// @param[in] displacement  [m]
+/// @return N displacements (u [m], theta [rad]); relative residual of the free forces 1e-12
+/// Cost about 100 products with K (conjugate gradients, see RigidPatches); throws StaticsError.
+std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector<char>& present,
+                                       double displacement);
+
+}  // namespace rift
