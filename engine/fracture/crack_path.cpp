@@ -1,0 +1,56 @@
+#include "engine/fracture/crack_path.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace rift {
+namespace {
+
+/// Twice the area of the triangle (a, b, p): positive where p lies to the left of a -> b.
+double side(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
+  return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+}
+
+}  // namespace
+
+CrackPath straight_path(double length, double height) { return {{{0.0, height}, {length, height}}}; }
+
+std::optional<double> first_crossing(const CrackPath& path, const Eigen::Vector2d& a,
+                                     const Eigen::Vector2d& b) {
+  double behind = 0.0;
+  for (std::size_t k = 0; k + 1 < path.point.size(); ++k) {
+    const Eigen::Vector2d &p = path.point[k], &q = path.point[k + 1];
+    const double length = (q - p).norm();
+    const bool parted = (side(p, q, a) >= 0.0) != (side(p, q, b) >= 0.0);
+    const double from = side(a, b, p), to = side(a, b, q);
+    if (parted && (from >= 0.0) != (to >= 0.0)) return behind + length * from / (from - to);
+    behind += length;
+  }
+  return std::nullopt;
+}
+
+double distance_to(const CrackPath& path, const Eigen::Vector2d& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k + 1 < path.point.size(); ++k) {
+    const Eigen::Vector2d along = path.point[k + 1] - path.point[k];
+    const double t = std::clamp((p - path.point[k]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (p - path.point[k] - t * along).norm());
+  }
+  return nearest;
+}
+
+std::vector<Crossing> crossings(const CrackPath& path, const Lattice& lattice) {
+  std::vector<Crossing> found;
+  for (int b = 0; b < static_cast<int>(lattice.ends.size()); ++b) {
+    const auto& [i, j] = lattice.ends[b];
+    if (const auto s = first_crossing(path, lattice.centre[i].head<2>(), lattice.centre[j].head<2>()))
+      found.push_back({b, *s});
+  }
+  std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) {
+    return std::tie(a.position, a.beam) < std::tie(b.position, b.beam);
+  });
+  return found;
+}
+
+}  // namespace rift

@@ -1,0 +1,86 @@
+#include "engine/fracture/release_rate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift {
+namespace {
+
+using results::RatePoint;
+using results::Sample;
+
+/// Energy that has left the lattice other than by damping [J].
+double released(const Sample& s) {
+  return s.work_external_j - s.elastic_j - s.kinetic_translation_j - s.kinetic_rotation_j +
+         s.step_correction_j - s.damping_j - s.numerical_damping_j;
+}
+
+/// The books at a tip position between two rows, each column interpolated.
+Sample books_at(const std::vector<Sample>& lane, double tip) {
+  const auto after = std::lower_bound(lane.begin() + 1, lane.end() - 1, tip,
+                                      [](const Sample& s, double a) { return s.tip_m < a; });
+  const Sample &p = *(after - 1), &q = *after;
+  const double t = (tip - p.tip_m) / (q.tip_m - p.tip_m);
+  Sample s = p;
+  s.tip_m = tip;
+  for (double Sample::*column : {&Sample::elastic_j, &Sample::kinetic_translation_j,
+                                 &Sample::kinetic_rotation_j, &Sample::step_correction_j, &Sample::fracture_j,
+                                 &Sample::damping_j, &Sample::numerical_damping_j, &Sample::work_external_j})
+    s.*column += t * (q.*column - p.*column);
+  return s;
+}
+
+const Sample& row_nearest(const std::vector<Sample>& lane, double tip) {
+  return *std::min_element(lane.begin(), lane.end(), [&](const Sample& a, const Sample& b) {
+    return std::abs(a.tip_m - tip) < std::abs(b.tip_m - tip);
+  });
+}
+
+}  // namespace
+
+RatePoint rate_between(const Sample& from, const Sample& to, const RateScale& scale) {
+  const double unit = scale.thickness * (to.tip_m - from.tip_m) * scale.g_i0;
+  const double ratio = (released(to) - released(from)) / unit;
+  return {.tip_m = 0.5 * (from.tip_m + to.tip_m),
+          .ratio = ratio,
+          .ratio_release = (to.fracture_j - from.fracture_j) / unit,
+          .ratio_with_damping = ratio + (to.damping_j - from.damping_j) / unit,
+          .ratio_translation_only = ratio + (to.kinetic_rotation_j - from.kinetic_rotation_j) / unit};
+}
+
+std::vector<RatePoint> rate_curve(const std::vector<Sample>& lane, const RateScale& scale) {
+  std::vector<RatePoint> curve;
+  const double half = 0.005 * scale.length;
+  for (const Sample& s : lane) {
+    if (s.tip_m - half < lane.front().tip_m || s.tip_m + half > lane.back().tip_m) continue;
+    curve.push_back(rate_between(books_at(lane, s.tip_m - half), books_at(lane, s.tip_m + half), scale));
+    curve.back().tip_m = s.tip_m;
+  }
+  return curve;
+}
+
+Plateau plateau_of(const std::vector<Sample>& lane, const std::array<double, 2>& window,
+                   const RateScale& scale) {
+  Plateau plateau;
+  if (lane.empty()) return plateau;
+  const Sample &first = row_nearest(lane, window[0]), &last = row_nearest(lane, window[1]);
+  const double slack = 0.01 * (window[1] - window[0]);
+  if (std::abs(first.tip_m - window[0]) > slack || std::abs(last.tip_m - window[1]) > slack) return plateau;
+  plateau.mean = rate_between(first, last, scale);
+  plateau.window_m = {first.tip_m, last.tip_m};
+  plateau.reached = true;
+  const Sample* from = &first;
+  double sum = 0.0, squares = 0.0;
+  for (int k = 1; k <= sub_windows; ++k) {
+    const Sample& to = row_nearest(lane, window[0] + k * (window[1] - window[0]) / sub_windows);
+    const double ratio = rate_between(*from, to, scale).ratio_with_damping;
+    sum += ratio, squares += ratio * ratio;
+    from = &to;
+  }
+  const double mean = sum / sub_windows;
+  plateau.scatter =
+      std::sqrt(std::max(0.0, squares / sub_windows - mean * mean) * sub_windows / (sub_windows - 1));
+  return plateau;
+}
+
+}  // namespace rift

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/results/schema.hpp"
+
+#include <array>
+#include <vector>
+
+namespace rift {
+
+/// What a release rate is measured against.
+struct RateScale {
+  double thickness = 0;  // b [m]
+  double g_i0 = 0;       // [J/m2]
+  double length = 0;     // L of the specimen [m]
+};
+
+/// Release rates over G_I0 between two rows of the books   [physics.md §7; paper eq. (7)]:
+///   ratio = (dW_ext - dW_elas - dK + dC - dW_damping - dW_numerical) / (b da G_I0), K with rotation
+///   ratio_release = fracture energy / (b da G_I0);  with damping: ratio + damping;  translation only: K
+///   without rotation
+/// tip_m is the middle of the two.
+results::RatePoint rate_between(const results::Sample& from, const results::Sample& to,
+                                const RateScale& scale);
+
+/// Release rate against tip position: centred difference over 0.01 L around each row of the books, between
+/// neighbouring rows interpolated; none where that reaches beyond the first or the last row.
+/// @param[in] lane  rows of one lane in the fracture phase, in time
+std::vector<results::RatePoint> rate_curve(const std::vector<results::Sample>& lane, const RateScale& scale);
+
+/// The plateau: rates over the window, and their scatter.
+struct Plateau {
+  results::RatePoint mean;
+  double scatter = 0;                // standard deviation of ratio_with_damping over ten equal sub-windows
+  std::array<double, 2> window_m{};  // tip positions of the rows nearest to the window's ends
+  bool reached = false;              // false where the run stopped before the window's end
+};
+
+inline constexpr int sub_windows = 10;
+
+/// @param[in] window  tip positions [m]; the rows nearest to its ends and sub-divisions are used
+Plateau plateau_of(const std::vector<results::Sample>& lane, const std::array<double, 2>& window,
+                   const RateScale& scale);
+
+}  // namespace rift
