@@ -1,0 +1,225 @@
+#include "engine/simulation/prepare.hpp"
+
+#include "engine/interrupted.hpp"
+#include "engine/lattice/stiffness.hpp"
+#include "engine/mechanics/statics.hpp"
+#include "engine/scene/derived.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <limits>
+
+namespace rift {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void tell(const StageProgress& progress, std::string_view stage, double done) {
+  if (progress && !progress(stage, done)) throw Interrupted(std::string(stage));
+}
+
+PackingRequest request_of(const Scene& scene) {
+  const Scene::Specimen& s = scene.specimen;
+  return {.box = {s.length, s.height, thickness_m(scene)},
+          .elements = s.elements,
+          .radius_spread = s.radius_spread,
+          .coordination = s.coordination,
+          .seed = static_cast<std::uint64_t>(s.seed)};
+}
+
+/// Names all that a packing depends on; the version rises whenever pack_box gives other packings for the same
+/// request.
+std::string key_of(const PackingRequest& r) {
+  constexpr int version = 1;
+  return fmt::format("packing {} box {:a} {:a} {:a} elements {} spread {:a} coordination {:a} seed {}",
+                     version, r.box.length, r.box.height, r.box.thickness, r.elements, r.radius_spread,
+                     r.coordination, r.seed);
+}
+
+Packing cached_packing(const PackingRequest& request, Cache& cache, bool& from_cache,
+                       const StageProgress& progress) {
+  Packing packing;
+  const std::string key = key_of(request);
+  if (const auto numbers = recall(cache, "packing", key);
+      numbers && numbers->size() == 4UL * request.elements) {
+    from_cache = true;
+    for (std::size_t k = 0; k < numbers->size(); k += 4) {
+      packing.centre.emplace_back((*numbers)[k], (*numbers)[k + 1], (*numbers)[k + 2]);
+      packing.radius.push_back((*numbers)[k + 3]);
+    }
+    return packing;
+  }
+  packing = pack_box(request, [&](double done) { return !progress || progress("packing", done); });
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < packing.radius.size(); ++i)
+    numbers.insert(numbers.end(),
+                   {packing.centre[i].x(), packing.centre[i].y(), packing.centre[i].z(), packing.radius[i]});
+  remember(cache, "packing", key, numbers);
+  return packing;
+}
+
+/// The lattice at rest with its top face moved by 1 m. It is linear, and all stiffnesses carry the same
+/// factor E_mu, so this one solution serves any displacement and any micro modulus.
+std::vector<Vector6> cached_unit_stretch(const Lattice& lattice, const std::vector<char>& present,
+                                         const std::string& key, Cache& cache, bool& from_cache) {
+  const std::size_t n = lattice.centre.size();
+  std::vector<Vector6> q(n);
+  if (const auto numbers = recall(cache, "statics", key); numbers && numbers->size() == 6 * n) {
+    for (std::size_t i = 0; i < n; ++i) q[i] = Eigen::Map<const Vector6>(numbers->data() + 6 * i);
+    return q;
+  }
+  from_cache = false;
+  q = stretched_at_rest(lattice, present, 1.0);
+  remember(cache, "statics", key, {q.front().data(), 6 * n});
+  return q;
+}
+
+MicroMaterial reference_micro(const Scene& scene) {
+  if (scene.material.stiffness != StiffnessChoice::explicit_values) return bulk_micro_material;
+  return {.young_modulus = *scene.material.micro_young_modulus,
+          .poisson_ratio = *scene.material.micro_poisson_ratio,
+          .radius_ratio = *scene.material.micro_radius_ratio};
+}
+
+/// What the clamped strip of a continuum with the preset's E and nu would show [Pa].
+double continuum_strip_modulus(const Scene& scene) {
+  const double nu = scene.material.poisson_ratio;
+  return scene.material.young_modulus / (1.0 - nu * nu);
+}
+
+std::vector<Vector6> scaled(const std::vector<Vector6>& unit, double displacement) {
+  std::vector<Vector6> q(unit);
+  for (Vector6& v : q) v *= displacement;
+  return q;
+}
+
+double energy_of_all(const Lattice& lattice, const std::vector<char>& present,
+                     const std::vector<Vector6>& q) {
+  double energy = 0.0;
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
+    const auto& [i, j] = lattice.ends[b];
+    if (present[b]) energy += energy_of(lattice.beam[b], strain_of(lattice.beam[b], q[i], q[j]));
+  }
+  return energy;
+}
+
+void build_specimen(Prepared& p, Cache& cache, const StageProgress& progress) {
+  const Scene& scene = p.preset.scene;
+  const auto start = Clock::now();
+  const PackingRequest request = request_of(scene);
+  try {
+    const Packing packing = cached_packing(request, cache, p.packing_from_cache, progress);
+    p.specimen = make_plate(packing, request.box, scene.specimen.contact_tolerance);
+  } catch (const PackingError& error) {
+    throw InputError({issue_at(p.preset, "specimen.elements", error.what())});
+  }
+  p.wall_packing_s = seconds_since(start);
+}
+
+/// Micro modulus, pre-stress and G_I0. The modulus and G_I0 belong to the strip without its notch.
+void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
+  const Scene& scene = p.preset.scene;
+  const auto start = Clock::now();
+  tell(progress, "pre-stress", 0.0);
+  p.statics_from_cache = true;
+  p.micro = reference_micro(scene);
+  p.lattice = make_lattice(p.specimen, p.micro, p.density);
+  const std::string key = fmt::format("statics 1 of {} tolerance {:a} micro {:a} {:a} {:a}",
+                                      key_of(request_of(scene)), scene.specimen.contact_tolerance,
+                                      p.micro.young_modulus, p.micro.poisson_ratio, p.micro.radius_ratio);
+  std::vector<char> present(p.lattice.beam.size(), 1);
+  std::vector<Vector6> unit = cached_unit_stretch(p.lattice, present, key, cache, p.statics_from_cache);
+  if (scene.material.stiffness == StiffnessChoice::in_situ) {
+    p.micro.young_modulus *= continuum_strip_modulus(scene) / strip_modulus(p.lattice, unit, 1.0);
+    p.lattice = make_lattice(p.specimen, p.micro, p.density);
+  }
+  const double displacement = scene.loading.displacement;
+  p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
+  p.scale = {.thickness = p.lattice.box.thickness,
+             .g_i0 = energy_per_length(p.lattice, scaled(unit, displacement)) / p.lattice.box.thickness,
+             .length = p.lattice.box.length};
+  if (scene.crack.start > 0.0) {
+    for (const Crossing& c : crossings(p.path, p.lattice))
+      if (c.position <= scene.crack.start) present[c.beam] = 0;
+    const std::string notched =
+        fmt::format("{} path {:a} notch {:a}", key, path_height_m(scene), scene.crack.start);
+    unit = cached_unit_stretch(p.lattice, present, notched, cache, p.statics_from_cache);
+  }
+  p.displacement = scaled(unit, displacement);
+  p.static_energy = energy_of_all(p.lattice, present, p.displacement);
+  if (scene.loading.method == LoadingMethod::ramp)
+    p.displacement.assign(p.displacement.size(), Vector6::Zero());
+  p.wall_prestress_s = seconds_since(start);
+  tell(progress, "pre-stress", 1.0);
+}
+
+/// Beams whose damping can matter: none, those near the path, or all.
+std::vector<DampedBeam> damped_beams(const Scene& scene, const Lattice& lattice, const CrackPath& path) {
+  std::vector<DampedBeam> damped;
+  if (scene.damping.region == DampingRegion::none) return damped;
+  std::vector<int> crossing(lattice.beam.size(), -1);
+  int next = 0;
+  for (const Crossing& c : crossings(path, lattice)) crossing[c.beam] = next++;
+  const double near = scene.damping.surface_width * lattice.mean_radius;
+  std::vector<char> at_surface(lattice.centre.size());
+  for (std::size_t i = 0; i < at_surface.size(); ++i)
+    at_surface[i] = distance_to(path, lattice.centre[i].head<2>()) <= near;
+  for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b) {
+    const bool surface = at_surface[lattice.ends[b][0]] || at_surface[lattice.ends[b][1]];
+    if (surface || scene.damping.region == DampingRegion::all)
+      damped.push_back(damped_beam(lattice, b, crossing[b], surface));
+  }
+  return damped;
+}
+
+void build_crack(Prepared& p) {
+  const Scene& scene = p.preset.scene;
+  const double length = scene.specimen.length;
+  p.crack_end = crack_end(scene);
+  const auto window = window_over_length(scene);
+  p.window = {window[0] * length, window[1] * length};
+  if (crossings(p.path, p.lattice).empty())
+    throw InputError({issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
+  ReleaseLaw& law = p.scenario.law;
+  law.technique = scene.crack.technique;
+  law.exponent = scene.crack.relaxation;
+  if (law.technique == Technique::progressive)
+    law.zone_length = scene.crack.damage_zone_ratio * p.lattice.mean_radius;
+  std::vector<SpeedUntil> pieces;
+  for (const VelocityPiece& piece : scene.crack.velocity)
+    pieces.push_back({speed_m_s(piece.speed, p.rayleigh_speed),
+                      piece.until.value_or(std::numeric_limits<double>::infinity())});
+  // The history begins a zone's length behind the notch, so that nothing is damaged in one jump.
+  p.scenario.history = history_of(scene.crack.start - law.zone_length, pieces);
+  p.damped = damped_beams(scene, p.lattice, p.path);
+  p.scenario.alpha_at_surface = p.damped.empty() ? 0.0 : scene.damping.alpha;
+  p.scenario.alpha_elsewhere = scene.damping.region == DampingRegion::all ? scene.damping.alpha : 0.0;
+}
+
+}  // namespace
+
+Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progress) {
+  Prepared p;
+  p.preset = preset;
+  const Scene& scene = p.preset.scene;
+  p.density = density(scene);
+  p.rayleigh_speed = rayleigh_speed(scene);
+  p.path = straight_path(scene.specimen.length, path_height_m(scene));
+  build_specimen(p, cache, progress);
+  build_prestress(p, cache, progress);
+  build_crack(p);
+  ViscousDamping<1> damping(p.damped);
+  damping.alpha_at_surface = {p.scenario.alpha_at_surface};
+  damping.alpha_elsewhere = {p.scenario.alpha_elsewhere};
+  tell(progress, "critical step", 0.0);
+  p.step = choose_step(p.preset, p.lattice, damping, p.scenario.law.zone_length);
+  p.schedule = make_schedule(scene, p.scenario.history, p.step.dt, p.crack_end, p.window);
+  return p;
+}
+
+}  // namespace rift

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "engine/fracture/release_rate.hpp"
+#include "engine/simulation/cache.hpp"
+#include "engine/simulation/schedule.hpp"
+#include "engine/simulation/simulation.hpp"
+#include "engine/simulation/time_step.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace rift {
+
+/// Told what is being done and the fraction of it done; answers false to stop (Interrupted is thrown then).
+using StageProgress = std::function<bool(std::string_view stage, double done)>;
+
+/// All that a run needs before its first step; what a dry run looks at.
+struct Prepared {
+  Preset preset;
+  double density = 0, rayleigh_speed = 0;  // [kg/m3], [m/s]
+  Specimen specimen;
+  MicroMaterial micro;
+  Lattice lattice;
+  double strip_modulus = 0;           // of this specimen with these beams [Pa]
+  double static_energy = 0;           // of the plate at rest, notch cut, pulled [J]
+  RateScale scale;                    // b, G_I0, L
+  std::vector<Vector6> displacement;  // at the start of the run: at rest and pulled, or none for a ramp
+  CrackPath path;
+  double crack_end = 0;            // [m]
+  std::array<double, 2> window{};  // [m]
+  LaneScenario scenario;
+  std::vector<DampedBeam> damped;
+  TimeStep step;
+  Schedule schedule;
+  bool packing_from_cache = false, statics_from_cache = false;
+  double wall_packing_s = 0, wall_prestress_s = 0;
+};
+
+/// Specimen (packing cached), lattice, pre-stress (cached), crack, step and schedule of a preset without
+/// issues. Throws InputError where the lattice cannot be what the preset asks for, Interrupted where progress
+/// says stop.
+Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progress = {});
+
+}  // namespace rift

@@ -1,0 +1,48 @@
+#include "engine/simulation/schedule.hpp"
+
+#include "engine/fracture/release_rate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift {
+namespace {
+
+using Steps = std::vector<std::int64_t>;
+
+/// `count` steps spread evenly over [from, to], both among them (as far as there are that many).
+void add_even(Steps& steps, std::int64_t from, std::int64_t to, int count) {
+  const std::int64_t most = std::max<std::int64_t>(1, count - 1);
+  for (std::int64_t k = 0; k <= most; ++k)
+    steps.push_back(
+        from + static_cast<std::int64_t>(std::llround(static_cast<double>(to - from) *
+                                                      static_cast<double>(k) / static_cast<double>(most))));
+}
+
+void sort_unique(Steps& steps) {
+  std::sort(steps.begin(), steps.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+}
+
+}  // namespace
+
+Schedule make_schedule(const Scene& scene, const CrackHistory& history, double dt, double end,
+                       const std::array<double, 2>& window) {
+  Schedule s;
+  if (scene.loading.method == LoadingMethod::ramp)
+    s.ramp = scene.loading.ramp_steps, s.hold = scene.loading.hold_steps;
+  s.fracture = static_cast<std::int64_t>(std::ceil(time_of_arrival(history, end) / dt));
+  if (s.ramp > 0) add_even(s.samples, 0, s.crack_start(), scene.output.samples);
+  add_even(s.samples, s.crack_start(), s.total(), scene.output.samples);
+  for (int k = 0; k <= sub_windows; ++k) {
+    const double tip = window[0] + k * (window[1] - window[0]) / sub_windows;
+    const auto step = static_cast<std::int64_t>(std::llround(time_of_arrival(history, tip) / dt));
+    if (step >= 0 && step <= s.fracture) s.samples.push_back(s.crack_start() + step);
+  }
+  sort_unique(s.samples);
+  if (scene.output.frames > 0) add_even(s.frames, s.crack_start(), s.total(), scene.output.frames);
+  sort_unique(s.frames);
+  return s;
+}
+
+}  // namespace rift

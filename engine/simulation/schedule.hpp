@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/fracture/crack_history.hpp"
+#include "engine/scene/scene.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rift {
+
+/// Which step does what; steps are counted from the start of the run, loading included.
+struct Schedule {
+  std::int64_t ramp = 0, hold = 0, fracture = 0;  // steps of each phase
+  std::vector<std::int64_t> samples;  // steps after which the books are read, ascending; 0 is the start
+  std::vector<std::int64_t> frames;   // steps after which the fields are written, ascending
+  std::int64_t crack_start() const { return ramp + hold; }
+  std::int64_t total() const { return ramp + hold + fracture; }
+};
+
+/// Even samples over each phase, and one at each end and sub-division of the window, where the tip is nearest
+/// to it; even frames over the fracture phase, its first and last moment among them.
+/// @param[in] end     tip position at which the run ends [m]
+/// @param[in] window  tip positions [m]
+Schedule make_schedule(const Scene& scene, const CrackHistory& history, double dt, double end,
+                       const std::array<double, 2>& window);
+
+}  // namespace rift

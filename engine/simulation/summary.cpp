@@ -1,0 +1,214 @@
+#include "engine/simulation/summary.hpp"
+
+#include "engine/scene/crack_text.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/theory/references.hpp"
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rift {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Written as null: JSON has no NaN.
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+double peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+const char* name_of(Technique t) { return t == Technique::simple ? "simple" : "progressive"; }
+const char* name_of(DampingRegion r) {
+  return r == DampingRegion::none ? "none" : r == DampingRegion::surface ? "surface" : "all";
+}
+const char* name_of(StiffnessChoice s) {
+  return s == StiffnessChoice::in_situ ? "in-situ" : s == StiffnessChoice::bulk ? "bulk" : "explicit";
+}
+
+/// The constant velocity of the crack in c_r; none where it changes on the way.
+double constant_velocity(const Scene& scene) {
+  return scene.crack.velocity.size() == 1 ? highest_velocity(scene) : undefined;
+}
+
+void add_scenario(Json& j, const Prepared& p) {
+  const Scene& scene = p.preset.scene;
+  const bool progressive = scene.crack.technique == Technique::progressive;
+  j["crack_velocity_over_cr"] = constant_velocity(scene);
+  j["technique"] = name_of(scene.crack.technique);
+  j["relaxation"] = progressive ? Json(scene.crack.relaxation) : Json(nullptr);
+  j["relaxation_name"] = progressive ? Json(relaxation_name(scene.crack.relaxation)) : Json(nullptr);
+  j["damage_zone_ratio"] = progressive ? Json(scene.crack.damage_zone_ratio) : Json(nullptr);
+  j["damping_alpha"] = scene.damping.alpha;
+  j["damping_region"] = name_of(scene.damping.region);
+  j["stiffness"] = name_of(scene.material.stiffness);
+  j["plane"] = scene.material.plane == Plane::stress ? "stress" : "strain";
+  j["prestress_method"] = scene.loading.method == LoadingMethod::ramp ? "ramp" : "static";
+  j["kinematics"] = "linear";
+  j["precision"] = "double";
+  j["beta"] = scene.solver.beta;
+  j["seed"] = scene.specimen.seed;
+}
+
+void add_specimen(Json& j, const Prepared& p) {
+  const Scene& scene = p.preset.scene;
+  j["elements"] = scene.specimen.elements;
+  j["layers"] = scene.specimen.layers ? Json(*scene.specimen.layers) : Json(nullptr);
+  j["beams"] = p.lattice.beam.size();
+  j["beams_crossed"] = crossings(p.path, p.lattice).size();
+  j["beams_damped"] = p.damped.size();
+  j["rattlers"] = p.specimen.rattlers;
+  j["coordination"] = p.specimen.packing.coordination;
+  j["solid_fraction"] = p.specimen.packing.solid_fraction;
+  j["mean_overlap"] = p.specimen.packing.mean_overlap;
+  j["mean_radius_m"] = p.specimen.packing.mean_radius;
+  j["length_m"] = p.lattice.box.length;
+  j["height_m"] = p.lattice.box.height;
+  j["thickness_m"] = p.lattice.box.thickness;
+  j["young_modulus_pa"] = scene.material.young_modulus;
+  j["poisson_ratio"] = scene.material.poisson_ratio;
+  j["density_kg_m3"] = p.density;
+  j["rayleigh_speed_m_s"] = p.rayleigh_speed;
+  j["micro_young_modulus_pa"] = p.micro.young_modulus;
+  j["micro_poisson_ratio"] = p.micro.poisson_ratio;
+  j["micro_radius_ratio"] = p.micro.radius_ratio;
+  j["strip_modulus_pa"] = p.strip_modulus;
+}
+
+void add_step(Json& j, const Prepared& p, const RunResult& r, const BuildInfo& build) {
+  j["dt_s"] = p.step.dt;
+  j["dt_critical_s"] = p.step.critical;
+  j["dt_critical_damped_s"] = p.step.critical_damped;
+  j["dt_element_bound_s"] = p.step.element_bound;
+  j["dt_fraction"] = p.step.dt / p.step.critical;
+  j["steps"] = r.steps;
+  const double fastest = highest_velocity(p.preset.scene) * p.rayleigh_speed;
+  const double zone = p.scenario.law.zone_length;
+  j["steps_per_beam"] = zone > 0.0 ? Json(zone / (fastest * p.step.dt)) : Json(nullptr);
+  j["threads"] = 1;
+  j["simd"] = build.simd;
+  j["lanes"] = 1;
+  j["version"] = build.version;
+}
+
+void add_rates(Json& j, const Prepared& p, const Rates& rates) {
+  const Plateau& plateau = rates.plateau;
+  const auto rate = [&](double value) { return plateau.reached ? Json(value) : Json(nullptr); };
+  const double ratio = plateau.mean.ratio_with_damping, v = constant_velocity(p.preset.scene);
+  const Scene::Material& m = p.preset.scene.material;
+  const auto reference = [&](theory::Factor (*of)(double, double, Plane)) {
+    return v > 0.0 && v <= 1.0 ? of(v, m.poisson_ratio, m.plane).g : undefined;
+  };
+  j["g_i0_j_m2"] = p.scale.g_i0;
+  j["g_id_j_m2"] = rate(ratio * p.scale.g_i0);
+  j["ratio"] = rate(plateau.mean.ratio);
+  j["ratio_release"] = rate(plateau.mean.ratio_release);
+  j["ratio_with_damping"] = rate(ratio);
+  j["ratio_translation_only"] = rate(plateau.mean.ratio_translation_only);
+  j["ratio_scatter"] = rate(plateau.scatter);
+  j["window_over_length"] = {p.window[0] / p.scale.length, p.window[1] / p.scale.length};
+  j["broberg"] = reference(theory::broberg);
+  j["freund"] = reference(theory::freund);
+  j["strip"] = reference(theory::strip);
+  j["error_broberg"] = rate(ratio - reference(theory::broberg));
+  j["error_converged"] = nullptr;
+}
+
+void add_books(Json& j, const Prepared& p, const RunResult& r) {
+  const bool ramped = p.schedule.ramp > 0;
+  const results::Sample last = r.books.empty() ? results::Sample{} : r.books.back();
+  j["energy_initial_j"] = r.books.empty() ? Json(nullptr) : Json(r.energy_at_crack_start);
+  j["energy_elastic_j"] = last.elastic_j;
+  j["energy_kinetic_translation_j"] = last.kinetic_translation_j;
+  j["energy_kinetic_rotation_j"] = last.kinetic_rotation_j;
+  j["energy_step_correction_j"] = last.step_correction_j;
+  j["energy_fracture_j"] = last.fracture_j;
+  j["energy_damping_j"] = last.damping_j;
+  j["energy_numerical_damping_j"] = last.numerical_damping_j;
+  j["work_external_j"] = last.work_external_j;
+  j["ledger_residual"] = r.worst_residual;
+  j["ledger_closes"] = r.worst_residual <= ledger_limit;
+  j["prestress_energy_over_static"] = ramped ? Json(r.energy_at_crack_start / p.static_energy) : Json(1.0);
+  j["prestress_kinetic_fraction"] = ramped ? Json(r.prestress_kinetic) : Json(0.0);
+  j["outcome"] = name_of(r.outcome);
+  j["outcome_where"] = r.where.empty() ? Json(nullptr) : Json(r.where);
+}
+
+void add_costs(Json& j, const Prepared& p, const RunResult& r, double wall_total_s) {
+  const double marching = r.wall_prestress_s + r.wall_fracture_s;
+  const auto rate = [&](std::size_t things) {
+    return marching > 0.0 ? Json(static_cast<double>(r.steps) * static_cast<double>(things) / marching)
+                          : Json(nullptr);
+  };
+  j["wall_packing_s"] = p.wall_packing_s;
+  j["wall_prestress_s"] = p.wall_prestress_s + r.wall_prestress_s;
+  j["wall_fracture_s"] = r.wall_fracture_s;
+  j["wall_pass_s"] = r.wall_fracture_s;
+  j["wall_total_s"] = wall_total_s;
+  j["packing_from_cache"] = p.packing_from_cache;
+  j["prestress_from_cache"] = p.statics_from_cache;
+  j["element_steps_per_s"] = rate(p.lattice.centre.size());
+  j["beam_steps_per_s"] = rate(p.lattice.beam.size());
+  j["memory_peak_bytes"] = peak_memory_bytes();
+}
+
+}  // namespace
+
+Rates rates_of(const Prepared& prepared, const RunResult& result) {
+  std::vector<results::Sample> rows;
+  for (const results::Sample& row : result.books)
+    if (row.phase == results::Phase::fracture) rows.push_back(row);
+  if (rows.size() < 2) return {};
+  return {plateau_of(rows, prepared.window, prepared.scale), rate_curve(rows, prepared.scale)};
+}
+
+Json header_of(const Prepared& prepared, const BuildInfo& build) {
+  const Scene& scene = prepared.preset.scene;
+  return {{"preset_name", prepared.preset.name},
+          {"preset", preset_text(scene)},
+          {"version", build.version},
+          {"compiler", build.compiler},
+          {"instruction_set", build.simd},
+          {"seed", scene.specimen.seed},
+          {"lanes", 1},
+          {"dt_s", prepared.step.dt},
+          {"steps", prepared.schedule.total()},
+          {"length_m", prepared.lattice.box.length},
+          {"height_m", prepared.lattice.box.height},
+          {"thickness_m", prepared.lattice.box.thickness},
+          {"g_i0_j_m2", prepared.scale.g_i0},
+          {"rayleigh_speed_m_s", prepared.rayleigh_speed}};
+}
+
+Json summary_of(const Prepared& prepared, const RunResult& result, const Rates& rates, const BuildInfo& build,
+                double wall_total_s) {
+  Json scenario;
+  add_scenario(scenario, prepared);
+  add_specimen(scenario, prepared);
+  add_step(scenario, prepared, result, build);
+  add_rates(scenario, prepared, rates);
+  add_books(scenario, prepared, result);
+  add_costs(scenario, prepared, result, wall_total_s);
+  return {{"preset", prepared.preset.name}, {"scenarios", Json::array({scenario})}};
+}
+
+results::Geometry geometry_of(const Prepared& prepared) {
+  const Lattice& lattice = prepared.lattice;
+  results::Geometry g;
+  for (const Eigen::Vector3d& c : lattice.centre)
+    g.position.push_back({static_cast<float>(c.x()), static_cast<float>(c.y()), static_cast<float>(c.z())});
+  for (double r : prepared.specimen.radius) g.radius.push_back(static_cast<float>(r));
+  for (const auto& [i, j] : lattice.ends) g.beam.push_back({i, j});
+  for (const Crossing& c : crossings(prepared.path, lattice)) g.crossing.push_back(c.beam);
+  std::sort(g.crossing.begin(), g.crossing.end());
+  return g;
+}
+
+}  // namespace rift

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/simulation/march.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace rift {
+
+/// Which program made a result.
+struct BuildInfo {
+  std::string version;  // "0.1.0"
+  std::string compiler;
+  std::string simd;
+};
+
+/// The plateau and the rate curve of a run's fracture phase.
+struct Rates {
+  Plateau plateau;
+  std::vector<results::RatePoint> curve;
+};
+Rates rates_of(const Prepared& prepared, const RunResult& result);
+
+/// What the journal says of a run before its first step: the preset as it is in effect, and what runs it.
+nlohmann::ordered_json header_of(const Prepared& prepared, const BuildInfo& build);
+
+/// summary.json: one object per lane under "scenarios", names as in docs/results-format.md; what is undefined
+/// is null.
+/// @param[in] wall_total_s  since the program started
+nlohmann::ordered_json summary_of(const Prepared& prepared, const RunResult& result, const Rates& rates,
+                                  const BuildInfo& build, double wall_total_s);
+
+/// The lattice as a viewer needs it.
+results::Geometry geometry_of(const Prepared& prepared);
+
+}  // namespace rift

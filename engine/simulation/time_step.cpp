@@ -1,0 +1,44 @@
+#include "engine/simulation/time_step.hpp"
+
+#include "engine/scene/derived.hpp"
+
+#include <fmt/format.h>
+
+namespace rift {
+
+double default_step(double critical, double zone_length, double speed) {
+  double dt = 0.5 * critical;
+  const double limit = zone_length > 0.0 ? zone_length / (5.0 * speed) : dt;
+  while (dt > limit) dt *= 0.5;
+  return dt;
+}
+
+TimeStep choose_step(const Preset& preset, const Lattice& lattice, const ViscousDamping<1>& damping,
+                     double zone_length) {
+  const Scene& scene = preset.scene;
+  const StableStep stable = stable_step(lattice);
+  TimeStep step{.dt = 0,
+                .critical = stable.critical,
+                .critical_damped = damped_critical_step(lattice, damping, stable.critical),
+                .element_bound = stable.element_bound};
+  const double fastest = highest_velocity(scene) * rayleigh_speed(scene);
+  if (scene.solver.dt) {
+    step.dt = *scene.solver.dt;
+  } else if (scene.solver.dt_fraction) {
+    step.dt = *scene.solver.dt_fraction * stable.critical;
+  } else {
+    step.dt = default_step(stable.critical, zone_length, fastest);
+  }
+  if (step.dt < step.critical_damped) return step;
+  const char* key = scene.solver.dt            ? "solver.dt"
+                    : scene.solver.dt_fraction ? "solver.dt_fraction"
+                                               : "damping.alpha";
+  throw InputError({issue_at(
+      preset, key,
+      fmt::format(
+          "makes a step of {:.4g} s, and the critical step of this lattice{} is {:.4g} s ({:.4g} s undamped)",
+          step.dt, scene.damping.alpha > 0 ? " with this damping" : "", step.critical_damped,
+          step.critical))});
+}
+
+}  // namespace rift

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/mechanics/stable_step.hpp"
+#include "engine/scene/preset.hpp"
+
+namespace rift {
+
+/// Limits of the step and the step chosen [s].
+struct TimeStep {
+  double dt = 0;
+  double critical = 0;         // undamped: 2 / omega_max
+  double critical_damped = 0;  // the smaller one that viscous damping allows; equals critical without damping
+  double element_bound = 0;
+};
+
+/// The default: the smaller of 0.5 dt_c and, for P-NRT, L_CZM / (5 v), put on the ladder 0.5 dt_c 2^-k so
+/// that scenarios share steps   [physics.md §3].
+/// @param[in] zone_length  L_CZM [m], 0 for S-NRT;  @param[in] speed  highest of the crack [m/s]
+double default_step(double critical, double zone_length, double speed);
+
+/// The step which the preset asks for, or the default one. Throws InputError where it is not below the limit.
+TimeStep choose_step(const Preset& preset, const Lattice& lattice, const ViscousDamping<1>& damping,
+                     double zone_length);
+
+}  // namespace rift
