@@ -1,0 +1,174 @@
+#include "engine/interrupted.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/scene/needs.hpp"
+#include "engine/simulation/prepare.hpp"
+#include "engine/simulation/summary.hpp"
+#include "engine/theory/wave_speeds.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/scene_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace rift::studio {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+/// Seconds per step on this machine, now: a few steps of the very simulation that the run would march.
+double measured_seconds_per_step(const Prepared& p) {
+  constexpr int most_steps = 200;
+  constexpr double enough_s = 0.3;
+  Simulation<1> simulation(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, {p.scenario});
+  simulation.start_from(p.displacement);
+  simulation.start_crack(p.damped);
+  const auto start = Clock::now();
+  int steps = 0;
+  double seconds = 0.0;
+  while (steps < most_steps && seconds < enough_s) {
+    simulation.step();
+    ++steps;
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return seconds / steps;
+}
+
+/// Bytes that a frame of one field or another takes in the archive, before compression.
+double frame_bytes(const Prepared& p) {
+  double bytes = 0.0;
+  for (const std::string& field : p.preset.scene.output.fields)
+    bytes += field == "damage" ? 5.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size())
+                               : 12.0 * static_cast<double>(p.lattice.centre.size());
+  return bytes;
+}
+
+/// Journal and archive each hold the frames once; the geometry is small beside them.
+double disk_bytes(const Prepared& p) {
+  const double geometry = 24.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size());
+  return 2.0 * (geometry + static_cast<double>(p.schedule.frames.size()) * frame_bytes(p)) +
+         400.0 * static_cast<double>(p.schedule.samples.size());
+}
+
+Json derived(const Prepared& p, double seconds_per_step) {
+  const Scene& scene = p.preset.scene;
+  const Scene::Material& m = scene.material;
+  const theory::WaveSpeeds speeds = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
+  const double fastest = highest_velocity(scene) * p.rayleigh_speed, zone = p.scenario.law.zone_length;
+  const double fracture_s = static_cast<double>(p.schedule.fracture) * p.step.dt;
+  Json j;
+  j["elements"] = scene.specimen.elements;
+  j["beams"] = p.lattice.beam.size();
+  j["beams_crossed"] = crossings(p.path, p.lattice).size();
+  j["beams_damped"] = p.damped.size();
+  j["rattlers"] = p.specimen.rattlers;
+  j["mean_radius_m"] = p.lattice.mean_radius;
+  j["thickness_m"] = p.lattice.box.thickness;
+  j["density_kg_m3"] = p.density;
+  j["dilatational_speed_m_s"] = speeds.dilatational;
+  j["shear_speed_m_s"] = speeds.shear;
+  j["rayleigh_speed_m_s"] = p.rayleigh_speed;
+  j["micro_young_modulus_pa"] = p.micro.young_modulus;
+  j["g_i0_j_m2"] = p.scale.g_i0;
+  j["energy_stored_j"] = p.static_energy;
+  j["crack_speed_m_s"] = fastest;
+  j["crack_end_m"] = p.crack_end;
+  j["window_m"] = p.window;
+  j["damage_zone_m"] = zone;
+  j["dt_s"] = p.step.dt;
+  j["dt_critical_s"] = p.step.critical;
+  j["dt_critical_damped_s"] = p.step.critical_damped;
+  j["dt_element_bound_s"] = p.step.element_bound;
+  j["dt_fraction"] = p.step.dt / p.step.critical;
+  j["steps"] = p.schedule.total();
+  j["steps_per_beam"] = zone > 0.0 ? Json(zone / (fastest * p.step.dt)) : Json(nullptr);
+  j["fracture_time_s"] = fracture_s;
+  j["wall_estimate_s"] =
+      seconds_per_step * static_cast<double>(p.schedule.total() + p.schedule.samples.size());
+  j["disk_estimate_bytes"] = disk_bytes(p);
+  j["left_out"] = left_out(scene);
+  return j;
+}
+
+void print_table(const Json& j, const std::string& title, bool color) {
+  const auto number = [&](const char* key) { return j.at(key).get<double>(); };
+  const auto row = [](const char* label, const std::string& text) {
+    fmt::print("  {:<16}{}\n", label, text);
+  };
+  fmt::print("{}\n", heading(title, color));
+  row("lattice", fmt::format("{} elements, {} beams ({} crossed, {} damped), {} rattlers",
+                             j.at("elements").dump(), j.at("beams").dump(), j.at("beams_crossed").dump(),
+                             j.at("beams_damped").dump(), j.at("rattlers").dump()));
+  row("", fmt::format("mean radius {:.4f} mm, thickness {:.4g} mm", 1e3 * number("mean_radius_m"),
+                      1e3 * number("thickness_m")));
+  row("material", fmt::format("density {:.1f} kg/m³, micro modulus {:.1f} GPa", number("density_kg_m3"),
+                              1e-9 * number("micro_young_modulus_pa")));
+  row("waves",
+      fmt::format("dilatational {:.0f}, shear {:.0f}, Rayleigh {:.0f} m/s", number("dilatational_speed_m_s"),
+                  number("shear_speed_m_s"), number("rayleigh_speed_m_s")));
+  row("pre-stress",
+      fmt::format("{:.4g} J stored, G_I0 = {:.4g} J/m²", number("energy_stored_j"), number("g_i0_j_m2")));
+  row("crack", fmt::format("{:.0f} m/s to {:.4g} mm in {:.4g} ms, damage zone {:.4g} mm",
+                           number("crack_speed_m_s"), 1e3 * number("crack_end_m"),
+                           1e3 * number("fracture_time_s"), 1e3 * number("damage_zone_m")));
+  row("step",
+      fmt::format("{:.3e} s, {:.3g} of the critical {:.3e} s (safe for certain: {:.3e} s)", number("dt_s"),
+                  number("dt_fraction"), number("dt_critical_s"), number("dt_element_bound_s")));
+  if (number("dt_critical_damped_s") < number("dt_critical_s"))
+    row("", fmt::format("with damping the critical step is {:.4e} s", number("dt_critical_damped_s")));
+  row("steps", fmt::format("{}{}", j.at("steps").dump(),
+                           j.at("steps_per_beam").is_null()
+                               ? std::string()
+                               : fmt::format(", {:.1f} for a beam to soften", number("steps_per_beam"))));
+  row("cost", fmt::format("about {} after packing and pre-stress, {:.0f} MB on disk at most",
+                          duration_text(number("wall_estimate_s")), 1e-6 * number("disk_estimate_bytes")));
+  const char* label = "left out";
+  for (const auto& line : j.at("left_out")) row(label, line.get<std::string>()), label = "";
+}
+
+ExitCode check(const SceneOptions& options) {
+  const Preset preset = read_scene(options);
+  if (options.print_config) {
+    fmt::print("{}", preset_text(preset.scene));
+    return ExitCode::done;
+  }
+  const StopSignal stop;
+  ProgressLine line(progress_style(options.quiet, options.json));
+  Cache cache = cache_for(options);
+  try {
+    const Prepared prepared = prepare(preset, cache, [&](std::string_view stage, double done) {
+      line.tell(stage, done);
+      return stop.received() == 0;
+    });
+    const Json j = derived(prepared, measured_seconds_per_step(prepared));
+    line.clear();
+    print_notes(cache);
+    if (options.json) {
+      fmt::print("{}\n", j.dump(2));
+    } else {
+      print_table(j, prepared.preset.name, wants_color(options.color, stdout));
+    }
+  } catch (const Interrupted& interrupted) {
+    line.clear();
+    fmt::print(stderr, "rift check: {}\n", interrupted.what());
+    return static_cast<ExitCode>(128 + stop.received());
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command =
+      *app.add_subcommand("check", "Dry run: what follows from a preset, its step, cost, what it leaves out");
+  const auto options = std::make_shared<SceneOptions>();
+  add_scene_options(command, *options);
+  command.callback([options, &exit_code] { exit_code = check(*options); });
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "studio/commands/common.hpp"
+
+#include <CLI/App.hpp>
+
+#include <array>
+
+namespace rift::studio {
+
+// One function and one file per subcommand: it adds the subcommand with its options to `app`. When the user
+// calls the subcommand, its exit code is stored in `exit_code`, which outlives `app`; bad input may also
+// leave as InputError and a failure of the world as any other exception, which main turns into exit codes 2
+// and 1.
+void add_check(CLI::App& app, ExitCode& exit_code);
+void add_export(CLI::App& app, ExitCode& exit_code);
+void add_list(CLI::App& app, ExitCode& exit_code);
+void add_run(CLI::App& app, ExitCode& exit_code);
+void add_theory(CLI::App& app, ExitCode& exit_code);
+
+/// All subcommands, in the order of `rift --help`.
+inline constexpr std::array all_commands = {add_run, add_check, add_list, add_theory, add_export};
+
+}  // namespace rift::studio

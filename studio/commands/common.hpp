@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/simulation/summary.hpp"
+
+#include <CLI/App.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace rift::studio {
+
+/// What the process returns.   [interface.md "Exit codes"]
+enum class ExitCode { done = 0, world_failed = 1, bad_input = 2, diverged = 3, budget_ran_out = 4 };
+
+/// Version, compiler and instruction set of this program, as every result records them.
+BuildInfo build_info();
+
+/// "rift 0.1.0 (optimised, asserts off; GCC 12.2.0; AVX2)"
+std::string version_text();
+
+/// The widest vector instructions this program was compiled for: "AVX-512", "AVX2", "AVX" or "baseline".
+std::string_view instruction_set();
+
+/// Where the presets are: $RIFT_PRESETS if set, else those of the source tree if it is still there, else the
+/// installed ones. The folder need not exist.
+std::filesystem::path presets_folder();
+
+/// The preset that the user means: a path to a file, or the bare name of one in the presets folder
+/// ("quickstart"). Throws InputError, with the nearest name, where there is none.
+std::filesystem::path resolve_preset(const std::string& preset);
+
+/// Adds --color auto|always|never to a command; `when` starts as and defaults to "auto".
+void add_color_option(CLI::App& command, std::string& when);
+
+/// Whether to write colours to `stream`: "always" and "never" decide; "auto" wants a terminal and no
+/// $NO_COLOR.
+bool wants_color(std::string_view when, std::FILE* stream);
+
+/// The text as a heading: bold where `color`.
+std::string heading(std::string_view text, bool color);
+
+}  // namespace rift::studio

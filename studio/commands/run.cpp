@@ -1,0 +1,151 @@
+#include "engine/interrupted.hpp"
+#include "engine/results/run_folder.hpp"
+#include "engine/results/run_writer.hpp"
+#include "engine/simulation/march.hpp"
+#include "engine/simulation/summary.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/scene_options.hpp"
+#include "studio/report/run_table.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+struct RunOptions {
+  SceneOptions scene;
+  std::string out;
+  bool force = false;
+};
+
+/// Where the user said, else the first of runs/NAME, runs/NAME-2, ... that does not exist yet.
+fs::path folder_for(const RunOptions& options) {
+  if (!options.out.empty()) return options.out;
+  const std::string name = fs::path(options.scene.preset).stem().string();
+  fs::path folder = fs::path("runs") / name;
+  for (int k = 2; fs::exists(folder); ++k) folder = fs::path("runs") / fmt::format("{}-{}", name, k);
+  return folder;
+}
+
+/// The run's folder: claimed before the first costly step, given back if nothing came of it. With --force the
+/// former run in it stays until there is something to put in its place.
+class ClaimedFolder {
+ public:
+  ClaimedFolder(fs::path folder, bool force)
+      : folder_(std::move(folder)), force_(force), made_(!fs::exists(folder_)) {
+    if (!force_) results::create_run_folder(folder_, false);
+  }
+  ~ClaimedFolder() {
+    std::error_code ignored;
+    if (!kept_ && made_) fs::remove(folder_, ignored);  // removes nothing but an empty folder
+  }
+  ClaimedFolder(const ClaimedFolder&) = delete;
+  ClaimedFolder& operator=(const ClaimedFolder&) = delete;
+
+  const fs::path& keep() {
+    if (force_) results::create_run_folder(folder_, true);
+    kept_ = true;
+    return folder_;
+  }
+
+ private:
+  fs::path folder_;
+  bool force_, made_, kept_ = false;
+};
+
+std::string stage_name(results::Phase phase) {
+  return phase == results::Phase::loading ? "loading"
+         : phase == results::Phase::hold  ? "stabilising"
+                                          : "crack";
+}
+
+Observer observer_for(results::RunWriter& writer, ProgressLine& line, const StopSignal& stop,
+                      std::size_t elements) {
+  return {.sample = [&](const results::Sample& s) { writer.sample(s); },
+          .frame = [&](const results::Frame& f) { writer.frame(f); },
+          .event = [&](const results::ReleaseEvent& e) { writer.event(e); },
+          .go_on =
+              [&, elements](const Progress& p) {
+                writer.flush();
+                const double speed = static_cast<double>(p.step) * static_cast<double>(elements) / p.seconds;
+                line.tell(stage_name(p.phase), static_cast<double>(p.step) / static_cast<double>(p.total),
+                          magnitude_text(speed) + " element-steps/s");
+                return stop.received() == 0;
+              }};
+}
+
+void print_result(const RunOptions& options, const Json& summary, const fs::path& folder) {
+  if (options.scene.json) {
+    fmt::print("{}\n", summary.dump(2));
+    return;
+  }
+  fmt::print("{}", run_table(summary.at("scenarios")[0], wants_color(options.scene.color, stdout)));
+  fmt::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
+             folder.string());
+}
+
+ExitCode exit_code_of(Outcome outcome, const StopSignal& stop) {
+  if (outcome == Outcome::diverged) return ExitCode::diverged;
+  if (outcome == Outcome::stopped) return static_cast<ExitCode>(128 + stop.received());
+  return ExitCode::done;
+}
+
+ExitCode run(const RunOptions& options) {
+  const auto start = Clock::now();
+  const Preset preset = read_scene(options.scene);
+  if (options.scene.print_config) {
+    fmt::print("{}", preset_text(preset.scene));
+    return ExitCode::done;
+  }
+  const StopSignal stop;
+  ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
+  ClaimedFolder folder(folder_for(options), options.force);
+  Cache cache = cache_for(options.scene);
+  Prepared prepared;
+  try {
+    prepared = prepare(preset, cache, [&](std::string_view stage, double done) {
+      line.tell(stage, done);
+      return stop.received() == 0;
+    });
+  } catch (const Interrupted& interrupted) {
+    line.clear();
+    fmt::print(stderr, "rift run: {}; nothing was written\n", interrupted.what());
+    return static_cast<ExitCode>(128 + stop.received());
+  }
+  const BuildInfo build = build_info();
+  const fs::path path = folder.keep();
+  results::RunWriter writer(path, header_of(prepared, build), geometry_of(prepared));
+  const RunResult result = march(prepared, observer_for(writer, line, stop, prepared.lattice.centre.size()));
+  const Rates rates = rates_of(prepared, result);
+  const double total = std::chrono::duration<double>(Clock::now() - start).count();
+  const Json summary = summary_of(prepared, result, rates, build, total);
+  writer.finish(summary, {rates.curve});
+  line.clear();
+  print_notes(cache);
+  print_result(options, summary, path);
+  return exit_code_of(result.outcome, stop);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command =
+      *app.add_subcommand("run", "One scene: a plate, a crack, its dynamic energy release rate");
+  const auto options = std::make_shared<RunOptions>();
+  add_scene_options(command, options->scene);
+  command.add_option("--out", options->out, "Folder of the run (default: runs/NAME, numbered if it exists)");
+  command.add_flag("--force", options->force, "Replace the run that is in the folder");
+  command.callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,59 @@
+#include "studio/commands/scene_options.hpp"
+
+#include "studio/commands/common.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <csignal>
+
+namespace rift::studio {
+namespace {
+
+volatile std::sig_atomic_t stop_signal = 0;
+
+void note_signal(int number) { stop_signal = number; }
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  command.add_option("preset", options.preset, "A preset file, or the name of one that 'rift list' shows")
+      ->required();
+  command
+      .add_option("--set", options.overrides,
+                  "key=value: any parameter of docs/parameters.md; may be repeated")
+      ->allow_extra_args(false);
+  command.add_flag("--quiet", options.quiet, "No progress on stderr");
+  command.add_flag("--json", options.json, "Progress as JSON lines on stderr, the result as JSON on stdout");
+  command.add_flag("--no-cache", options.no_cache,
+                   "Neither read nor write the cache of packings and pre-stresses");
+  command.add_flag("--print-config", options.print_config, "Print the effective preset and stop");
+  add_color_option(command, options.color);
+}
+
+Preset read_scene(const SceneOptions& options) {
+  Preset preset = read_preset(resolve_preset(options.preset), options.overrides);
+  if (!preset.issues.empty()) throw InputError(preset.issues);
+  return preset;
+}
+
+Cache cache_for(const SceneOptions& options) { return options.no_cache ? Cache{} : user_cache(); }
+
+void print_notes(const Cache& cache) {
+  for (const std::string& note : cache.notes) fmt::print(stderr, "cache: {}\n", note);
+}
+
+StopSignal::StopSignal() {
+  stop_signal = 0;
+  std::signal(SIGINT, note_signal);
+  std::signal(SIGTERM, note_signal);
+}
+
+StopSignal::~StopSignal() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+int StopSignal::received() const { return stop_signal; }
+
+}  // namespace rift::studio

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/scene/preset.hpp"
+#include "engine/simulation/cache.hpp"
+#include "studio/report/progress.hpp"
+
+#include <CLI/App.hpp>
+
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+/// What every command that takes a preset has in common.
+struct SceneOptions {
+  std::string preset;
+  std::vector<std::string> overrides;
+  bool quiet = false, json = false, no_cache = false, print_config = false;
+  std::string color;
+};
+
+void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// Reads and checks the preset; throws InputError with every mistake.
+Preset read_scene(const SceneOptions& options);
+
+/// The user's cache, or none with --no-cache.
+Cache cache_for(const SceneOptions& options);
+
+/// What the cache has to say, on stderr.
+void print_notes(const Cache& cache);
+
+/// SIGINT and SIGTERM no longer kill, but set a flag that long work looks at. Lives as long as the command.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+  int received() const;  // the signal's number, 0 for none
+};
+
+}  // namespace rift::studio

@@ -1,0 +1,64 @@
+#include "engine/scene/issue.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/common.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+namespace {
+
+using rift::studio::ExitCode;
+
+// CLI11 reports --help and --version as exceptions too: those with code 0.
+ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) {
+    app.exit(error);
+    return ExitCode::done;
+  }
+  std::string command = "rift";
+  for (const CLI::App* chosen : app.get_subcommands()) command += " " + chosen->get_name();
+  fmt::print(stderr, "{}: {}\nTry '{} --help'.\n", command, error.what(), command);
+  return ExitCode::bad_input;
+}
+
+ExitCode run(int argc, char** argv) {
+  CLI::App app("Dynamic fracture on a discrete-element beam lattice.", "rift");
+  app.set_version_flag("--version", rift::studio::version_text());
+  app.require_subcommand(0, 1);
+  ExitCode exit_code = ExitCode::done;
+  for (const auto add_command : rift::studio::all_commands) add_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return report(app, error);
+  }
+  if (app.get_subcommands().empty()) {
+    fmt::print(stderr, "{}", app.help());
+    return ExitCode::bad_input;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ExitCode code = ExitCode::done;
+  try {
+    code = run(argc, argv);
+  } catch (const rift::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    code = ExitCode::bad_input;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rift: {}\n", error.what());
+    code = ExitCode::world_failed;
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "rift: cannot write to standard output\n");
+    if (code == ExitCode::done) code = ExitCode::world_failed;
+  }
+  return static_cast<int>(code);
+}
