@@ -1,3 +1,4 @@
+#include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/common.hpp"
@@ -51,6 +52,9 @@ int main(int argc, char** argv) {
     code = run(argc, argv);
   } catch (const rift::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
+    code = ExitCode::bad_input;
+  } catch (const rift::results::FolderExists& error) {
+    fmt::print(stderr, "rift: {}\n", error.what());
     code = ExitCode::bad_input;
   } catch (const std::exception& error) {
     fmt::print(stderr, "rift: {}\n", error.what());

@@ -52,8 +52,8 @@ std::string ratios(const Json& s) {
   out += row("  no rotation in K", shown(s, "ratio_translation_only"));
   out += row("theory", fmt::format("Broberg {}   Freund {}   strip {}", shown(s, "broberg"),
                                    shown(s, "freund"), shown(s, "strip", "{:g}")));
-  out += row("G_I0", fmt::format("{} J/m²   G_ID {} J/m²", shown(s, "g_i0_j_m2", "{:.4g}"),
-                                 shown(s, "g_id_j_m2", "{:.4g}")));
+  out += row("G_I0", fmt::format("{:.5g} kJ/m²   G_ID {} J/m²", 1e-3 * value(s, "g_i0_j_m2"),
+                                 shown(s, "g_id_j_m2", "{:.5g}")));
   return out;
 }
 

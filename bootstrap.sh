@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# From a bare Debian machine to a result, or to the end of the tests:
+#   ./bootstrap.sh demo    install what is missing, build, run the main job (presets/quickstart.toml)
+#   ./bootstrap.sh test    install what is missing, build, run every test but those labelled slow
+# Options: --no-viz leaves the renderer (VTK) out. A second call does no work twice.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+# Debian package | what it is for. A renderer will add VTK here; --no-viz then leaves it out.
+packages=(
+  'g++|C++20 compiler'
+  'cmake|3.25 or later'
+  'ninja-build|build tool'
+  'libeigen3-dev|linear algebra'
+  'libhdf5-dev|result archives'
+  'libfmt-dev|text'
+  'libtomlplusplus-dev|presets'
+  'libcli11-dev|command line'
+  'nlohmann-json3-dev|summaries'
+  'libxxhash-dev|checksums'
+  'libgtest-dev|tests'
+)
+
+usage() {
+  sed -n '2,5p' "$0" | sed 's/^# \{0,1\}//' >&2
+  exit 2
+}
+
+say() { printf '\n== %s\n' "$*" >&2; }
+
+list_needs() {
+  echo "rift needs these Debian packages, or what they hold under your system's names:" >&2
+  local entry
+  for entry in "${packages[@]}"; do printf '  %-22s %s\n' "${entry%%|*}" "${entry#*|}" >&2; done
+  echo "Then: cmake --preset release && cmake --build --preset release" >&2
+}
+
+install_missing() {
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    list_needs
+    exit 1
+  fi
+  local missing=() entry
+  for entry in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f='${Status}' "${entry%%|*}" 2>/dev/null)" = 'install ok installed' ] || missing+=("${entry%%|*}")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  say "installing ${missing[*]}"
+  local sudo=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "neither root nor sudo: ask for the packages named above" >&2; list_needs; exit 1; }
+    sudo=(sudo)
+  fi
+  "${sudo[@]}" apt-get update -qq
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+build() { # TARGET...
+  say "building (build/release)"
+  cmake --preset release -DRIFT_VIZ="$viz" >/dev/null
+  cmake --build --preset release --target "$@"
+  ln -sf build/release/studio/rift rift
+}
+
+what=''
+viz=ON
+for argument in "$@"; do
+  case "$argument" in
+    demo | test) what=$argument ;;
+    --no-viz) viz=OFF ;;
+    *) usage ;;
+  esac
+done
+[ -n "$what" ] || usage
+
+install_missing
+if [ "$what" = demo ]; then
+  build rift
+  say 'running presets/quickstart.toml'
+  ./rift run quickstart
+  say 'next: ./rift list, ./rift check plate_pnrt, ./rift run plate_pnrt'
+else
+  build all
+  say 'testing'
+  ctest --preset release
+fi
