@@ -22,6 +22,13 @@ constexpr Range inside(double lower, double upper) { return {lower, upper, true,
 
 std::vector<Parameter> specimen_rows() {
   return {
+      {"specimen.shape",
+       "plate",
+       [](Scene& s) -> Slot { return &s.specimen.shape; },
+       "Shape of the specimen: a plate gripped along its bottom and its top.",
+       none,
+       {},
+       {"plate"}},
       {"specimen.length", "200 mm", [](Scene& s) -> Slot { return &s.specimen.length; },
        "Length L of the plate along x, the way of the crack.", length, above(0, 100)},
       {"specimen.height", "40 mm", [](Scene& s) -> Slot { return &s.specimen.height; },

@@ -26,9 +26,9 @@ struct Exponent {
 };
 
 /// Where a parameter lives in a Scene. The kind of the member decides how its text is read and written.
-using Slot = std::variant<double*, std::optional<double>*, int*, long*, Exponent, Plane*, StiffnessChoice*,
-                          LoadingMethod*, Technique*, DampingRegion*, Kinematics*, Precision*,
-                          ReleaseRateReference*, std::vector<VelocityPiece>*, PathHeight*,
+using Slot = std::variant<double*, std::optional<double>*, int*, long*, Exponent, Shape*, Plane*,
+                          StiffnessChoice*, LoadingMethod*, Technique*, DampingRegion*, Kinematics*,
+                          Precision*, ReleaseRateReference*, std::vector<VelocityPiece>*, PathHeight*,
                           std::vector<std::string>*, std::optional<std::array<double, 2>>*>;
 
 /// One row of the table: all that is known of one member of Scene.

@@ -13,6 +13,7 @@ enum class StiffnessChoice { in_situ, bulk, explicit_values };
 enum class LoadingMethod { static_solve, ramp };
 enum class Technique { simple, progressive };
 enum class DampingRegion { none, surface, all };
+enum class Shape { plate };
 enum class Kinematics { linear };
 enum class Precision { double_precision };
 enum class ReleaseRateReference { strip };
@@ -44,6 +45,7 @@ struct PathHeight {
 /// range and doc.
 struct Scene {
   struct Specimen {
+    Shape shape;
     double length, height;  // [m]
     std::optional<double>
         layers;  // elements through the thickness; fixes the thickness (physics: B ~ (L H / N)^1/2)

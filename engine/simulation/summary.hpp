@@ -1,17 +1,11 @@
 #pragma once
 
+#include "engine/simulation/build_info.hpp"
 #include "engine/simulation/march.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace rift {
-
-/// Which program made a result.
-struct BuildInfo {
-  std::string version;  // "0.1.0"
-  std::string compiler;
-  std::string simd;
-};
 
 /// The plateau and the rate curve of a run's fracture phase.
 struct Rates {

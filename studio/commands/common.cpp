@@ -79,7 +79,9 @@ fs::path presets_folder() {
   const std::string chosen = environment("RIFT_PRESETS");
   if (!chosen.empty()) return chosen;
   std::error_code ignored;
-  return fs::is_directory(RIFT_SOURCE_PRESETS, ignored) ? RIFT_SOURCE_PRESETS : RIFT_INSTALLED_PRESETS;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = program.parent_path().parent_path() / "share" / "rift" / "presets";
+  return fs::is_directory(installed, ignored) ? installed : fs::path(RIFT_SOURCE_PRESETS);
 }
 
 fs::path resolve_preset(const std::string& preset) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/simulation/summary.hpp"
+#include "engine/simulation/build_info.hpp"
 
 #include <CLI/App.hpp>
 
@@ -23,8 +23,8 @@ std::string version_text();
 /// The widest vector instructions this program was compiled for: "AVX-512", "AVX2", "AVX" or "baseline".
 std::string_view instruction_set();
 
-/// Where the presets are: $RIFT_PRESETS if set, else those of the source tree if it is still there, else the
-/// installed ones. The folder need not exist.
+/// Where the presets are: $RIFT_PRESETS if set, else those installed beside the program (../share/rift/presets), else
+/// those of the source tree. The folder need not exist.
 std::filesystem::path presets_folder();
 
 /// The preset that the user means: a path to a file, or the bare name of one in the presets folder

@@ -23,7 +23,9 @@ std::string bar(double done) {
 }
 
 /// Remaining seconds if the pace so far holds; negative while there is too little to say.
-double remaining(double elapsed, double done) { return done > 0.02 ? elapsed * (1.0 - done) / done : -1.0; }
+double remaining(double elapsed, double done, double from) {
+  return done - from > 0.02 ? elapsed * (1.0 - done) / (done - from) : -1.0;
+}
 
 std::string clock_in(double seconds) {
   const std::time_t then = std::time(nullptr) + static_cast<std::time_t>(seconds);
@@ -55,7 +57,7 @@ ProgressStyle progress_style(bool quiet, bool json) {
 void ProgressLine::tell(std::string_view stage, double done, std::string_view rate) {
   if (style_ == ProgressStyle::none) return;
   const auto now = Clock::now();
-  if (stage != stage_) stage_ = stage, stage_start_ = now, last_ = {};
+  if (stage != stage_) stage_ = stage, stage_start_ = now, last_ = {}, done_at_start_ = done;
   const double elapsed = std::chrono::duration<double>(now - stage_start_).count();
   const double pause = style_ == ProgressStyle::line ? redraw_s : plain_s;
   const bool first = last_ == Clock::time_point{};
@@ -63,7 +65,7 @@ void ProgressLine::tell(std::string_view stage, double done, std::string_view ra
     return;
   last_ = now;
   done = std::clamp(done, 0.0, 1.0);
-  const double left = remaining(elapsed, done);
+  const double left = remaining(elapsed, done, done_at_start_);
   if (style_ == ProgressStyle::json) {
     nlohmann::ordered_json line{{"stage", stage_}, {"done", done}, {"elapsed_s", elapsed}};
     line["remaining_s"] = left < 0.0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(left);

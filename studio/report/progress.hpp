@@ -30,6 +30,7 @@ class ProgressLine {
   ProgressStyle style_;
   std::string stage_;
   Clock::time_point stage_start_ = Clock::now(), last_ = {};
+  double done_at_start_ = 0;  // a stage may begin in the middle of the whole
   bool drawn_ = false;
 };
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace rift {
+
+/// Which program made a result.
+struct BuildInfo {
+  std::string version;  // "0.1.0"
+  std::string compiler;
+  std::string simd;
+};
+
+}  // namespace rift
