@@ -33,12 +33,13 @@ TimeStep choose_step(const Preset& preset, const Lattice& lattice, const Viscous
   const char* key = scene.solver.dt            ? "solver.dt"
                     : scene.solver.dt_fraction ? "solver.dt_fraction"
                                                : "damping.alpha";
-  throw InputError({issue_at(
-      preset, key,
-      fmt::format(
-          "makes a step of {:.4g} s, and the critical step of this lattice{} is {:.4g} s ({:.4g} s undamped)",
-          step.dt, scene.damping.alpha > 0 ? " with this damping" : "", step.critical_damped,
-          step.critical))});
+  const std::string limit = damping.beam.empty()
+                                ? fmt::format("the critical step of this lattice is {:.4g} s", step.critical)
+                                : fmt::format(
+                                      "the critical step of this lattice with this damping is "
+                                      "{:.4g} s ({:.4g} s undamped)",
+                                      step.critical_damped, step.critical);
+  throw InputError({issue_at(preset, key, fmt::format("makes a step of {:.4g} s, and {}", step.dt, limit))});
 }
 
 }  // namespace rift

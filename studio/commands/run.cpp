@@ -42,12 +42,13 @@ fs::path folder_for(const RunOptions& options) {
 class ClaimedFolder {
  public:
   ClaimedFolder(fs::path folder, bool force)
-      : folder_(std::move(folder)), force_(force), made_(!fs::exists(folder_)) {
+      : folder_(std::move(folder)), force_(force), made_(!fs::exists(folder_)), parent_made_(!has_parent()) {
     if (!force_) results::create_run_folder(folder_, false);
   }
   ~ClaimedFolder() {
     std::error_code ignored;
-    if (!kept_ && made_) fs::remove(folder_, ignored);  // removes nothing but an empty folder
+    if (!kept_ && made_) fs::remove(folder_, ignored);  // removes nothing but empty folders
+    if (!kept_ && parent_made_) fs::remove(folder_.parent_path(), ignored);
   }
   ClaimedFolder(const ClaimedFolder&) = delete;
   ClaimedFolder& operator=(const ClaimedFolder&) = delete;
@@ -59,8 +60,10 @@ class ClaimedFolder {
   }
 
  private:
+  bool has_parent() const { return folder_.parent_path().empty() || fs::exists(folder_.parent_path()); }
+
   fs::path folder_;
-  bool force_, made_, kept_ = false;
+  bool force_, made_, parent_made_, kept_ = false;
 };
 
 std::string stage_name(results::Phase phase) {
