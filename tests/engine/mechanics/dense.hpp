@@ -1,0 +1,32 @@
+#pragma once
+
+#include "tests/engine/mechanics/hand_made.hpp"
+
+#include <Eigen/Dense>
+
+/// Dense algebra on small lattices: what the engine's iterations are compared with.
+namespace rift::hand_made {
+
+inline Eigen::MatrixXd dense_stiffness(const Lattice& lattice) {
+  const long size = 6 * static_cast<long>(lattice.centre.size());
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
+    const Matrix12 beam = stiffness_of(lattice.beam[b]);
+    for (int end = 0; end < 2; ++end)
+      for (int other = 0; other < 2; ++other)
+        k.block<6, 6>(6 * lattice.ends[b][end], 6 * lattice.ends[b][other]) +=
+            beam.block<6, 6>(6 * end, 6 * other);
+  }
+  return k;
+}
+
+/// Highest omega^2 of K x = omega^2 M x over the elements not gripped, by dense algebra.
+inline double highest_omega_squared(const Lattice& lattice) {
+  const Eigen::VectorXd root = mobility(lattice).cwiseSqrt();
+  const Eigen::MatrixXd symmetric = root.asDiagonal() * dense_stiffness(lattice) * root.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+}  // namespace rift::hand_made

@@ -1,0 +1,190 @@
+#include "engine/simulation/march.hpp"
+
+#include "engine/simulation/summary.hpp"
+#include "tests/engine/simulation/small_plate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace rift {
+namespace {
+
+/// All that a run told its observer.
+struct Heard {
+  std::vector<results::Sample> samples;
+  std::vector<results::Frame> frames;
+  std::vector<results::ReleaseEvent> events;
+  std::vector<Progress> progress;
+  std::size_t stop_after = 1000000;  // questions
+
+  Observer observer() {
+    return {.sample = [&](const results::Sample& s) { samples.push_back(s); },
+            .frame = [&](const results::Frame& f) { frames.push_back(f); },
+            .event = [&](const results::ReleaseEvent& e) { events.push_back(e); },
+            .go_on =
+                [&](const Progress& p) {
+                  progress.push_back(p);
+                  return progress.size() < stop_after;
+                }};
+  }
+};
+
+TEST(March, ReadsTheBooksAtEverySampleOfItsSchedule) {
+  const Prepared p = small_plate();
+  Heard heard;
+  const RunResult result = march(p, heard.observer());
+  EXPECT_EQ(result.outcome, Outcome::finished);
+  EXPECT_EQ(result.steps, p.schedule.total());
+  ASSERT_EQ(heard.samples.size(), p.schedule.samples.size());
+  ASSERT_EQ(result.books.size(), p.schedule.samples.size());
+  for (std::size_t k = 0; k < heard.samples.size(); ++k) {
+    const results::Sample& s = heard.samples[k];
+    EXPECT_EQ(s.step, p.schedule.samples[k]);
+    EXPECT_EQ(s.phase, results::Phase::fracture);
+    EXPECT_DOUBLE_EQ(s.time_s, static_cast<double>(s.step) * p.step.dt);
+    EXPECT_DOUBLE_EQ(s.tip_m, tip_at(p.scenario.history, s.time_s));
+    EXPECT_DOUBLE_EQ(s.velocity_m_s, 1100.0);
+  }
+  EXPECT_NEAR(result.books.front().elastic_j / p.static_energy, 1.0, 1e-12);
+  EXPECT_EQ(result.energy_at_crack_start, result.books.front().elastic_j);
+  EXPECT_TRUE(rates_of(p, result).plateau.reached);
+}
+
+TEST(March, WritesFramesOfTheFieldsAskedFor) {
+  const Prepared p = small_plate({"output.fields=[\"displacement\", \"velocity\", \"damage\"]"});
+  Heard heard;
+  march(p, heard.observer());
+  ASSERT_EQ(heard.frames.size(), 5U);
+  const std::size_t n = p.lattice.centre.size(), crossed = crossings(p.path, p.lattice).size();
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(heard.frames[k].step, p.schedule.frames[k]);
+    EXPECT_EQ(heard.frames[k].displacement.size(), n);
+    EXPECT_EQ(heard.frames[k].velocity.size(), n);
+    EXPECT_EQ(heard.frames[k].damage_factor.size(), crossed);
+  }
+  EXPECT_EQ(std::count(heard.frames[0].damage_factor.begin(), heard.frames[0].damage_factor.end(), 1.0F),
+            static_cast<long>(crossed));
+  EXPECT_GT(std::count(heard.frames[4].damage_factor.begin(), heard.frames[4].damage_factor.end(), 0.0F), 20);
+  Heard bare;
+  march(small_plate({"output.fields=[]"}), bare.observer());
+  for (const auto& frame : bare.frames)
+    EXPECT_TRUE(frame.displacement.empty() && frame.velocity.empty() && frame.damage_factor.empty());
+}
+
+// The damage of a frame stands in the order of geometry_of().crossing, ascending beams, not in the crack's.
+TEST(March, GivesTheDamageOfAFrameToTheRightBeams) {
+  const Prepared p = small_plate({"crack.technique=simple"});
+  Heard heard;
+  march(p, heard.observer());
+  ASSERT_EQ(heard.frames.size(), 5U);
+  const results::Geometry g = geometry_of(p);
+  const results::Frame& frame = heard.frames[2];
+  std::map<int, double> position;
+  for (const Crossing& c : crossings(p.path, p.lattice)) position[c.beam] = c.position;
+  ASSERT_EQ(frame.damage_factor.size(), g.crossing.size());
+  for (std::size_t k = 0; k < g.crossing.size(); ++k)
+    EXPECT_EQ(frame.damage_factor[k], frame.tip_m >= position.at(g.crossing[k]) ? 0.0F : 1.0F);
+}
+
+TEST(March, ReportsEachReleasedBeamOnceWithItsFractureEnergy) {
+  for (const std::string technique : {"simple", "progressive"}) {
+    const Prepared p = small_plate({"crack.technique=" + technique, "crack.start=0.006"});
+    Heard heard;
+    const RunResult result = march(p, heard.observer());
+    const results::Sample& end = result.books.back();
+    std::map<int, double> to_break;
+    for (const Crossing& c : crossings(p.path, p.lattice))
+      if (c.position > 0.006 && c.position <= end.tip_m) to_break[c.beam] = c.position;
+    ASSERT_EQ(heard.events.size(), to_break.size()) << technique;
+    double sum = 0.0;
+    for (const results::ReleaseEvent& e : heard.events) {
+      ASSERT_TRUE(to_break.contains(e.beam));
+      EXPECT_EQ(e.position_m, to_break[e.beam]);
+      const double tip = tip_at(p.scenario.history, e.time_s), way = 1100.0 * p.step.dt;
+      EXPECT_GE(tip, e.position_m);
+      EXPECT_LT(tip - e.position_m, way * (1.0 + 1e-9));
+      sum += e.energy_j;
+      to_break.erase(e.beam);
+    }
+    EXPECT_TRUE(to_break.empty());
+    if (technique == "simple") {
+      EXPECT_NEAR(sum / end.fracture_j, 1.0, 1e-12);  // the same numbers, added in another order
+    } else {
+      EXPECT_LT(sum, end.fracture_j);  // the beams in the zone have given some already
+      EXPECT_GT(sum, 0.8 * end.fracture_j);
+    }
+  }
+}
+
+TEST(March, StopsWhenTheObserverSaysSoAndKeepsWhatItHas) {
+  const Prepared p = small_plate({"solver.dt_fraction=0.005"});
+  Heard heard;
+  heard.stop_after = 2;
+  const RunResult result = march(p, heard.observer());
+  EXPECT_EQ(result.outcome, Outcome::stopped);
+  EXPECT_STREQ(name_of(result.outcome), "stopped");
+  ASSERT_EQ(heard.progress.size(), 2U);
+  EXPECT_EQ(heard.progress[1].step, result.steps);
+  EXPECT_EQ(heard.progress[1].total, p.schedule.total());
+  EXPECT_GT(heard.progress[1].seconds, 0.0);
+  EXPECT_LT(result.steps, p.schedule.total());
+  EXPECT_EQ(result.where,
+            "step " + std::to_string(result.steps) + " of " + std::to_string(p.schedule.total()));
+  EXPECT_EQ(result.books.size(), heard.samples.size());
+  EXPECT_LE(result.books.back().step, result.steps);
+  EXPECT_FALSE(rates_of(p, result).plateau.reached);
+}
+
+TEST(March, OfARampGoesThroughThreePhases) {
+  const Prepared p =
+      small_plate({"loading.method=ramp", "loading.ramp_steps=1500", "loading.hold_steps=1000"});
+  Heard heard;
+  const RunResult result = march(p, heard.observer());
+  ASSERT_EQ(result.outcome, Outcome::finished) << result.where;
+  EXPECT_EQ(heard.samples.size(), p.schedule.samples.size());
+  for (const results::Sample& s : heard.samples) {
+    EXPECT_EQ(s.phase, s.step < 1500   ? results::Phase::loading
+                       : s.step < 2500 ? results::Phase::hold
+                                       : results::Phase::fracture);
+    if (s.step > 2500) continue;
+    EXPECT_DOUBLE_EQ(s.tip_m, tip_at(p.scenario.history, 0.0));
+    EXPECT_EQ(s.fracture_j, 0.0);
+  }
+  EXPECT_NEAR(heard.samples.front().elastic_j, 0.0, 1e-30);
+  // Numerical damping is taken out before the crack starts: not a joule more of it from then on.
+  const auto start = std::find_if(heard.samples.begin(), heard.samples.end(),
+                                  [](const results::Sample& s) { return s.step == 2500; });
+  ASSERT_NE(start, heard.samples.end());
+  EXPECT_GT(start->numerical_damping_j, 0.0);
+  EXPECT_EQ(heard.samples.back().numerical_damping_j, start->numerical_damping_j);
+  EXPECT_EQ(heard.samples.back().work_external_j, start->work_external_j);
+}
+
+TEST(March, RefusesToCrackAPlateThatStillSwingsAfterItsRamp) {
+  const Prepared p = small_plate({"loading.method=ramp", "loading.ramp_steps=20", "loading.hold_steps=0"});
+  const RunResult result = march(p, {});
+  EXPECT_EQ(result.outcome, Outcome::diverged);
+  EXPECT_GT(result.prestress_kinetic, 0.01);
+  EXPECT_NE(result.where.find("not quasi-static; raise loading.ramp_steps or loading.hold_steps"),
+            std::string::npos)
+      << result.where;
+  EXPECT_EQ(result.steps, 20);
+}
+
+// A step that choose_step() would never let through: what the user would see if it ever did.
+TEST(March, StopsAsDivergedWhereTheNumbersBlowUpAndNamesTheStep) {
+  Prepared p = small_plate();
+  p.step.dt *= 2.2;
+  p.schedule = make_schedule(p.preset.scene, p.scenario.history, 0.01 * p.step.dt, p.crack_end, p.window);
+  const RunResult result = march(p, {});
+  EXPECT_EQ(result.outcome, Outcome::diverged);
+  EXPECT_STREQ(name_of(result.outcome), "diverged");
+  EXPECT_LT(result.steps, p.schedule.total());
+  EXPECT_TRUE(result.where.starts_with("step " + std::to_string(result.steps) + ": the books are open by "))
+      << result.where;
+}
+
+}  // namespace
+}  // namespace rift

@@ -1,0 +1,84 @@
+#include "engine/simulation/summary.hpp"
+#include "tests/engine/simulation/small_plate.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace rift {
+namespace {
+
+TEST(PreStress, ByARampStoresWhatTheStaticSolveSays) {
+  const Prepared ramp =
+      small_plate({"loading.method=ramp", "loading.ramp_steps=6000", "loading.hold_steps=3000"});
+  const Prepared at_once = small_plate();
+  const RunResult pulled = march(ramp, {}), released = march(at_once, {});
+  ASSERT_EQ(pulled.outcome, Outcome::finished) << pulled.where;
+  EXPECT_NEAR(pulled.energy_at_crack_start / at_once.static_energy, 1.0, 0.01);  // physics.md §4
+  EXPECT_LT(pulled.prestress_kinetic, 0.01);
+  const double by_ramp = rates_of(ramp, pulled).plateau.mean.ratio,
+               by_solve = rates_of(at_once, released).plateau.mean.ratio;
+  EXPECT_NEAR(by_ramp, by_solve, 0.02);  // what still swings after the ramp: below 1 % of the energy
+}
+
+TEST(PreStress, TakesWorkOfTheGripThatIsStoredOrDamped) {
+  const Prepared p =
+      small_plate({"loading.method=ramp", "loading.ramp_steps=6000", "loading.hold_steps=3000"});
+  const RunResult result = march(p, {});
+  const results::Sample& end = result.books.back();
+  // Pulled slowly, the plate stores nearly all of the grip's work before it cracks.
+  EXPECT_NEAR(result.energy_at_crack_start / end.work_external_j, 1.0, 0.05);
+  EXPECT_GE(end.numerical_damping_j, 0.0);
+}
+
+// physics.md §5: in linear kinematics the ratio at v with E_mu is that at v sqrt(E_mu'/E_mu) with E_mu' over
+// the same window: time scales, nothing else does.
+TEST(Scaling, BulkBeamsAtAVelocityAreInSituBeamsAtALowerOne) {
+  const auto plateau = [](const std::vector<std::string>& overrides, double& micro) {
+    std::vector<std::string> all{"solver.dt_fraction=0.4", "output.window=[0.2, 0.4]"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    const Prepared p = small_plate(all);
+    micro = p.micro.young_modulus;
+    return rates_of(p, march(p, {})).plateau;
+  };
+  double bulk_micro = 0.0, in_situ_micro = 0.0;
+  plateau({}, in_situ_micro);
+  for (const std::string technique : {"simple", "progressive"})
+    for (const double v : {0.3, 0.7, 1.0}) {
+      const Plateau bulk = plateau({fmt::format("crack.velocity={} c_r", v), "material.stiffness=bulk",
+                                    "crack.technique=" + technique},
+                                   bulk_micro);
+      const double scaled = v * std::sqrt(in_situ_micro / bulk_micro);
+      ASSERT_LT(scaled, 0.95 * v);
+      const Plateau in_situ = plateau(
+          {fmt::format("crack.velocity={} c_r", scaled), "crack.technique=" + technique}, in_situ_micro);
+      const Plateau unscaled =
+          plateau({fmt::format("crack.velocity={} c_r", v), "crack.technique=" + technique}, in_situ_micro);
+      ASSERT_TRUE(bulk.reached && in_situ.reached);
+      // The step scales as well but for the Lanczos margin of 1e-5.
+      EXPECT_NEAR(bulk.mean.ratio, in_situ.mean.ratio, 1e-3) << technique << v;
+      EXPECT_GT(std::abs(bulk.mean.ratio - unscaled.mean.ratio), 0.01) << technique << v;
+    }
+}
+
+// What the lattice does whatever its size   [physics.md §9]: a faster crack is paid less, a progressive
+// release more than a simple one, and rates by the two ways agree to the residual of the books.
+TEST(Rates, FallWithVelocityAndRiseWithAProgressiveRelease) {
+  const auto plateau = [](const std::string& technique, const std::string& velocity) {
+    const Prepared p = small_plate(
+        {"crack.technique=" + technique, "crack.velocity=" + velocity, "output.window=[0.2, 0.4]"});
+    const Plateau found = rates_of(p, march(p, {})).plateau;
+    EXPECT_TRUE(found.reached);
+    EXPECT_NEAR(found.mean.ratio, found.mean.ratio_release, 1e-10);
+    return found.mean.ratio;
+  };
+  const double slow = plateau("progressive", "0.2 c_r"), middle = plateau("progressive", "0.5 c_r"),
+               fast = plateau("progressive", "1.0 c_r");
+  EXPECT_GT(slow, middle);
+  EXPECT_GT(middle, fast);
+  EXPECT_GT(slow, plateau("simple", "0.2 c_r"));
+}
+
+}  // namespace
+}  // namespace rift

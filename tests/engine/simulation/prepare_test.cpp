@@ -1,0 +1,205 @@
+#include "engine/simulation/prepare.hpp"
+
+#include "engine/interrupted.hpp"
+#include "engine/mechanics/statics.hpp"
+#include "tests/engine/simulation/small_plate.hpp"
+#include "tests/studio/run_rift.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace rift {
+namespace {
+
+using studio::contains;
+using studio::read_text;
+using studio::TemporaryFolder;
+using studio::write_text;
+
+std::string refusal(const std::vector<std::string>& overrides) {
+  try {
+    small_plate(overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+/// Energy of the beams in the middle half of the plate [J], by the forces on them: 1/2 of displacement x
+/// load.
+double middle_half_energy(const Lattice& lattice, const std::vector<Vector6>& q) {
+  double energy = 0.0;
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
+    const auto& [i, j] = lattice.ends[b];
+    const double middle = 0.5 * (lattice.centre[i].x() + lattice.centre[j].x()) / lattice.box.length;
+    if (middle < 0.25 || middle >= 0.75) continue;
+    const BeamLoads l = loads_of(lattice.beam[b], q[i], q[j]);
+    energy += 0.5 * (l.force_i.dot(q[j].head<3>() - q[i].head<3>()) - l.moment_i.dot(q[i].tail<3>()) -
+                     l.moment_j.dot(q[j].tail<3>()));
+  }
+  return energy;
+}
+
+// Another solve, on the lattice with its final modulus, and another way to the energy than prepare()'s.
+TEST(Prepare, InSituBeamsMakeAStripOfTheMaterialsOwnModulus) {
+  const Prepared p = small_plate({"material.poisson_ratio=0.25"});
+  const std::vector<char> all(p.lattice.beam.size(), 1);
+  const double delta = 1e-4, energy = middle_half_energy(p.lattice, stretched_at_rest(p.lattice, all, delta));
+  const double modulus = 2.0 * (energy / 0.024) * 0.012 / (p.lattice.box.thickness * delta * delta);
+  const double wanted = 10e9 / (1.0 - 0.25 * 0.25);
+  EXPECT_NEAR(modulus / wanted, 1.0, 1e-9);
+  EXPECT_NEAR(p.strip_modulus / wanted, 1.0, 1e-9);
+}
+
+// 1/2 E' (delta/H)^2 H, energy per area of the strip.
+TEST(Prepare, StripReferenceIsTheContinuumsWithInSituBeams) {
+  const Prepared p = small_plate();
+  EXPECT_NEAR(p.scale.g_i0 / (0.5 * 10e9 / 0.91 * 0.6e-3 * 0.6e-3 / 0.012), 1.0, 1e-9);
+  EXPECT_EQ(p.scale.length, 0.048);
+  EXPECT_EQ(p.scale.thickness, p.lattice.box.thickness);
+}
+
+TEST(Prepare, BulkAndExplicitBeamsAreTakenAsTheyAre) {
+  const Prepared bulk = small_plate({"material.stiffness=bulk"});
+  EXPECT_EQ(bulk.micro.young_modulus, 356e9);
+  EXPECT_GT(bulk.strip_modulus, 1.2 * 10e9 / 0.91);  // a thin plate is stiffer than the bulk
+  const Prepared own = small_plate({"material.stiffness=explicit", "material.micro_young_modulus=178 GPa",
+                                    "material.micro_poisson_ratio=0.3", "material.micro_radius_ratio=0.3"});
+  EXPECT_NEAR(own.strip_modulus / bulk.strip_modulus, 0.5, 1e-9);  // all stiffnesses go with E_mu
+  EXPECT_NEAR(own.step.critical / bulk.step.critical, std::sqrt(2.0), 1e-6);
+}
+
+/// Largest force on a free element from the beams that are there, over the largest force of any beam.
+double unbalanced(const Prepared& p, double notch_end) {
+  Simulation<1> s(p.lattice, p.path, notch_end, p.step.dt, {p.scenario});
+  s.start_from(p.displacement);
+  double worst = 0.0, largest = 0.0;
+  for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
+    const double force = s.motion(s.f, i, 0).head<3>().norm();
+    if (p.lattice.grip[i] == Grip::none) worst = std::max(worst, force);
+    largest = std::max(largest, force);
+  }
+  return worst / largest;
+}
+
+TEST(Prepare, NotchedBeamsAreAbsentFromThePreStressOn) {
+  const Prepared notched = small_plate({"crack.start=0.008"}), whole = small_plate();
+  EXPECT_LT(unbalanced(notched, 0.008), 1e-9);
+  EXPECT_GT(unbalanced(notched, 0.0), 1e-2);  // with the cut beams in place nothing would be at rest
+  EXPECT_LT(unbalanced(whole, 0.0), 1e-9);
+  EXPECT_LT(notched.static_energy, 0.95 * whole.static_energy);
+  EXPECT_EQ(notched.scale.g_i0, whole.scale.g_i0);  // of the strip without its notch
+  EXPECT_EQ(notched.micro.young_modulus, whole.micro.young_modulus);
+  const Simulation<1> s = ready(notched);
+  int cut = 0;
+  for (std::size_t k = 0; k < s.met.size(); ++k) {
+    EXPECT_EQ(s.factor[k], s.met[k].position <= 0.008 ? 0.0 : 1.0);
+    cut += s.factor[k] == 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(cut, 10);
+  EXPECT_NEAR(s.energy(0).elastic / notched.static_energy, 1.0, 1e-12);
+}
+
+TEST(Prepare, HistoryBeginsAZonesLengthBehindTheNotch) {
+  const Prepared p = small_plate({"crack.start=0.008", "crack.damage_zone_ratio=2.5"});
+  EXPECT_DOUBLE_EQ(p.scenario.law.zone_length, 2.5 * p.lattice.mean_radius);
+  EXPECT_DOUBLE_EQ(tip_at(p.scenario.history, 0.0), 0.008 - 2.5 * p.lattice.mean_radius);
+  const Prepared simple = small_plate({"crack.start=0.008", "crack.technique=simple"});
+  EXPECT_DOUBLE_EQ(tip_at(simple.scenario.history, 0.0), 0.008);
+  EXPECT_EQ(simple.scenario.law.zone_length, 0.0);
+}
+
+TEST(Prepare, DampsTheBeamsNearThePathOrAllOrNone) {
+  EXPECT_TRUE(small_plate().damped.empty());
+  const Prepared all = small_plate({"damping.alpha=0.0002", "damping.region=all"});
+  EXPECT_EQ(all.damped.size(), all.lattice.beam.size());
+  EXPECT_EQ(all.scenario.alpha_elsewhere, 0.0002);
+  const Prepared surface = small_plate({"damping.alpha=0.001", "damping.region=surface"});
+  EXPECT_EQ(surface.scenario.alpha_at_surface, 0.001);
+  EXPECT_EQ(surface.scenario.alpha_elsewhere, 0.0);
+  const double near = 1.5 * surface.lattice.mean_radius;
+  const auto is_near = [&](int i) { return std::abs(surface.lattice.centre[i].y() - 0.006) <= near; };
+  std::size_t expected = 0;
+  for (const auto& [i, j] : surface.lattice.ends) expected += is_near(i) || is_near(j) ? 1 : 0;
+  EXPECT_EQ(surface.damped.size(), expected);
+  EXPECT_GT(expected, 50U);
+  for (const DampedBeam& b : surface.damped) EXPECT_TRUE(is_near(b.i) || is_near(b.j));
+}
+
+TEST(Prepare, RefusesAPathThatCrossesNoBeam) {
+  EXPECT_EQ(refusal({"crack.path=1 um"}), "--set crack.path=1 um: crosses no beam of this lattice");
+}
+
+TEST(Prepare, RefusesACoordinationThatThePlateCannotHave) {
+  const std::string text = refusal({"specimen.coordination=6.9"});
+  EXPECT_TRUE(contains(text, "small.toml:6: specimen.elements = 700: a coordination of 6.9 is out of reach"));
+}
+
+TEST(Prepare, StopsWhenToldToWhilePacking) {
+  Cache none;
+  int asked = 0;
+  try {
+    prepare(small_preset(), none, [&](std::string_view, double) { return ++asked < 3; });
+    ADD_FAILURE() << "went on";
+  } catch (const Interrupted& stopped) {
+    EXPECT_STREQ(stopped.what(), "stopped while packing");
+  }
+  EXPECT_EQ(asked, 3);
+}
+
+TEST(Prepare, GivesTheSameBitsFromTheCacheAndRebuildsADamagedOne) {
+  const TemporaryFolder folder;
+  Cache cache{folder.path(), {}};
+  const Preset preset = small_preset({"crack.start=0.008"});
+  const Prepared first = prepare(preset, cache), second = prepare(preset, cache);
+  EXPECT_FALSE(first.packing_from_cache || first.statics_from_cache);
+  EXPECT_TRUE(second.packing_from_cache && second.statics_from_cache);
+  EXPECT_TRUE(cache.notes.empty());
+  EXPECT_EQ(first.specimen.centre, second.specimen.centre);
+  EXPECT_EQ(first.displacement, second.displacement);
+  EXPECT_EQ(first.step.dt, second.step.dt);
+  EXPECT_EQ(first.scale.g_i0, second.scale.g_i0);
+
+  int damaged = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    std::string bytes = read_text(entry.path());
+    bytes[bytes.size() / 2] ^= 4;
+    write_text(entry.path(), bytes);
+    ++damaged;
+  }
+  EXPECT_EQ(damaged, 3);  // packing, whole plate, notched plate
+  const Prepared third = prepare(preset, cache);
+  EXPECT_FALSE(third.packing_from_cache || third.statics_from_cache);
+  EXPECT_EQ(cache.notes.size(), 3U);
+  EXPECT_EQ(first.displacement, third.displacement);
+  cache.notes.clear();
+  EXPECT_TRUE(prepare(preset, cache).packing_from_cache);
+  EXPECT_TRUE(cache.notes.empty());
+}
+
+// A cached packing, or stretch, of one plate must never serve another.
+TEST(Prepare, TakesNothingFromTheCacheOfAnotherPlate) {
+  const TemporaryFolder folder;
+  Cache cache{folder.path(), {}};
+  prepare(small_preset({"crack.start=0.008"}), cache);
+  for (const std::string other : {"specimen.seed=2", "specimen.radius_spread=0.1", "specimen.length=0.0481",
+                                  "specimen.coordination=5.6"}) {
+    EXPECT_FALSE(prepare(small_preset({"crack.start=0.008", other}), cache).packing_from_cache) << other;
+  }
+  for (const std::string other :
+       {"crack.start=0.009", "crack.path=0.4 H", "specimen.contact_tolerance=1.001"}) {
+    const Prepared p = prepare(small_preset({"crack.start=0.008", other}), cache);
+    EXPECT_TRUE(p.packing_from_cache) << other;
+    EXPECT_FALSE(p.statics_from_cache) << other;
+  }
+  const Prepared p = prepare(
+      small_preset({"crack.start=0.008", "loading.displacement=0.0003", "material.young_modulus=5 GPa"}),
+      cache);
+  EXPECT_TRUE(p.statics_from_cache) << "linear: one solve serves any displacement and modulus";
+}
+
+}  // namespace
+}  // namespace rift

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "engine/simulation/march.hpp"
+#include "tests/studio/run_rift.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace rift {
+
+/// A plate of 700 elements, 48 x 12 mm and two layers thick, pulled by the paper's 5 %; the crack runs at 0.5
+/// c_r to 24 mm, 25 mean radii past the start of its window. Packs in 0.2 s, a step takes 0.2 ms.
+inline Preset small_preset(const std::vector<std::string>& overrides = {}) {
+  constexpr const char* text = R"(
+[specimen]
+length = "48 mm"
+height = "12 mm"
+layers = 2
+elements = 700
+coordination = 5.7   # walls everywhere: 6 is out of reach of so few elements
+[loading]
+displacement = "0.6 mm"
+[crack]
+end = "24 mm"
+[output]
+samples = 50
+frames = 5
+)";
+  Preset preset = read_preset_text(text, "small.toml", overrides);
+  for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+  return preset;
+}
+
+inline Prepared small_plate(const std::vector<std::string>& overrides = {}) {
+  static const studio::TemporaryFolder
+      folder;  // of this process: tests that prepare several plates pack once
+  Cache cache{folder.path(), {}};
+  return prepare(small_preset(overrides), cache);
+}
+
+/// A simulation at rest under the pre-stress, its crack about to start.
+template <int Lanes>
+Simulation<Lanes> ready(const Prepared& p, const std::array<LaneScenario, Lanes>& scenarios, double dt) {
+  Simulation<Lanes> simulation(p.lattice, p.path, p.preset.scene.crack.start, dt, scenarios);
+  simulation.start_from(p.displacement);
+  simulation.start_crack(p.damped);
+  return simulation;
+}
+
+inline Simulation<1> ready(const Prepared& p) { return ready<1>(p, {p.scenario}, p.step.dt); }
+
+/// The plate's crack by S-NRT and by P-NRT with the three laws of the paper, eqs. (9)-(11).
+inline std::array<LaneScenario, 4> four_laws(const Prepared& p) {
+  const double zone = p.lattice.mean_radius;
+  std::array<LaneScenario, 4> lanes;
+  lanes.fill(p.scenario);
+  lanes[0].law = {Technique::simple, 1.0, 0.0};
+  lanes[1].law = {Technique::progressive, 1.0, zone};
+  lanes[2].law = {Technique::progressive, 0.5, zone};
+  lanes[3].law = {Technique::progressive, 2.0, zone};
+  return lanes;
+}
+
+}  // namespace rift

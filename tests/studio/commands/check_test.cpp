@@ -1,0 +1,75 @@
+#include "tests/studio/commands/tiny_plate.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+TEST(Check, ShowsWhatFollowsFromAPresetAndWritesNoRun) {
+  const TinyPlate plate;
+  const Ran ran = plate.check();
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  for (const char* label :
+       {"lattice", "900 elements", "material", "waves", "Rayleigh 2200 m/s", "pre-stress", "crack",
+        "of the critical", "steps", "for a beam to soften", "cost", "MB on disk at most"})
+    EXPECT_TRUE(contains(ran.out, label));
+  EXPECT_FALSE(fs::exists(plate.path() / "runs"));
+  EXPECT_FALSE(fs::exists(plate.out()));
+}
+
+TEST(Check, SaysWhatIsLeftOutAndWhy) {
+  const TinyPlate plate;
+  const std::string plain = plate.check("--set output.frames=0 --set crack.technique=simple").out;
+  for (const char* line :
+       {"damping: alpha = 0, no damped beams are built", "numerical damping: beta = 1",
+        "damage zone: technique = simple", "ramp: method = static, the pre-stress is one solve",
+        "frames: frames = 0, no fields are written"})
+    EXPECT_TRUE(contains(plain, line));
+  const std::string full = plate
+                               .check(
+                                   "--set damping.alpha=0.001 --set damping.region=all --set solver.beta=0.9 "
+                                   "--set loading.method=ramp")
+                               .out;
+  EXPECT_FALSE(contains(full, "left out"));
+}
+
+TEST(Check, JsonAgreesWithTheRunItForesees) {
+  const TinyPlate plate;
+  const Ran ran = plate.check("--json");
+  ASSERT_EQ(ran.exit_code, 0);
+  const Json foreseen = Json::parse(ran.out);
+  ASSERT_EQ(plate.run().exit_code, 0);
+  const Json done = Json::parse(read_text(plate.out() / "summary.json")).at("scenarios")[0];
+  for (const char* name : {"elements", "beams", "beams_crossed", "beams_damped", "rattlers", "mean_radius_m",
+                           "thickness_m", "density_kg_m3", "rayleigh_speed_m_s", "micro_young_modulus_pa",
+                           "g_i0_j_m2", "dt_s", "dt_critical_s", "dt_fraction", "steps", "steps_per_beam"})
+    EXPECT_EQ(foreseen.at(name), done.at(name)) << name;
+  EXPECT_GT(foreseen.at("wall_estimate_s"), 0.0);
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::directory_iterator(plate.out())) bytes += entry.file_size();
+  EXPECT_GE(foreseen.at("disk_estimate_bytes").get<double>(), static_cast<double>(bytes)) << "'at most'";
+}
+
+TEST(Check, PrintsTheEffectivePresetWithoutPacking) {
+  const TinyPlate plate;
+  const Ran ran = plate.check("--print-config --set specimen.seed=7");
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(contains(ran.out, "seed = 7"));
+  EXPECT_FALSE(fs::exists(plate.path() / "cache"));
+}
+
+TEST(Check, KeepsItsPackingForTheRun) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.check().exit_code, 0);
+  ASSERT_EQ(plate.run().exit_code, 0);
+  const Json done = Json::parse(read_text(plate.out() / "summary.json")).at("scenarios")[0];
+  EXPECT_EQ(done.at("packing_from_cache"), true);
+  EXPECT_EQ(done.at("prestress_from_cache"), true);
+}
+
+}  // namespace
+}  // namespace rift::studio

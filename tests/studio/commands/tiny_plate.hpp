@@ -1,0 +1,59 @@
+#pragma once
+
+#include "tests/studio/run_rift.hpp"
+
+#include <string>
+
+namespace rift::studio {
+
+/// A preset of 900 elements, 60 x 12 mm, that packs in 0.2 s and runs in 0.1 s, with a cache and a place for
+/// runs of its own.
+class TinyPlate {
+ public:
+  TinyPlate() {
+    write_text(preset(), R"(# A tiny plate
+[specimen]
+length = "60 mm"
+height = "12 mm"
+layers = 2
+elements = 900
+coordination = 5.7
+
+[loading]
+displacement = "0.6 mm"
+
+[crack]
+velocity = "0.5 c_r"
+end = "30 mm"
+
+[output]
+samples = 60
+frames = 4
+)");
+  }
+
+  std::filesystem::path path() const { return folder_.path(); }
+  std::filesystem::path preset() const { return folder_.path() / "tiny.toml"; }
+  std::filesystem::path out() const { return folder_.path() / "out"; }
+  std::string environment() const { return "XDG_CACHE_HOME='" + folder_.path().string() + "/cache'"; }
+
+  /// `rift run PRESET --out OUT ARGUMENTS`
+  Ran run(const std::string& arguments = "") const {
+    return run_rift("run '" + preset().string() + "' --out '" + out().string() + "' " + arguments,
+                    environment());
+  }
+  Ran check(const std::string& arguments = "") const {
+    return run_rift("check '" + preset().string() + "' " + arguments, environment());
+  }
+
+  /// The same run, which a shell command put before it ends by a signal, as in `timeout -s INT 1`.
+  Ran run_under(const std::string& wrapper, const std::string& arguments) const {
+    return run_shell("env " + environment() + " " + wrapper + " '" RIFT_EXE "' run '" + preset().string() +
+                     "' --out '" + out().string() + "' " + arguments);
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+}  // namespace rift::studio
