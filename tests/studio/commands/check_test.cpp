@@ -14,7 +14,7 @@ TEST(Check, ShowsWhatFollowsFromAPresetAndWritesNoRun) {
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_EQ(ran.err, "");
   for (const char* label :
-       {"lattice", "900 elements", "material", "waves", "Rayleigh 2200 m/s", "pre-stress", "crack",
+       {"lattice", "900 elements", "material", "waves", "Rayleigh 2200 m/s", "J stored", "crack",
         "of the critical", "steps", "for a beam to soften", "cost", "MB on disk at most"})
     EXPECT_TRUE(contains(ran.out, label));
   EXPECT_FALSE(fs::exists(plate.path() / "runs"));
@@ -29,6 +29,7 @@ TEST(Check, SaysWhatIsLeftOutAndWhy) {
         "damage zone: technique = simple", "ramp: method = static, the pre-stress is one solve",
         "frames: frames = 0, no fields are written"})
     EXPECT_TRUE(contains(plain, line));
+  EXPECT_TRUE(contains(plain, "  left out "));
   const std::string full = plate
                                .check(
                                    "--set damping.alpha=0.001 --set damping.region=all --set solver.beta=0.9 "
