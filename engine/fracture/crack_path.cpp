@@ -18,6 +18,9 @@ CrackPath straight_path(double length, double height) { return {{{0.0, height}, 
 
 std::optional<double> first_crossing(const CrackPath& path, const Eigen::Vector2d& a,
                                      const Eigen::Vector2d& b) {
+  // One order of the ends for all: a corner of the path on the line of a beam then lies on the same side of
+  // it either way.
+  if (std::tie(b.x(), b.y()) < std::tie(a.x(), a.y())) return first_crossing(path, b, a);
   double behind = 0.0;
   for (std::size_t k = 0; k + 1 < path.point.size(); ++k) {
     const Eigen::Vector2d &p = path.point[k], &q = path.point[k + 1];

@@ -79,8 +79,10 @@ void try_to_write(const fs::path& folder) {
 
 }  // namespace
 
-void create_run_folder(const fs::path& folder, bool force) {
+std::vector<fs::path> claim_run_folder(const fs::path& folder, bool force) {
+  std::vector<fs::path> made;
   std::error_code error;
+  for (fs::path p = folder; !p.empty() && !fs::exists(p, error); p = p.parent_path()) made.push_back(p);
   fs::create_directories(folder, error);
   if (error) throw WorldError("create the folder", folder, error.message());
   if (!fs::is_directory(folder)) throw WorldError("create the folder", folder, "a file of that name exists");
@@ -98,6 +100,11 @@ void create_run_folder(const fs::path& folder, bool force) {
     throw FolderExists(
         fmt::format("{} holds other files and no run; --force replaces only runs", folder.string()));
   try_to_write(folder);
+  return made;
+}
+
+void create_run_folder(const fs::path& folder, bool force) {
+  claim_run_folder(folder, force);
   remove_run(folder);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 /// The folder of a run: made, and found again (docs/results-format.md).
 namespace rift::results {
@@ -15,9 +16,14 @@ struct FolderExists : std::runtime_error {
 };
 
 /// Makes the folder and its parents, and tries whether it can be written to. An empty folder is as good as
-/// none. With `force` a former run's own files are removed, its exports among them; files that rift did not
-/// write are never touched, and a folder that holds such files but no run is refused even so. Throws
-/// FolderExists, or WorldError where the folder cannot be made or written to.
+/// none. A folder that holds anything is refused, unless it holds a run and `force` says to replace it; the
+/// former run stays for now. Throws FolderExists, or WorldError where the folder cannot be made or written
+/// to.
+/// @return the folders that were made, innermost first: who gives up removes them
+std::vector<std::filesystem::path> claim_run_folder(const std::filesystem::path& folder, bool force);
+
+/// Claims the folder and removes a former run's own files, its exports among them; files that rift did not
+/// write are never touched.
 void create_run_folder(const std::filesystem::path& folder, bool force);
 
 enum class RunCondition : std::uint8_t {

@@ -112,11 +112,19 @@ void build_specimen(Prepared& p, Cache& cache, const StageProgress& progress) {
   const Scene& scene = p.preset.scene;
   const auto start = Clock::now();
   const PackingRequest request = request_of(scene);
+  const auto refuse = [&](const char* key, const PackingError& error) {
+    return InputError({issue_at(p.preset, key, error.what())});
+  };
+  Packing packing;
   try {
-    const Packing packing = cached_packing(request, cache, p.packing_from_cache, progress);
+    packing = cached_packing(request, cache, p.packing_from_cache, progress);
+  } catch (const PackingError& error) {
+    throw refuse("specimen.coordination", error);
+  }
+  try {
     p.specimen = make_plate(packing, request.box, scene.specimen.contact_tolerance);
   } catch (const PackingError& error) {
-    throw InputError({issue_at(p.preset, "specimen.elements", error.what())});
+    throw refuse("specimen.elements", error);
   }
   p.wall_packing_s = seconds_since(start);
 }

@@ -42,28 +42,25 @@ fs::path folder_for(const RunOptions& options) {
 class ClaimedFolder {
  public:
   ClaimedFolder(fs::path folder, bool force)
-      : folder_(std::move(folder)), force_(force), made_(!fs::exists(folder_)), parent_made_(!has_parent()) {
-    if (!force_) results::create_run_folder(folder_, false);
-  }
+      : folder_(std::move(folder)), force_(force), made_(results::claim_run_folder(folder_, force)) {}
   ~ClaimedFolder() {
-    std::error_code ignored;
-    if (!kept_ && made_) fs::remove(folder_, ignored);  // removes nothing but empty folders
-    if (!kept_ && parent_made_) fs::remove(folder_.parent_path(), ignored);
+    std::error_code ignored;  // removes nothing but empty folders
+    if (!kept_)
+      for (const fs::path& made : made_) fs::remove(made, ignored);
   }
   ClaimedFolder(const ClaimedFolder&) = delete;
   ClaimedFolder& operator=(const ClaimedFolder&) = delete;
 
   const fs::path& keep() {
-    if (force_) results::create_run_folder(folder_, true);
+    results::create_run_folder(folder_, force_);
     kept_ = true;
     return folder_;
   }
 
  private:
-  bool has_parent() const { return folder_.parent_path().empty() || fs::exists(folder_.parent_path()); }
-
   fs::path folder_;
-  bool force_, made_, parent_made_, kept_ = false;
+  bool force_, kept_ = false;
+  std::vector<fs::path> made_;
 };
 
 std::string stage_name(results::Phase phase) {

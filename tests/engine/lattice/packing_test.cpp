@@ -235,12 +235,13 @@ TEST(PackingStatistics, AreThoseOfARowCountedByHand) {
   EXPECT_NEAR(s.solid_fraction, 3.0 * 4.0 / 3.0 * std::numbers::pi / 80.0, 1e-15);
 }
 
-TEST(PackingStatistics, OfSpheresApartHaveNoOverlap) {
+TEST(PackingStatistics, OfSpheresApartAreOfNoOverlap) {
   const PackingStatistics s = statistics({.centre = {{1, 1, 1}, {5, 1, 1}}, .radius = {1, 0.5}},
                                          {.length = 8, .height = 2, .thickness = 2});
   EXPECT_NEAR(s.coordination, 0.0, 1e-300);
   EXPECT_NEAR(s.mean_overlap, 0.0, 1e-300);
   EXPECT_NEAR(s.mean_radius, 0.75, 1e-15);
+  EXPECT_NEAR(s.solid_fraction, 4.0 / 3.0 * std::numbers::pi * (1.0 + 0.125) / 32.0, 1e-15);
 }
 
 }  // namespace

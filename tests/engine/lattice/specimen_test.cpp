@@ -115,10 +115,10 @@ TEST(Plate, IsRefusedWhereNothingJoinsTheGrips) {
 }
 
 TEST(ReachedFrom, FollowsBeamsOfAnyOrderAndDirection) {
-  // 0-1-2-3 with the anchor in the middle, 4-5 without one, 6 an anchor alone, 7 alone.
+  // 1 joined to 0, 2 and 3, the anchor at 2; 4-5 without one, 6 an anchor alone, 7 alone.
   const std::vector<char> anchor = {0, 0, 1, 0, 0, 0, 1, 0};
   const std::vector<char> expected = {1, 1, 1, 1, 0, 0, 1, 0};
-  Pairs beam = {{0, 1}, {1, 2}, {2, 3}, {4, 5}};
+  Pairs beam = {{0, 1}, {1, 2}, {1, 3}, {4, 5}};
   std::sort(beam.begin(), beam.end());
   do {
     Pairs turned = beam;

@@ -135,7 +135,7 @@ TEST(Prepare, RefusesAPathThatCrossesNoBeam) {
 
 TEST(Prepare, RefusesACoordinationThatThePlateCannotHave) {
   const std::string text = refusal({"specimen.coordination=6.9"});
-  EXPECT_TRUE(contains(text, "small.toml:6: specimen.elements = 700: a coordination of 6.9 is out of reach"));
+  EXPECT_TRUE(contains(text, "specimen.coordination=6.9: a coordination of 6.9 is out of reach"));
 }
 
 TEST(Prepare, StopsWhenToldToWhilePacking) {
