@@ -34,7 +34,8 @@ std::vector<std::array<int, 2>> pairs_within_reach(const std::vector<Eigen::Vect
                                                    const std::vector<double>& reach) {
   std::vector<std::array<int, 2>> pairs;
   if (points.empty()) return pairs;
-  const CellGrid grid = make_grid(points, 2.0 * *std::max_element(reach.begin(), reach.end()));
+  const CellGrid grid =
+      make_grid(points, 2.0 * (1.0 + 1e-12) * *std::max_element(reach.begin(), reach.end()));
 
   std::vector<int> first(grid.size.prod() + 1, 0), member(points.size());
   for (const auto& p : points) ++first[grid.index(grid.at(p)) + 1];

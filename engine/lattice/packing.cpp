@@ -2,6 +2,8 @@
 
 #include "engine/interrupted.hpp"
 #include "engine/lattice/neighbours.hpp"
+#include "engine/lattice/pile.hpp"
+#include "engine/lattice/settle.hpp"
 
 #include <fmt/core.h>
 
@@ -22,217 +24,143 @@ struct UniformReal {
   double operator()() { return static_cast<double>(engine() >> 11) * 0x1.0p-53; }
 };
 
-/// Spheres in units of their expected mean radius, with unit contact stiffness and unit mass.
-struct Pile {
-  Eigen::Vector3d box;
-  std::vector<double> shape;  // radius at scale 1
-  std::vector<Eigen::Vector3d> position, velocity, force;
-  double scale = 1.0;
-
-  std::vector<std::array<int, 2>> candidates;  // pairs that may touch
-  std::vector<Eigen::Vector3d> position_then;  // when they were listed
-  double scale_then = 0.0;
-
-  int contacts = 0;
-  double contact_force_sum = 0.0;  // of element contacts
-
-  int size() const { return static_cast<int>(shape.size()); }
-};
-
-constexpr double skin = 0.25;  // how much further than touching the candidates reach, in mean radii
-
-void list_candidates(Pile& pile) {
-  std::vector<double> reach(pile.shape.size());
-  for (int i = 0; i < pile.size(); ++i) reach[i] = pile.scale * pile.shape[i] + 0.5 * skin;
-  pile.candidates = pairs_within_reach(pile.position, reach);
-  pile.position_then = pile.position;
-  pile.scale_then = pile.scale;
-}
-
-bool candidates_are_stale(const Pile& pile) {
-  const double growth =
-      (pile.scale - pile.scale_then) * *std::max_element(pile.shape.begin(), pile.shape.end());
-  const double allowed = 0.5 * skin - growth;
-  if (allowed <= 0.0 || pile.position_then.empty()) return true;
-  for (int i = 0; i < pile.size(); ++i)
-    if ((pile.position[i] - pile.position_then[i]).squaredNorm() > allowed * allowed) return true;
-  return false;
-}
-
-/// Forces f = -dU/dx of the overlaps; a wall pushes as the sphere's mirror image behind it would.
-///  counts the contacts and sums their forces on the way.
-void evaluate_forces(Pile& pile) {
-  if (candidates_are_stale(pile)) list_candidates(pile);
-  for (int i = 0; i < pile.size(); ++i) {
-    const double r = pile.scale * pile.shape[i];
-    const Eigen::Vector3d& p = pile.position[i];
-    for (int c = 0; c < 3; ++c)
-      pile.force[i][c] = 2.0 * (std::max(0.0, r - p[c]) - std::max(0.0, r - (pile.box[c] - p[c])));
-  }
-  pile.contacts = 0;
-  pile.contact_force_sum = 0.0;
-  for (const auto& [i, j] : pile.candidates) {
-    const Eigen::Vector3d d = pile.position[j] - pile.position[i];
-    const double touching = pile.scale * (pile.shape[i] + pile.shape[j]);
-    const double squared = d.squaredNorm();
-    if (squared >= touching * touching) continue;
-    const double distance = std::sqrt(squared);
-    const double overlap = touching - distance;
-    const Eigen::Vector3d f =
-        (distance > 0.0) ? Eigen::Vector3d(d * (overlap / distance)) : Eigen::Vector3d(overlap, 0.0, 0.0);
-    pile.force[i] -= f;
-    pile.force[j] += f;
-    ++pile.contacts;
-    pile.contact_force_sum += overlap;
-  }
-}
-
-/// In units of the mean radius, r_i + r_j is 2 scale on average to first order in the spread.
-double mean_overlap_of(const Pile& pile) {
-  return pile.contacts ? pile.contact_force_sum / pile.contacts / (2.0 * pile.scale) : 0.0;
-}
-
-double coordination_of(const Pile& pile) { return 2.0 * pile.contacts / pile.size(); }
-
-struct Motion {
-  double power = 0.0, speed2 = 0.0, force2 = 0.0;  // sums of f.v, v.v, f.f
-};
-
-Motion motion_of(const Pile& pile) {
-  Motion m;
-  for (int i = 0; i < pile.size(); ++i) {
-    m.power += pile.force[i].dot(pile.velocity[i]);
-    m.speed2 += pile.velocity[i].squaredNorm();
-    m.force2 += pile.force[i].squaredNorm();
-  }
-  return m;
-}
-
-/// Whether the root mean square of the net forces is below `tolerance` mean contact forces; so where nothing
-/// touches.
-bool balanced(const Pile& pile, const Motion& motion, double tolerance) {
-  if (pile.contacts == 0) return tolerance > 0.0;
-  return std::sqrt(motion.force2 / pile.size()) < tolerance * pile.contact_force_sum / pile.contacts;
-}
-
-/// FIRE: inertia that turns towards the force, and stops where it would climb (Bitzek et al. 2006).
-void minimise(Pile& pile, double tolerance, int most_rounds, const std::function<void()>& breathe) {
-  // Stability of the explicit step: omega^2 <= 2 z k / m with about a dozen contacts at most.
-  constexpr double dt_max = 0.4, dt_min = 0.02, dt_start = 0.1, alpha_start = 0.1;
-  constexpr int patience = 5;
-  double dt = dt_start, alpha = alpha_start;
-  int downhill = 0;
-  for (auto& v : pile.velocity) v.setZero();
-  evaluate_forces(pile);
-  for (int round = 0; round < most_rounds; ++round) {
-    const Motion motion = motion_of(pile);
-    if (balanced(pile, motion, tolerance)) return;
-    double keep = 1.0, turn = 0.0;
-    if (motion.power > 0.0) {
-      keep = 1.0 - alpha;
-      turn = alpha * std::sqrt(motion.speed2 / motion.force2);
-      if (++downhill > patience) dt = std::min(1.1 * dt, dt_max), alpha *= 0.99;
-    } else {
-      keep = 0.0;
-      for (int i = 0; i < pile.size(); ++i)
-        pile.position[i] -= 0.5 * dt * pile.velocity[i];  // half of the climb
-      dt = std::max(0.5 * dt, dt_min), alpha = alpha_start, downhill = 0;
-    }
-    for (int i = 0; i < pile.size(); ++i) {
-      pile.velocity[i] = keep * pile.velocity[i] + (turn + dt) * pile.force[i];
-      pile.position[i] += dt * pile.velocity[i];
-    }
-    evaluate_forces(pile);
-    if (round % 50 == 0) breathe();
-  }
-}
-
-/// Every patch of the box (a few radii wide) gets its share of spheres, at random places in it: random in the
-/// small, but without the long waves of density that a free random start has and that take most of the time
-/// to relax.
-Pile loose_start(const PackingRequest& request, double unit) {
+/// Every patch of the box (a few radii wide) gets its share of spheres, at
+/// random places in it: random in the small, but without the long waves of
+/// density that a free random start has and that take most of the time to
+/// relax.
+Pile loose_start(const PackingRequest& request, double unit, double scale) {
   constexpr double patch = 4.0;
   UniformReal uniform{std::mt19937_64(request.seed)};
-  Pile pile;
-  pile.box = Eigen::Vector3d(request.box.length, request.box.height, request.box.thickness) / unit;
-  const Eigen::Array3d count = (pile.box.array() / patch).round().max(1.0);
-  const Eigen::Array3d size = pile.box.array() / count;
+  const Eigen::Vector3d box =
+      Eigen::Vector3d(request.box.length, request.box.height, request.box.thickness) / unit;
+  const Eigen::Array3d count = (box.array() / patch).round().max(1.0);
+  const Eigen::Array3d size = box.array() / count;
+  std::vector<Pile::Sphere> spheres;
   for (int i = 0; i < request.elements; ++i) {
-    pile.shape.push_back(1.0 + request.radius_spread * (2.0 * uniform() - 1.0));
+    const double shape = 1.0 + request.radius_spread * (2.0 * uniform() - 1.0);
     const double nth = std::floor(count.prod() * (i + uniform()) / request.elements);
     const Eigen::Array3d at(std::floor(nth / (count[1] * count[2])),
                             std::floor(std::fmod(nth / count[2], count[1])), std::fmod(nth, count[2]));
     Eigen::Array3d within;
     for (int c = 0; c < 3; ++c) within[c] = uniform();
-    pile.position.push_back(((at + within) * size).matrix());
+    const Eigen::Array3d p = (at + within) * size;
+    spheres.push_back({p[0], p[1], p[2], shape});
   }
-  pile.velocity.assign(pile.position.size(), Eigen::Vector3d::Zero());
-  pile.force = pile.velocity;
-  return pile;
+  return make_pile(box, scale, spheres);
 }
 
-/// Grows in small strides, each relaxed for a moment only: converging below the jamming density is slow and
-/// of no use.
-void grow_roughly(Pile& pile, double scale, const std::function<void()>& breathe) {
-  constexpr int strides = 12, rounds_each = 40;
+/// Counts the rounds and guesses how much of the work is done: the unbalance
+/// falls by a steady factor a round.
+struct Watch {
+  const Pile& pile;
+  const PackingProgress& progress;
+  double grown = 0.0;  // share of the growth done
+  int rounds = 0;
+  double done = 0.0;
+
+  void operator()(int more) {
+    constexpr double growth = 0.25, search = 0.6,
+                     rest = 0.15;        // shares of the time
+    constexpr int most_rounds = 40'000;  // twenty times what a plate takes
+    rounds += more;
+    double now = growth * grown;
+    if (grown >= 1.0 && pile.unbalance() > 0.0) {
+      const double digits = -std::log10(pile.unbalance());
+      now += search * std::clamp(digits / 3.0, 0.0, 1.0) + rest * std::clamp((digits - 3.0) / 3.0, 0.0, 1.0);
+    }
+    done = std::max(done, now);
+    if (progress && !progress(done)) throw Interrupted("packing");
+    if (rounds > most_rounds)
+      throw PackingError(
+          fmt::format("{} elements find no rest: after {} rounds the net forces are {:.1g} "
+                      "of the "
+                      "contact forces, at a coordination of {:.4g}",
+                      pile.size(), rounds, pile.unbalance(), pile.coordination()));
+  }
+};
+
+/// Soft enough for the pile to find a good place, hard enough to come to rest:
+/// 1e-3 takes 1,400 rounds.
+constexpr double damping = 0.01;
+constexpr double rough = 1e-3;       // an unbalance from which Newton's method gets on
+constexpr double closeness = 0.015;  // how far above the target the coordination may lie
+
+/// Grows in small strides, each relaxed for a moment only: converging below the
+/// jamming density is slow and of no use.
+void grow_roughly(Pile& pile, Crew& crew, double scale, Watch& watch) {
+  constexpr int strides = 12, rounds_each = 20;
+  constexpr double strong_damping = 0.2;
   const double stride = std::pow(scale / pile.scale, 1.0 / strides);
   for (int k = 0; k < strides; ++k) {
     pile.scale *= stride;
-    minimise(pile, 0.0, rounds_each, breathe);
+    evaluate_forces(pile, crew);
+    relax(pile, crew, 0.0, strong_damping, rounds_each, std::ref(watch));
+    watch.grown = (k + 1.0) / strides;
   }
 }
 
-/// Moves the scale by secants until the coordination at a minimum is the one asked for, or little above.
-void grow_to(Pile& pile, double coordination, const std::function<void(double)>& report) {
-  constexpr double rough = 1e-3, tight = 1e-6, closeness = 0.015, largest_stride = 0.01;
-  constexpr int most_rounds = 100'000, most_trials = 60;
-  double slope = 40.0;  // dz / d(ln scale) near z = 6, for the first secant only
-  double done = 0.1, last_z = 0.0, last_scale = 0.0;
-  const auto breathe = [&] { report(done); };
-  const auto reached = [&] {
-    const double excess = coordination_of(pile) - coordination;
-    return excess >= 0.0 && excess < closeness;
-  };
-  for (int trial = 0; trial < most_trials; ++trial) {
-    minimise(pile, rough, most_rounds, breathe);
-    if (reached()) {
-      done = 0.7;
-      minimise(pile, tight, most_rounds, breathe);
-      if (reached()) return;
-    }
-    if (mean_overlap_of(pile) > largest_mean_overlap) break;
-    const double z = coordination_of(pile);
-    if (trial > 0 && pile.scale != last_scale)
-      slope = std::clamp((z - last_z) / std::log(pile.scale / last_scale), 15.0, 200.0);
-    last_z = z, last_scale = pile.scale;
-    pile.scale *=
-        1.0 + std::clamp((coordination + 0.5 * closeness - z) / slope, -largest_stride, largest_stride);
-    done = std::max(done, 0.6 - std::min(0.4, std::abs(coordination - z)));
+/// dz / d(ln scale): coordination rises with the root of the overlap, from its
+/// value at jamming.
+double slope_of(const Pile& pile) {
+  constexpr double loose = 1e-3;
+  return 0.5 / std::max(loose, pile.mean_overlap());
+}
+
+/// Lets the pile calm down and nudges the scale on the way, so that it comes to
+/// rest near the coordination.
+void approach(Pile& pile, Crew& crew, double coordination, Watch& watch) {
+  constexpr double calm = 0.05, loose = 1e-3, gain = 0.3, largest_nudge = 1e-3;
+  constexpr int most_bursts = 80, hot_bursts = 30, rounds_each = 25;
+  for (int k = 0; k < most_bursts && pile.mean_overlap() <= largest_mean_overlap; ++k) {
+    if (relax(pile, crew, rough, damping, rounds_each, std::ref(watch))) return;
+    const bool too_early = k < hot_bursts && pile.unbalance() > calm && pile.mean_overlap() > loose;
+    const double missing = coordination + 0.5 * closeness - pile.coordination();
+    if (too_early || std::abs(missing) < 0.25 * closeness) continue;
+    pile.scale *= 1.0 + std::clamp(gain * missing / slope_of(pile), -largest_nudge, largest_nudge);
+  }
+}
+
+/// Moves the scale until the coordination at a minimum is the one asked for, or
+/// little above.
+void grow_to(Pile& pile, Crew& crew, double coordination, Watch& watch) {
+  constexpr double tight = 1e-6, largest_stride = 0.005;
+  constexpr int most_trials = 60, most_rounds = 4000;
+  double caution = 1.0, last_missing = 0.0;
+  approach(pile, crew, coordination, watch);
+  for (int trial = 0; trial < most_trials && pile.mean_overlap() <= largest_mean_overlap; ++trial) {
+    relax(pile, crew, rough, damping, most_rounds, std::ref(watch));
+    settle(pile, crew, tight, damping, std::ref(watch));
+    const double excess = pile.coordination() - coordination, missing = 0.5 * closeness - excess;
+    if (excess >= 0.0 && excess < closeness && pile.mean_overlap() <= largest_mean_overlap) return;
+    caution = std::max(1.0, caution * (missing * last_missing < 0.0 ? 1.5 : 0.8));
+    last_missing = missing;
+    pile.scale *= 1.0 + std::clamp(missing / (caution * slope_of(pile)), -largest_stride, largest_stride);
+    evaluate_forces(pile, crew);
   }
   throw PackingError(fmt::format(
-      "a coordination of {:.4g} is out of reach: {:.4g} takes a mean overlap of {:.1f} % of "
+      "a coordination of {:.4g} is out of reach: "
+      "{:.4g} takes a mean overlap of {:.1f} % of "
       "r_i + r_j (limit {:.0f} %)",
-      coordination, coordination_of(pile), 100.0 * mean_overlap_of(pile), 100.0 * largest_mean_overlap));
+      coordination, pile.coordination(), 100.0 * pile.mean_overlap(), 100.0 * largest_mean_overlap));
 }
 
 }  // namespace
 
-Packing pack_box(const PackingRequest& request, const PackingProgress& progress) {
+Packing pack_box(const PackingRequest& request, const PackingProgress& progress, int threads) {
   constexpr double expected_fraction = 0.615, start_fraction = 0.5, start_of_search = 0.994;
   const double sphere = 4.0 / 3.0 * std::numbers::pi;
   const double unit = std::cbrt(request.box.volume() * expected_fraction / (request.elements * sphere));
-  Pile pile = loose_start(request, unit);
-  pile.scale = std::cbrt(start_fraction / expected_fraction);
-  const auto report = [&](double done) {
-    if (progress && !progress(done)) throw Interrupted("packing");
-  };
-  grow_roughly(pile, start_of_search, [&] { report(0.05); });
-  grow_to(pile, request.coordination, report);
-
+  Pile pile = loose_start(request, unit, std::cbrt(start_fraction / expected_fraction));
+  Crew crew(threads, pile.chunks());
+  Watch watch{pile, progress};
+  grow_roughly(pile, crew, start_of_search, watch);
+  grow_to(pile, crew, request.coordination, watch);
+  std::vector<Eigen::Vector3d> centre;
+  for (const auto& s : pile.sphere) centre.emplace_back(s.x, s.y, s.z);
   Packing packing;
-  for (int k : column_order(pile.position, 2.0 * pile.scale)) {
-    packing.centre.push_back(pile.position[k] * unit);
-    packing.radius.push_back(pile.shape[k] * pile.scale * unit);
+  for (int k : column_order(centre, 2.0 * pile.scale)) {
+    packing.centre.push_back(centre[k] * unit);
+    packing.radius.push_back(pile.sphere[k].shape * pile.scale * unit);
   }
   return packing;
 }

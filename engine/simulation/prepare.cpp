@@ -35,7 +35,7 @@ PackingRequest request_of(const Scene& scene) {
 /// Names all that a packing depends on; the version rises whenever pack_box gives other packings for the same
 /// request.
 std::string key_of(const PackingRequest& r) {
-  constexpr int version = 1;
+  constexpr int version = 2;
   return fmt::format("packing {} box {:a} {:a} {:a} elements {} spread {:a} coordination {:a} seed {}",
                      version, r.box.length, r.box.height, r.box.thickness, r.elements, r.radius_spread,
                      r.coordination, r.seed);
