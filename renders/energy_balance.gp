@@ -11,7 +11,7 @@ set key top left
 set grid ytics lc rgb "#dddddd"
 set arrow from 0.47,0 to 0.47,250 nohead dt 3 lc rgb "#888888"
 set arrow from 0.705,0 to 0.705,250 nohead dt 3 lc rgb "#888888"
-set label "tension" at 0.33,235 tc rgb "#777777"
+set label "tension" at 0.37,235 tc rgb "#777777"
 set label "stabilisation" at 0.59,235 center tc rgb "#777777"
 set label "fracture" at 0.93,235 center tc rgb "#777777"
 t(x) = x * 1000
