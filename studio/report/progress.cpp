@@ -22,9 +22,9 @@ std::string bar(double done) {
   return text;
 }
 
-/// Remaining seconds if the pace so far holds; negative while there is too little to say.
+/// Remaining seconds if the pace of a second or more holds; negative while nothing is done yet.
 double remaining(double elapsed, double done, double from) {
-  return done - from > 0.02 ? elapsed * (1.0 - done) / (done - from) : -1.0;
+  return done - from > 1e-4 ? elapsed * (1.0 - done) / (done - from) : -1.0;
 }
 
 std::string clock_in(double seconds) {
