@@ -11,34 +11,62 @@ int count_hands(int hands, int most) {
   return std::clamp(hands, 1, std::max(1, most));
 }
 
+inline void breathe() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// Waits until `value` is no longer `old`: awake for a while, since work mostly comes soon, then asleep.
+template <class T>
+void await_change(const std::atomic<T>& value, T old) {
+  constexpr int patience = 2000;
+  for (int k = 0; k < patience; ++k) {
+    if (value.load(std::memory_order_acquire) != old) return;
+    breathe();
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
 }  // namespace
 
-Crew::Crew(int hands, int most) : hands_(count_hands(hands, most)), start_(hands_), end_(hands_) {
-  for (int hand = 1; hand < hands_; ++hand)
-    helpers_.emplace_back([this, hand] {
-      for (start_.arrive_and_wait(); task_ != nullptr; start_.arrive_and_wait()) {
-        work(hand);
-        end_.arrive_and_wait();
-      }
-    });
+Crew::Crew(int hands, int most) : hands_(count_hands(hands, most)) {
+  for (int hand = 1; hand < hands_; ++hand) helpers_.emplace_back([this, hand] { help(hand); });
 }
 
 Crew::~Crew() {
-  task_ = nullptr;
-  start_.arrive_and_wait();
+  call_ = nullptr;
+  round_.fetch_add(1, std::memory_order_release);
+  round_.notify_all();
 }
 
-void Crew::run(int tasks, const std::function<void(int)>& task) {
+void Crew::help(int hand) {
+  for (unsigned done = 0;; ++done) {
+    await_change(round_, done);
+    if (call_ == nullptr) return;
+    work(hand);
+    if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
+  }
+}
+
+void Crew::dispatch(int tasks, const void* task, Call call) {
   tasks_ = tasks;
-  task_ = &task;
-  start_.arrive_and_wait();
+  task_ = task;
+  call_ = call;
+  if (hands_ > 1) {
+    busy_.store(hands_ - 1, std::memory_order_relaxed);
+    round_.fetch_add(1, std::memory_order_release);
+    round_.notify_all();
+  }
   work(0);
-  end_.arrive_and_wait();
+  if (hands_ == 1) return;
+  for (int left = busy_.load(std::memory_order_acquire); left != 0; left = busy_.load(std::memory_order_acquire))
+    await_change(busy_, left);
 }
 
 void Crew::work(int hand) const {
   const auto share = [&](int h) { return static_cast<int>(std::int64_t{tasks_} * h / hands_); };
-  for (int k = share(hand); k < share(hand + 1); ++k) (*task_)(k);
+  for (int k = share(hand); k < share(hand + 1); ++k) call_(task_, k);
 }
 
 }  // namespace rift
