@@ -1,21 +1,31 @@
 #include "engine/lattice/stiffness.hpp"
 
+#include "engine/mechanics/corotational.hpp"
+#include "engine/scene/scene.hpp"
+
 namespace rift {
 
-double energy_per_length(const Lattice& lattice, const std::vector<Vector6>& q) {
+double energy_of_beam(const Lattice& lattice, int beam, Kinematics kinematics,
+                      const std::vector<Vector6>& q) {
+  const auto& [i, j] = lattice.ends[beam];
+  const Beam& b = lattice.beam[beam];
+  const bool linear = kinematics == Kinematics::linear;
+  return energy_of(b, linear ? strain_of(b, q[i], q[j]) : strain_of(b, pose_of(q[i]), pose_of(q[j])));
+}
+
+double energy_per_length(const Lattice& lattice, Kinematics kinematics, const std::vector<Vector6>& q) {
   const double from = 0.25 * lattice.box.length, to = 0.75 * lattice.box.length;
   double energy = 0.0;
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
     const auto& [i, j] = lattice.ends[b];
     const double middle = 0.5 * (lattice.centre[i].x() + lattice.centre[j].x());
-    if (middle >= from && middle < to)
-      energy += energy_of(lattice.beam[b], strain_of(lattice.beam[b], q[i], q[j]));
+    if (middle >= from && middle < to) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
   }
   return energy / (to - from);
 }
 
 double strip_modulus(const Lattice& lattice, const std::vector<Vector6>& q, double displacement) {
-  return 2.0 * energy_per_length(lattice, q) * lattice.box.height /
+  return 2.0 * energy_per_length(lattice, Kinematics::linear, q) * lattice.box.height /
          (lattice.box.thickness * displacement * displacement);
 }
 

@@ -2,7 +2,6 @@
 
 #include "engine/lattice/lattice.hpp"
 
-#include <array>
 #include <vector>
 
 namespace rift {
@@ -24,26 +23,24 @@ struct DampedBeam {
 
 DampedBeam damped_beam(const Lattice& lattice, int beam, int crossing, bool at_surface);
 
-/// The damped beams of a lattice and what each lane makes of them.
-template <int Lanes>
+/// The damped beams of a lattice, beam by beam: for the critical step, and what the ensemble's kernels are
+/// measured against.
 struct ViscousDamping {
   std::vector<DampedBeam> beam;
-  std::array<double, Lanes> alpha_at_surface{}, alpha_elsewhere{};
-  std::vector<double>
-      last;  // [beam][4][lane]: force along the axis [N], moment vector [N m], at the last step
+  double alpha_at_surface = 0, alpha_elsewhere = 0;
+  std::vector<double> last;  // [beam][4]: force along the axis [N], moment vector [N m], at the last step
 
   explicit ViscousDamping(std::vector<DampedBeam> beams = {})
-      : beam(std::move(beams)), last(4 * Lanes * beam.size(), 0.0) {}
+      : beam(std::move(beams)), last(4 * beam.size(), 0.0) {}
 };
 
 /// Adds the damping forces at rates (q_{n+1} - q_n) / dt, and books their work of this step,
 ///   1/2 (F_n + F_{n+1}) . (q_{n+1} - q_n)   [physics.md §7].
-/// @param[in]     rate      [element][6][lane], (q_{n+1} - q_n) / dt
-/// @param[in]     factor    [crossing beam][lane]: a softening beam is damped in proportion
-/// @param[in,out] f         [element][6][lane]
-/// @param[in,out] work      [lane] dissipated so far [J]
-template <int Lanes>
-void add_damping_forces(ViscousDamping<Lanes>& damping, const double* rate, const double* factor, double dt,
-                        double* f, std::array<double, Lanes>& work);
+/// @param[in]     rate      [element][6], (q_{n+1} - q_n) / dt
+/// @param[in]     factor    [crossing beam]: a softening beam is damped in proportion
+/// @param[in,out] f         [element][6]
+/// @param[in,out] work      dissipated so far [J]
+void add_damping_forces(ViscousDamping& damping, const double* rate, const double* factor, double dt,
+                        double* f, double& work);
 
 }  // namespace rift

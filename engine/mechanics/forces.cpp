@@ -3,19 +3,17 @@
 namespace rift {
 namespace {
 
-/// What one beam does to its ends in one lane: force on i, moment on i, moment on j.
+/// What one beam does to its ends: force on i, moment on i, moment on j.
 struct EndLoads {
   double fx, fy, fz, mix, miy, miz, mjx, mjy, mjz;
 };
 
 /// Symbols as in physics.md §2: d = u_j - u_i, p = chord rotation psi = n x d / l, a, b = theta of i, j.
-template <int Lanes>
 inline EndLoads end_loads(const BeamRow& beam, const double* qi, const double* qj) {
-  const auto at = [](const double* v, int component) { return v[component * Lanes]; };
   const double nx = beam.nx, ny = beam.ny, nz = beam.nz;
-  const double dx = at(qj, 0) - at(qi, 0), dy = at(qj, 1) - at(qi, 1), dz = at(qj, 2) - at(qi, 2);
-  const double ax = at(qi, 3), ay = at(qi, 4), az = at(qi, 5);
-  const double bx = at(qj, 3), by = at(qj, 4), bz = at(qj, 5);
+  const double dx = qj[0] - qi[0], dy = qj[1] - qi[1], dz = qj[2] - qi[2];
+  const double ax = qi[3], ay = qi[4], az = qi[5];
+  const double bx = qj[3], by = qj[4], bz = qj[5];
   const double px = (ny * dz - nz * dy) * beam.per_length;
   const double py = (nz * dx - nx * dz) * beam.per_length;
   const double pz = (nx * dy - ny * dx) * beam.per_length;
@@ -36,16 +34,6 @@ inline EndLoads end_loads(const BeamRow& beam, const double* qi, const double* q
           along_j * nz - w * (sz + bz - pz)};
 }
 
-template <int Lanes>
-inline void add(const EndLoads& e, double factor, double* fi, double* fj) {
-  fi[0 * Lanes] += factor * e.fx, fj[0 * Lanes] -= factor * e.fx;
-  fi[1 * Lanes] += factor * e.fy, fj[1 * Lanes] -= factor * e.fy;
-  fi[2 * Lanes] += factor * e.fz, fj[2 * Lanes] -= factor * e.fz;
-  fi[3 * Lanes] += factor * e.mix, fj[3 * Lanes] += factor * e.mjx;
-  fi[4 * Lanes] += factor * e.miy, fj[4 * Lanes] += factor * e.mjy;
-  fi[5 * Lanes] += factor * e.miz, fj[5 * Lanes] += factor * e.mjz;
-}
-
 }  // namespace
 
 BeamRow row_of(const Lattice& lattice, int beam) {
@@ -61,27 +49,13 @@ BeamRow row_of(const Lattice& lattice, int beam) {
           .per_length = 1.0 / b.length};
 }
 
-template <int Lanes>
 void add_beam_forces(std::span<const BeamRow> beams, const double* q, double* f) {
   for (const BeamRow& beam : beams) {
-    const std::ptrdiff_t i = 6L * Lanes * beam.i, j = 6L * Lanes * beam.j;
-    for (int lane = 0; lane < Lanes; ++lane)
-      add<Lanes>(end_loads<Lanes>(beam, q + i + lane, q + j + lane), 1.0, f + i + lane, f + j + lane);
+    double *fi = f + 6L * beam.i, *fj = f + 6L * beam.j;
+    const EndLoads e = end_loads(beam, q + 6L * beam.i, q + 6L * beam.j);
+    fi[0] += e.fx, fi[1] += e.fy, fi[2] += e.fz, fi[3] += e.mix, fi[4] += e.miy, fi[5] += e.miz;
+    fj[0] -= e.fx, fj[1] -= e.fy, fj[2] -= e.fz, fj[3] += e.mjx, fj[4] += e.mjy, fj[5] += e.mjz;
   }
 }
-
-template <int Lanes>
-void add_beam_forces(std::span<const BeamRow> beams, const double* factor, const double* q, double* f) {
-  for (const BeamRow& beam : beams) {
-    const std::ptrdiff_t i = 6L * Lanes * beam.i, j = 6L * Lanes * beam.j;
-    for (int lane = 0; lane < Lanes; ++lane)
-      add<Lanes>(end_loads<Lanes>(beam, q + i + lane, q + j + lane), *factor++, f + i + lane, f + j + lane);
-  }
-}
-
-template void add_beam_forces<1>(std::span<const BeamRow>, const double*, double*);
-template void add_beam_forces<1>(std::span<const BeamRow>, const double*, const double*, double*);
-template void add_beam_forces<4>(std::span<const BeamRow>, const double*, double*);
-template void add_beam_forces<4>(std::span<const BeamRow>, const double*, const double*, double*);
 
 }  // namespace rift

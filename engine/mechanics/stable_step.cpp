@@ -112,20 +112,20 @@ StableStep stable_step(const Lattice& lattice) {
   const Operator apply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
     q = root.cwiseProduct(x);
     y.setZero();
-    add_beam_forces<1>(rows, q.data(), y.data());
+    add_beam_forces(rows, q.data(), y.data());
     y = -root.cwiseProduct(y);
   };
   const double omega_squared = largest_eigenvalue(apply, root.size());
   return {.critical = step_from(omega_squared) * (1.0 - settled), .element_bound = element_bound(lattice)};
 }
 
-double damped_critical_step(const Lattice& lattice, const ViscousDamping<1>& damping, double undamped) {
+double damped_critical_step(const Lattice& lattice, const ViscousDamping& damping, double undamped) {
   if (damping.beam.empty() || !std::isfinite(undamped)) return undamped;
   const Eigen::VectorXd root = inverse_root_mass(lattice);
   const std::vector<BeamRow> rows = all_rows(lattice);
   const std::vector<double> intact(lattice.beam.size(), 1.0);
-  ViscousDamping<1> scratch = damping;
-  std::array<double, 1> work{};
+  ViscousDamping scratch = damping;
+  double work = 0.0;
   Eigen::VectorXd q(root.size()), rate(root.size());
   double dt = undamped;
   // lambda(dt) grows as dt falls, so the iteration alternates about its limit; the mean of two iterates
@@ -135,8 +135,8 @@ double damped_critical_step(const Lattice& lattice, const ViscousDamping<1>& dam
       q = root.cwiseProduct(x);
       rate = q * (2.0 / dt);
       y.setZero();
-      add_beam_forces<1>(rows, q.data(), y.data());
-      add_damping_forces<1>(scratch, rate.data(), intact.data(), dt, y.data(), work);
+      add_beam_forces(rows, q.data(), y.data());
+      add_damping_forces(scratch, rate.data(), intact.data(), dt, y.data(), work);
       y = -root.cwiseProduct(y);
     };
     const double next = step_from(largest_eigenvalue(apply, root.size()));

@@ -20,6 +20,6 @@ StableStep stable_step(const Lattice& lattice);
 /// The largest stable step with viscous damping [s]: dt such that dt^2 lambda_max(M^-1 (K + (2/dt) C)) = 4,
 /// which is (2/omega)(sqrt(1 + zeta^2) - zeta) for a single mode   [physics.md §3].
 /// @param[in] undamped  2 / omega_max [s]
-double damped_critical_step(const Lattice& lattice, const ViscousDamping<1>& damping, double undamped);
+double damped_critical_step(const Lattice& lattice, const ViscousDamping& damping, double undamped);
 
 }  // namespace rift

@@ -1,6 +1,7 @@
 #include "engine/lattice/stiffness.hpp"
 
 #include "engine/mechanics/statics.hpp"
+#include "engine/scene/scene.hpp"
 #include "tests/engine/mechanics/hand_made.hpp"
 
 #include <gtest/gtest.h>
@@ -76,7 +77,8 @@ TEST(EnergyPerLength, TakesABeamByItsMiddleAndHalfOpen) {
     std::vector<Vector6> q(2, Vector6::Zero());
     q[1].head<3>() = 0.1 * lattice.beam[0].axis;
     const double energy = 0.5 * lattice.beam[0].axial * 0.01;
-    EXPECT_NEAR(energy_per_length(lattice, q), counted ? energy / 4.0 : 0.0, 1e-15) << x_i << ' ' << x_j;
+    EXPECT_NEAR(energy_per_length(lattice, Kinematics::linear, q), counted ? energy / 4.0 : 0.0, 1e-15)
+        << x_i << ' ' << x_j;
   }
 }
 

@@ -123,7 +123,7 @@ inline std::vector<BeamRow> rows_of(const Lattice& lattice) {
 /// What the beams do to all elements at displacements q, by the kernel of the hot loop.
 inline Eigen::VectorXd loads_on(const Lattice& lattice, const Eigen::VectorXd& q) {
   Eigen::VectorXd f = Eigen::VectorXd::Zero(q.size());
-  add_beam_forces<1>(rows_of(lattice), q.data(), f.data());
+  add_beam_forces(rows_of(lattice), q.data(), f.data());
   return f;
 }
 
@@ -145,9 +145,9 @@ inline std::vector<DampedBeam> all_damped(const Lattice& lattice) {
   return damped;
 }
 
-inline ViscousDamping<1> damped_everywhere(const Lattice& lattice, double alpha) {
-  ViscousDamping<1> damping(all_damped(lattice));
-  damping.alpha_elsewhere = {alpha};
+inline ViscousDamping damped_everywhere(const Lattice& lattice, double alpha) {
+  ViscousDamping damping(all_damped(lattice));
+  damping.alpha_elsewhere = alpha;
   return damping;
 }
 
@@ -155,11 +155,11 @@ inline ViscousDamping<1> damped_everywhere(const Lattice& lattice, double alpha)
 struct March {
   double dt;
   std::vector<BeamRow> rows;
-  ViscousDamping<1> damping;
+  ViscousDamping damping;
   Eigen::VectorXd per_mass, q, v, f, rate;
-  std::array<double, 1> dissipated{};
+  double dissipated = 0.0;
 
-  March(const Lattice& lattice, ViscousDamping<1> damping_, double dt_, const Eigen::VectorXd& start)
+  March(const Lattice& lattice, ViscousDamping damping_, double dt_, const Eigen::VectorXd& start)
       : dt(dt_), rows(rows_of(lattice)), damping(std::move(damping_)), per_mass(mobility(lattice)), q(start) {
     v = rate = Eigen::VectorXd::Zero(q.size());
     f = loads_on(lattice, q);
@@ -168,8 +168,8 @@ struct March {
     rate = v + 0.5 * dt * per_mass.cwiseProduct(f);
     q += dt * rate;
     f.setZero();
-    add_beam_forces<1>(rows, q.data(), f.data());
-    add_damping_forces<1>(damping, rate.data(), nullptr, dt, f.data(), dissipated);
+    add_beam_forces(rows, q.data(), f.data());
+    add_damping_forces(damping, rate.data(), nullptr, dt, f.data(), dissipated);
     v = rate + 0.5 * dt * per_mass.cwiseProduct(f);
   }
   /// K + U - C, which velocity Verlet keeps where nothing dissipates; nothing gripped.

@@ -75,7 +75,7 @@ TEST(StableStep, HoldsAndNoLongerOnePercentAboveIt) {
   for (std::size_t i = 0; i < lattice.grip.size(); ++i)
     if (lattice.grip[i] != Grip::none) start.segment<6>(6 * static_cast<long>(i)).setZero();
   const auto largest_after = [&](double dt) {
-    March march(lattice, ViscousDamping<1>(), dt, start);
+    March march(lattice, ViscousDamping(), dt, start);
     for (int step = 0; step < 2000; ++step) march.step();
     return march.q.cwiseAbs().maxCoeff();
   };
@@ -125,14 +125,14 @@ TEST(DampedCriticalStep, OfASingleModeIsTheTextbooks) {
 TEST(DampedCriticalStep, WithoutDampingIsTheCriticalOne) {
   const Lattice lattice = jumble(3, 79, true);
   const double undamped = stable_step(lattice).critical;
-  EXPECT_EQ(damped_critical_step(lattice, ViscousDamping<1>(), undamped), undamped);
+  EXPECT_EQ(damped_critical_step(lattice, ViscousDamping(), undamped), undamped);
   EXPECT_NEAR(damped_critical_step(lattice, damped_everywhere(lattice, 0.0), undamped) / undamped, 1.0,
               margin);
 }
 
 TEST(DampedCriticalStep, HoldsAndNoLongerTwoPercentAboveIt) {
   const Lattice lattice = jumble(4, 80, false);
-  const ViscousDamping<1> damping = damped_everywhere(lattice, 0.3);
+  const ViscousDamping damping = damped_everywhere(lattice, 0.3);
   const double limit = damped_critical_step(lattice, damping, stable_step(lattice).critical);
   const Eigen::VectorXd start = Draw(81).state(lattice.centre.size());
   const auto largest_rate_after = [&](double dt) {

@@ -1,4 +1,4 @@
-#include "engine/simulation/simulation.hpp"
+#include "engine/ensemble/ensemble.hpp"
 #include "tests/engine/mechanics/hand_made.hpp"
 
 #include <gtest/gtest.h>
@@ -15,10 +15,11 @@ using hand_made::Rod;
 struct Bar {
   Rod rod;
   Lattice lattice;
-  Simulation<1> simulation;
+  Ensemble<double> simulation;
 
   Bar(int elements, double dt)
-      : lattice(held_chain(elements, rod)), simulation(lattice, straight_path(1.0, 1e3), 0.0, dt, {}) {}
+      : lattice(held_chain(elements, rod)),
+        simulation(lattice, straight_path(1.0, 1e3), 0.0, dt, {LaneScenario{}}) {}
   Bar(const Bar&) = delete;
 
   static Lattice held_chain(int elements, const Rod& rod) {
@@ -32,9 +33,9 @@ struct Bar {
   void start(int c, const Shape& shape) {
     std::vector<Vector6> q(lattice.centre.size(), Vector6::Zero());
     for (std::size_t k = 0; k < q.size(); ++k) q[k][c] = shape(static_cast<double>(k));
-    simulation.start_from(q);
+    simulation.release_from(q);
   }
-  double at(int element, int c) const { return simulation.q[simulation.at(element, c, 0)]; }
+  double at(int element, int c) const { return simulation.motion(element, 0)[c]; }
 };
 
 /// A wave runs along the bar in displacement or rotation about it: component, and speed of long waves.
