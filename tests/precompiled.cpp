@@ -1,1 +1,1 @@
-// Compiles nothing: it carries the precompiled header that all tests share.
+// Carries the precompiled header that all tests share.

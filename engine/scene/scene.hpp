@@ -14,8 +14,8 @@ enum class LoadingMethod { static_solve, ramp };
 enum class Technique { simple, progressive };
 enum class DampingRegion { none, surface, all };
 enum class Shape { plate };
-enum class Kinematics { linear };
-enum class Precision { double_precision };
+enum class Kinematics { linear, corotational };
+enum class Precision { double_precision, single_precision };
 enum class ReleaseRateReference { strip };
 
 /// A speed [m/s], or a fraction of the Rayleigh speed c_r where `relative`.

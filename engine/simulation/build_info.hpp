@@ -8,7 +8,6 @@ namespace rift {
 struct BuildInfo {
   std::string version;  // "0.1.0"
   std::string compiler;
-  std::string simd;
 };
 
 }  // namespace rift

@@ -1,10 +1,13 @@
 #include "engine/simulation/march.hpp"
 
+#include "engine/ensemble/ensemble.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace rift {
 namespace {
@@ -12,7 +15,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using results::Phase;
 
-constexpr double hopeless_residual = 1e-6;
 constexpr double largest_residual_inertia = 0.01;  // of the ramp: kinetic over total energy   [physics.md §4]
 constexpr auto between_questions = std::chrono::milliseconds(100);
 
@@ -20,127 +22,249 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The run as it goes: what the loop below needs beside the simulation.
-struct Run {
-  const Prepared& prepared;
-  const Observer& observer;
-  Simulation<1> simulation;
-  RunResult result;
-  std::size_t next_sample = 0, next_frame = 0;
-  Clock::time_point started = Clock::now(), asked = started;
-
-  Phase phase() const {
-    const std::int64_t n = simulation.steps_done;
-    const Schedule& s = prepared.schedule;
-    return n < s.ramp ? Phase::loading : n < s.crack_start() ? Phase::hold : Phase::fracture;
-  }
-};
-
 std::array<float, 3> narrow(const Vector6& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
-results::Frame frame_of(const Run& run) {
-  const Simulation<1>& s = run.simulation;
-  results::Frame frame;
-  frame.step = s.steps_done;
-  frame.time_s = static_cast<double>(s.steps_done) * s.dt;
-  frame.tip_m = s.cracking ? s.tip(0) : s.scenario[0].history.stretch.front().position;
-  const int n = static_cast<int>(run.prepared.lattice.centre.size());
-  for (const std::string& field : run.prepared.preset.scene.output.fields) {
-    if (field == "displacement")
-      for (int i = 0; i < n; ++i) frame.displacement.push_back(narrow(s.motion(s.q, i, 0)));
-    if (field == "velocity")
-      for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(s.motion(s.v, i, 0)));
-    if (field == "damage") {
-      std::vector<std::pair<int, float>> by_beam;
-      for (std::size_t k = 0; k < s.met.size(); ++k)
-        by_beam.emplace_back(s.met[k].beam, static_cast<float>(s.factor[k]));
-      std::sort(by_beam.begin(), by_beam.end());
-      for (const auto& [beam, factor] : by_beam) frame.damage_factor.push_back(factor);
+/// A lane and the scenario in it.
+struct Seat {
+  int scenario = -1;  // none: the lane is idle
+  std::size_t next_sample = 0, next_frame = 0;
+  Clock::time_point since = Clock::now();
+};
+
+/// The run as it goes: what the loop needs beside the ensemble.
+template <class Real>
+class Run {
+ public:
+  Run(const Prepared& prepared, const Observer& observer, const MarchOptions& options)
+      : prepared_(prepared), observer_(observer), ensemble_(make_ensemble(prepared, options)) {
+    result_.lane.resize(prepared.lane.size());
+    seat_.resize(ensemble_.scenarios());
+    for (int lane = 0; lane < ensemble_.scenarios(); ++lane) seat_[lane].scenario = next_scenario_++;
+    for (const LanePlan& lane : prepared.lane) total_ += lane.schedule.total();
+    result_.lanes = ensemble_.scenarios();
+    result_.threads = ensemble_.threads();
+    result_.instructions = name_of(instruction_set());
+  }
+
+  RunResult march() {
+    ensemble_.start_from(prepared_.displacement);
+    if (ramp() > 0) pull();
+    const auto crack_started = Clock::now();
+    ensemble_.set_beta(scene().solver.beta);
+    ensemble_.start_crack(prepared_.damped);
+    for (Seat& seat : seat_) {
+      if (seat.scenario < 0) continue;
+      seat.since = crack_started;
+      lane_of(seat).energy_at_crack_start = ensemble_.energy(index(seat)).elastic;
+      if (ramp() == 0) observe(seat);
+    }
+    while (busy()) {
+      step();
+      for (Seat& seat : seat_)
+        if (seat.scenario >= 0 && ended(seat)) take_next(seat);
+    }
+    result_.wall_fracture_s = seconds_since(crack_started);
+    for (const LaneResult& lane : result_.lane) result_.outcome = std::max(result_.outcome, lane.outcome);
+    return std::move(result_);
+  }
+
+ private:
+  static Ensemble<Real> make_ensemble(const Prepared& p, const MarchOptions& options) {
+    const int threads =
+        options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+    const int most = options.lanes > 0 ? options.lanes : most_lanes<Real>;
+    std::vector<LaneScenario> first;
+    for (const LanePlan& lane : p.lane)
+      if (static_cast<int>(first.size()) < most) first.push_back(lane.scenario);
+    return Ensemble<Real>(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, first,
+                          {.kinematics = p.preset.scene.solver.kinematics, .threads = std::max(1, threads)});
+  }
+
+  const Scene& scene() const { return prepared_.preset.scene; }
+  std::int64_t ramp() const { return prepared_.lane.front().schedule.ramp; }
+  std::int64_t crack_start() const { return prepared_.lane.front().schedule.crack_start(); }
+  int index(const Seat& seat) const { return static_cast<int>(&seat - seat_.data()); }
+  const LanePlan& plan(const Seat& seat) const { return prepared_.lane[seat.scenario]; }
+  LaneResult& lane_of(const Seat& seat) { return result_.lane[seat.scenario]; }
+  std::int64_t steps(const Seat& seat) const { return ensemble_.steps_done(index(seat)); }
+  bool busy() const {
+    return std::any_of(seat_.begin(), seat_.end(), [](const Seat& seat) { return seat.scenario >= 0; });
+  }
+
+  Phase phase_at(std::int64_t step) const {
+    return step < ramp() ? Phase::loading : step < crack_start() ? Phase::hold : Phase::fracture;
+  }
+
+  bool ended(const Seat& seat) {
+    return lane_of(seat).outcome != Outcome::finished || steps(seat) >= plan(seat).schedule.total();
+  }
+
+  void step() {
+    ensemble_.step();
+    for (Seat& seat : seat_)
+      if (seat.scenario >= 0) ++result_.lane_steps;
+    report_released();
+    for (Seat& seat : seat_)
+      if (seat.scenario >= 0) observe(seat);
+    ask();
+  }
+
+  /// A lane that has come to its end goes on with the next scenario in the queue, if it can.
+  void take_next(Seat& seat) {
+    LaneResult& lane = lane_of(seat);
+    lane.steps = steps(seat);
+    lane.wall_s = seconds_since(seat.since) / static_cast<double>(seat_.size());
+    seat.scenario = -1;
+    if (stopped_ || ramp() > 0 || next_scenario_ >= static_cast<int>(prepared_.lane.size())) return;
+    seat = {.scenario = next_scenario_++};
+    ensemble_.refill(index(seat), plan(seat).scenario);
+    lane_of(seat).energy_at_crack_start = ensemble_.energy(index(seat)).elastic;
+    observe(seat);
+  }
+
+  void observe(Seat& seat) {
+    const Schedule& schedule = plan(seat).schedule;
+    const std::int64_t n = steps(seat);
+    if (seat.next_sample < schedule.samples.size() && n == schedule.samples[seat.next_sample]) {
+      ++seat.next_sample;
+      read_books(seat);
+    }
+    if (seat.next_frame < schedule.frames.size() && n == schedule.frames[seat.next_frame]) {
+      ++seat.next_frame;
+      if (observer_.frame) observer_.frame(frame_of(seat));
     }
   }
-  return frame;
-}
 
-/// The first element whose motion is no number any more, for the message.
-std::string first_lost_element(const Simulation<1>& s) {
-  for (std::size_t k = 0; k < s.q.size(); ++k)
-    if (!std::isfinite(s.q[k]) || !std::isfinite(s.v[k])) return fmt::format(", first at element {}", k / 6);
-  return "";
-}
-
-void read_books(Run& run) {
-  const results::Sample row = run.simulation.sample(0, run.phase());
-  run.result.books.push_back(row);
-  if (run.observer.sample) run.observer.sample(row);
-  const double residual = std::abs(row.residual);
-  if (!(residual <= run.result.worst_residual)) run.result.worst_residual = residual;
-  if (residual <= hopeless_residual) return;
-  run.result.outcome = Outcome::diverged;
-  run.result.where = fmt::format("step {}: the books are open by {:.3g} of the energy{}", row.step,
-                                 row.residual, first_lost_element(run.simulation));
-}
-
-void observe(Run& run) {
-  const Schedule& schedule = run.prepared.schedule;
-  const std::int64_t n = run.simulation.steps_done;
-  if (run.next_sample < schedule.samples.size() && n == schedule.samples[run.next_sample]) {
-    ++run.next_sample;
-    read_books(run);
+  void read_books(Seat& seat) {
+    LaneResult& lane = lane_of(seat);
+    results::Sample row = ensemble_.sample(index(seat), phase_at(steps(seat)));
+    row.lane = seat.scenario;
+    lane.books.push_back(row);
+    if (observer_.sample) observer_.sample(row);
+    const double residual = std::abs(row.residual);
+    if (!(residual <= lane.worst_residual)) lane.worst_residual = residual;
+    const double limit = ledger_limit(scene().solver.kinematics, scene().solver.precision);
+    if (residual <= std::max(1e-6, 100.0 * limit)) return;
+    lane.outcome = Outcome::diverged;
+    lane.where = fmt::format("step {}: the books are open by {:.3g} of the energy{}", row.step, row.residual,
+                             first_lost_element(index(seat)));
   }
-  if (run.next_frame < schedule.frames.size() && n == schedule.frames[run.next_frame]) {
-    ++run.next_frame;
-    if (run.observer.frame) run.observer.frame(frame_of(run));
-  }
-  if (!run.observer.go_on || Clock::now() - run.asked < between_questions) return;
-  run.asked = Clock::now();
-  if (run.observer.go_on({run.phase(), n, schedule.total(), seconds_since(run.started)})) return;
-  run.result.outcome = Outcome::stopped;
-  run.result.where = fmt::format("step {} of {}", n, schedule.total());
-}
 
-void report_released(const Run& run) {
-  if (!run.observer.event) return;
-  const Simulation<1>& s = run.simulation;
-  for (const Softening& c : s.softening)
-    if (c.after == 0.0)
-      run.observer.event({.beam = s.met[c.crossing].beam,
-                          .lane = c.lane,
-                          .time_s = static_cast<double>(s.steps_done) * s.dt,
-                          .position_m = s.met[c.crossing].position,
-                          .energy_j = s.booked[c.crossing]});
-}
-
-void steps_until(Run& run, std::int64_t last) {
-  while (run.simulation.steps_done < last && run.result.outcome == Outcome::finished) {
-    run.simulation.step();
-    report_released(run);
-    observe(run);
+  /// The first element whose motion is no number any more, for the message.
+  std::string first_lost_element(int lane) {
+    for (int i = 0; i < static_cast<int>(prepared_.lattice.centre.size()); ++i)
+      if (!ensemble_.motion(i, lane).allFinite()) return fmt::format(", first at element {}", i);
+    return "";
   }
-}
 
-/// The paper's way to pre-stress: pull, hold, both with numerical damping that is taken out afterwards.
-void pull(Run& run) {
-  const Scene::Loading& loading = run.prepared.preset.scene.loading;
-  const Schedule& schedule = run.prepared.schedule;
-  run.simulation.beta = loading.ramp_beta;
-  run.simulation.set_grip_speed(loading.displacement /
-                                (static_cast<double>(schedule.ramp) * run.simulation.dt));
-  steps_until(run, schedule.ramp);
-  run.simulation.set_grip_speed(0.0);
-  steps_until(run, schedule.crack_start());
-  const LatticeEnergy e = run.simulation.energy(0);
-  run.result.prestress_kinetic = (e.kinetic_translation + e.kinetic_rotation) / e.total();
-  run.result.wall_prestress_s = seconds_since(run.started);
-  if (run.result.outcome == Outcome::finished && run.result.prestress_kinetic > largest_residual_inertia) {
-    run.result.outcome = Outcome::diverged;
-    run.result.where = fmt::format(
-        "after the ramp {:.2g} of the energy is kinetic (limit {:g}): not quasi-static; "
-        "raise loading.ramp_steps or loading.hold_steps",
-        run.result.prestress_kinetic, largest_residual_inertia);
+  results::Frame frame_of(const Seat& seat) {
+    const int lane = index(seat), n = static_cast<int>(prepared_.lattice.centre.size());
+    results::Frame frame;
+    frame.step = steps(seat);
+    frame.time_s = ensemble_.time(lane);
+    frame.lane = seat.scenario;
+    frame.tip_m =
+        ensemble_.cracking() ? ensemble_.tip(lane) : plan(seat).scenario.history.stretch.front().position;
+    for (const std::string& field : scene().output.fields) {
+      if (field == "displacement")
+        for (int i = 0; i < n; ++i) frame.displacement.push_back(narrow(ensemble_.motion(i, lane)));
+      if (field == "velocity")
+        for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(ensemble_.velocity(i, lane)));
+      if (field == "damage") frame.damage_factor = damage_by_beam(lane);
+    }
+    return frame;
   }
-}
+
+  std::vector<float> damage_by_beam(int lane) const {
+    std::vector<std::pair<int, float>> by_beam;
+    for (int k = 0; k < static_cast<int>(ensemble_.met().size()); ++k)
+      by_beam.emplace_back(ensemble_.met()[k].beam, static_cast<float>(ensemble_.factor(k, lane)));
+    std::sort(by_beam.begin(), by_beam.end());
+    std::vector<float> damage;
+    for (const auto& [beam, factor] : by_beam) damage.push_back(factor);
+    return damage;
+  }
+
+  void report_released() {
+    if (!observer_.event) return;
+    for (const Softening& c : ensemble_.softening())
+      if (c.after == 0.0 && seat_[c.lane].scenario >= 0)
+        observer_.event({.beam = ensemble_.met()[c.crossing].beam,
+                         .lane = seat_[c.lane].scenario,
+                         .time_s = ensemble_.time(c.lane),
+                         .position_m = ensemble_.met()[c.crossing].position,
+                         .energy_j = ensemble_.booked(c.crossing, c.lane)});
+  }
+
+  /// Whether to go on; if not, every lane stops where it is.
+  void ask() {
+    if (!observer_.go_on || Clock::now() - asked_ < between_questions) return;
+    asked_ = Clock::now();
+    const auto working =
+        std::find_if(seat_.begin(), seat_.end(), [](const Seat& seat) { return seat.scenario >= 0; });
+    if (working == seat_.end()) return;
+    if (observer_.go_on({phase_at(steps(*working)), result_.lane_steps, total_, seconds_since(started_)}))
+      return;
+    stopped_ = true;
+    for (Seat& seat : seat_)
+      if (seat.scenario >= 0 && lane_of(seat).outcome == Outcome::finished)
+        stop(lane_of(seat), fmt::format("step {} of {}", steps(seat), plan(seat).schedule.total()));
+    for (int k = next_scenario_; k < static_cast<int>(prepared_.lane.size()); ++k)
+      stop(result_.lane[k], fmt::format("step 0 of {}", prepared_.lane[k].schedule.total()));
+  }
+
+  static void stop(LaneResult& lane, std::string where) {
+    lane.outcome = Outcome::stopped;
+    lane.where = std::move(where);
+  }
+
+  /// The paper's way to pre-stress: pull, hold, both with numerical damping that is taken out afterwards.
+  void pull() {
+    const Scene::Loading& loading = scene().loading;
+    ensemble_.set_beta(loading.ramp_beta);
+    ensemble_.set_grip_speed(loading.displacement / (static_cast<double>(ramp()) * ensemble_.dt()));
+    for (Seat& seat : seat_) observe(seat);
+    for (std::int64_t n = 0; n < crack_start() && !stopped_ && any_sound(); ++n) {
+      if (n == ramp()) ensemble_.set_grip_speed(0.0);
+      step();
+    }
+    ensemble_.set_grip_speed(0.0);
+    result_.wall_prestress_s = seconds_since(started_);
+    for (Seat& seat : seat_) judge_rest(seat);
+  }
+
+  bool any_sound() {
+    return std::any_of(seat_.begin(), seat_.end(),
+                       [&](const Seat& seat) { return lane_of(seat).outcome == Outcome::finished; });
+  }
+
+  void judge_rest(Seat& seat) {
+    LaneResult& lane = lane_of(seat);
+    const LatticeEnergy e = ensemble_.energy(index(seat));
+    lane.prestress_kinetic = (e.kinetic_translation + e.kinetic_rotation) / e.total();
+    if (lane.outcome == Outcome::finished && !(lane.prestress_kinetic <= largest_residual_inertia)) {
+      lane.outcome = Outcome::diverged;
+      lane.where = fmt::format(
+          "after the ramp {:.2g} of the energy is kinetic (limit {:g}): not quasi-static; "
+          "raise loading.ramp_steps or loading.hold_steps",
+          lane.prestress_kinetic, largest_residual_inertia);
+    }
+    lane.steps = steps(seat);
+    if (lane.outcome != Outcome::finished) seat.scenario = -1;
+  }
+
+  const Prepared& prepared_;
+  const Observer& observer_;
+  Ensemble<Real> ensemble_;
+  RunResult result_;
+  std::vector<Seat> seat_;
+  int next_scenario_ = 0;
+  std::int64_t total_ = 0;
+  bool stopped_ = false;
+  Clock::time_point started_ = Clock::now(), asked_ = started_;
+};
 
 }  // namespace
 
@@ -156,29 +280,15 @@ const char* name_of(Outcome outcome) {
   return "";
 }
 
-RunResult march(const Prepared& prepared, const Observer& observer) {
-  const Scene& scene = prepared.preset.scene;
-  Run run{.prepared = prepared,
-          .observer = observer,
-          .simulation = Simulation<1>(prepared.lattice, prepared.path, scene.crack.start, prepared.step.dt,
-                                      {prepared.scenario}),
-          .result = {}};
-  run.simulation.start_from(prepared.displacement);
-  if (prepared.schedule.ramp > 0) {
-    observe(run);
-    pull(run);
-  }
-  if (run.result.outcome == Outcome::finished) {
-    const auto crack_started = Clock::now();
-    run.simulation.beta = scene.solver.beta;
-    run.simulation.start_crack(prepared.damped);
-    run.result.energy_at_crack_start = run.simulation.energy(0).elastic;
-    if (prepared.schedule.ramp == 0) observe(run);
-    steps_until(run, prepared.schedule.total());
-    run.result.wall_fracture_s = seconds_since(crack_started);
-  }
-  run.result.steps = run.simulation.steps_done;
-  return run.result;
+double ledger_limit(Kinematics kinematics, Precision precision) {
+  if (precision == Precision::single_precision) return 1e-3;
+  return kinematics == Kinematics::corotational ? 1e-4 : 1e-10;
+}
+
+RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options) {
+  if (prepared.preset.scene.solver.precision == Precision::single_precision)
+    return Run<float>(prepared, observer, options).march();
+  return Run<double>(prepared, observer, options).march();
 }
 
 }  // namespace rift

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/results/schema.hpp"
 #include "engine/simulation/prepare.hpp"
 
 #include <functional>
@@ -11,8 +12,8 @@ namespace rift {
 /// How far a run has come.
 struct Progress {
   results::Phase phase = results::Phase::fracture;
-  std::int64_t step = 0, total = 0;
-  double seconds = 0;  // since the first step
+  std::int64_t step = 0, total = 0;  // of all scenarios together
+  double seconds = 0;                // since the first step
 };
 
 /// Called while a run marches; any of them may be empty. One way only, but for go_on's answer.
@@ -26,8 +27,8 @@ struct Observer {
 enum class Outcome { finished, stopped, diverged };
 const char* name_of(Outcome outcome);
 
-/// What a run came to.
-struct RunResult {
+/// What one scenario came to. Steps and times are its own: the same whatever ran beside it.
+struct LaneResult {
   Outcome outcome = Outcome::finished;
   std::int64_t steps = 0;
   std::string where;                   // of a divergence or a stop, for people
@@ -35,15 +36,33 @@ struct RunResult {
   double worst_residual = 0;           // largest |residual| of all rows
   double prestress_kinetic = 0;        // kinetic over total energy when the crack started (ramp)
   double energy_at_crack_start = 0;    // elastic [J]
-  double wall_prestress_s = 0;         // marching the ramp
-  double wall_fracture_s = 0;
+  double wall_s = 0;                   // its share of the time while its crack ran
 };
 
-/// The books are said not to close above this residual   [physics.md §7: linear, double].
-inline constexpr double ledger_limit = 1e-10;
+/// What a run came to.
+struct RunResult {
+  Outcome outcome = Outcome::finished;  // the worst of the lanes
+  std::vector<LaneResult> lane;
+  std::int64_t lane_steps = 0;  // steps of all lanes that had a scenario
+  double wall_prestress_s = 0;  // marching the ramp
+  double wall_fracture_s = 0;
+  int lanes = 1, threads = 1;  // side by side
+  std::string instructions;
+};
 
-/// Marches a prepared scene to its end: the ramp if there is one, then the crack.
-/// Stops as diverged at the first sample that is not finite or whose books are open by more than 1e-6.
-RunResult march(const Prepared& prepared, const Observer& observer);
+/// How to march; of no influence on the results, but for the last bits by the instruction set.
+struct MarchOptions {
+  int threads = 0;  // 0 for one per core
+  int lanes = 0;    // scenarios side by side; 0 for all of them, as far as there are kernels
+};
+
+/// The books are said not to close above this residual   [physics.md §7].
+double ledger_limit(Kinematics kinematics, Precision precision);
+
+/// Marches a prepared scene's lanes to their ends: the ramp if there is one, then their cracks. Where there
+/// are more scenarios than lanes side by side, a lane that has come to its end takes up the next (but after a
+/// ramp, which all share). A lane stops as diverged at its first sample that is not finite or whose books are
+/// hopelessly open; the others go on.
+RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options = {});
 
 }  // namespace rift

@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <limits>
 
 namespace rift {
@@ -63,19 +65,16 @@ Packing cached_packing(const PackingRequest& request, Cache& cache, bool& from_c
   return packing;
 }
 
-/// The lattice at rest with its top face moved by 1 m. It is linear, and all stiffnesses carry the same
-/// factor E_mu, so this one solution serves any displacement and any micro modulus.
-std::vector<Vector6> cached_unit_stretch(const Lattice& lattice, const std::vector<char>& present,
-                                         const std::string& key, Cache& cache, bool& from_cache) {
-  const std::size_t n = lattice.centre.size();
-  std::vector<Vector6> q(n);
-  if (const auto numbers = recall(cache, "statics", key); numbers && numbers->size() == 6 * n) {
-    for (std::size_t i = 0; i < n; ++i) q[i] = Eigen::Map<const Vector6>(numbers->data() + 6 * i);
+std::vector<Vector6> cached_motions(const std::string& key, std::size_t elements, Cache& cache,
+                                    bool& from_cache, const std::function<std::vector<Vector6>()>& solve) {
+  std::vector<Vector6> q(elements);
+  if (const auto numbers = recall(cache, "statics", key); numbers && numbers->size() == 6 * elements) {
+    for (std::size_t i = 0; i < elements; ++i) q[i] = Eigen::Map<const Vector6>(numbers->data() + 6 * i);
     return q;
   }
   from_cache = false;
-  q = stretched_at_rest(lattice, present, 1.0);
-  remember(cache, "statics", key, {q.front().data(), 6 * n});
+  q = solve();
+  remember(cache, "statics", key, {q.front().data(), 6 * elements});
   return q;
 }
 
@@ -98,13 +97,11 @@ std::vector<Vector6> scaled(const std::vector<Vector6>& unit, double displacemen
   return q;
 }
 
-double energy_of_all(const Lattice& lattice, const std::vector<char>& present,
+double energy_of_all(const Lattice& lattice, Kinematics kinematics, const std::vector<char>& present,
                      const std::vector<Vector6>& q) {
   double energy = 0.0;
-  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
-    const auto& [i, j] = lattice.ends[b];
-    if (present[b]) energy += energy_of(lattice.beam[b], strain_of(lattice.beam[b], q[i], q[j]));
-  }
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b)
+    if (present[b]) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
   return energy;
 }
 
@@ -129,71 +126,97 @@ void build_specimen(Prepared& p, Cache& cache, const StageProgress& progress) {
   p.wall_packing_s = seconds_since(start);
 }
 
-/// Micro modulus, pre-stress and G_I0. The modulus and G_I0 belong to the strip without its notch.
+/// Solutions of the statics, each known by all that it depends on. All stiffnesses carry the same factor
+/// E_mu, so E_mu is not among it and all are solved with the same one, to the same bits; the linear ones are
+/// for 1 m and serve any displacement.
+struct Statics {
+  const Lattice lattice;
+  const Scene& scene;
+  Cache& cache;
+  bool& from_cache;
+  std::string lattice_key;
+
+  std::vector<Vector6> unit(const std::vector<char>& present, const std::string& notch) {
+    return cached_motions("statics 2 of " + lattice_key + notch, lattice.centre.size(), cache, from_cache,
+                          [&] { return stretched_at_rest(lattice, present, 1.0); });
+  }
+  std::vector<Vector6> at_rest(const std::vector<char>& present, const std::string& notch) {
+    const double displacement = scene.loading.displacement;
+    if (scene.solver.kinematics == Kinematics::linear) return scaled(unit(present, notch), displacement);
+    const std::string key =
+        fmt::format("corotational statics 1 of {}{} by {:a}", lattice_key, notch, displacement);
+    return cached_motions(key, lattice.centre.size(), cache, from_cache,
+                          [&] { return stretched_at_rest_corotational(lattice, present, displacement); });
+  }
+};
+
+/// Micro modulus, pre-stress and G_I0. The modulus and G_I0 belong to the strip without its notch; the
+/// modulus is that of small strains with either kinematics.
 void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   const Scene& scene = p.preset.scene;
+  const Kinematics kinematics = scene.solver.kinematics;
   const auto start = Clock::now();
   tell(progress, "pre-stress", 0.0);
   p.statics_from_cache = true;
   p.micro = reference_micro(scene);
   p.lattice = make_lattice(p.specimen, p.micro, p.density);
-  const std::string key = fmt::format("statics 1 of {} tolerance {:a} micro {:a} {:a} {:a}",
-                                      key_of(request_of(scene)), scene.specimen.contact_tolerance,
-                                      p.micro.young_modulus, p.micro.poisson_ratio, p.micro.radius_ratio);
+  Statics statics{p.lattice, scene, cache, p.statics_from_cache,
+                  fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}", key_of(request_of(scene)),
+                              scene.specimen.contact_tolerance, p.micro.young_modulus, p.micro.poisson_ratio,
+                              p.micro.radius_ratio)};
   std::vector<char> present(p.lattice.beam.size(), 1);
-  std::vector<Vector6> unit = cached_unit_stretch(p.lattice, present, key, cache, p.statics_from_cache);
+  const std::vector<Vector6> unit = statics.unit(present, "");
   if (scene.material.stiffness == StiffnessChoice::in_situ) {
     p.micro.young_modulus *= continuum_strip_modulus(scene) / strip_modulus(p.lattice, unit, 1.0);
     p.lattice = make_lattice(p.specimen, p.micro, p.density);
   }
-  const double displacement = scene.loading.displacement;
   p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
+  p.displacement = statics.at_rest(present, "");
   p.scale = {.thickness = p.lattice.box.thickness,
-             .g_i0 = energy_per_length(p.lattice, scaled(unit, displacement)) / p.lattice.box.thickness,
+             .g_i0 = energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness,
              .length = p.lattice.box.length};
   if (scene.crack.start > 0.0) {
     for (const Crossing& c : crossings(p.path, p.lattice))
       if (c.position <= scene.crack.start) present[c.beam] = 0;
-    const std::string notched =
-        fmt::format("{} path {:a} notch {:a}", key, path_height_m(scene), scene.crack.start);
-    unit = cached_unit_stretch(p.lattice, present, notched, cache, p.statics_from_cache);
+    p.displacement = statics.at_rest(
+        present, fmt::format(" path {:a} notch {:a}", path_height_m(scene), scene.crack.start));
   }
-  p.displacement = scaled(unit, displacement);
-  p.static_energy = energy_of_all(p.lattice, present, p.displacement);
+  p.static_energy = energy_of_all(p.lattice, kinematics, present, p.displacement);
   if (scene.loading.method == LoadingMethod::ramp)
     p.displacement.assign(p.displacement.size(), Vector6::Zero());
   p.wall_prestress_s = seconds_since(start);
   tell(progress, "pre-stress", 1.0);
 }
 
-/// Beams whose damping can matter: none, those near the path, or all.
-std::vector<DampedBeam> damped_beams(const Scene& scene, const Lattice& lattice, const CrackPath& path) {
+/// Beams whose damping can matter to any lane: none, those near the path, or all.
+std::vector<DampedBeam> damped_beams(const Prepared& p) {
+  const auto any = [&](DampingRegion region) {
+    return std::any_of(p.lane.begin(), p.lane.end(),
+                       [&](const LanePlan& lane) { return lane.scene.damping.region == region; });
+  };
   std::vector<DampedBeam> damped;
-  if (scene.damping.region == DampingRegion::none) return damped;
-  std::vector<int> crossing(lattice.beam.size(), -1);
+  const bool everywhere = any(DampingRegion::all);
+  if (!everywhere && !any(DampingRegion::surface)) return damped;
+  std::vector<int> crossing(p.lattice.beam.size(), -1);
   int next = 0;
-  for (const Crossing& c : crossings(path, lattice)) crossing[c.beam] = next++;
-  const double near = scene.damping.surface_width * lattice.mean_radius;
-  std::vector<char> at_surface(lattice.centre.size());
+  for (const Crossing& c : crossings(p.path, p.lattice)) crossing[c.beam] = next++;
+  const double near = p.preset.scene.damping.surface_width * p.lattice.mean_radius;
+  std::vector<char> at_surface(p.lattice.centre.size());
   for (std::size_t i = 0; i < at_surface.size(); ++i)
-    at_surface[i] = distance_to(path, lattice.centre[i].head<2>()) <= near;
-  for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b) {
-    const bool surface = at_surface[lattice.ends[b][0]] || at_surface[lattice.ends[b][1]];
-    if (surface || scene.damping.region == DampingRegion::all)
-      damped.push_back(damped_beam(lattice, b, crossing[b], surface));
+    at_surface[i] = distance_to(p.path, p.lattice.centre[i].head<2>()) <= near;
+  for (int b = 0; b < static_cast<int>(p.lattice.beam.size()); ++b) {
+    const bool surface = at_surface[p.lattice.ends[b][0]] || at_surface[p.lattice.ends[b][1]];
+    if (surface || everywhere) damped.push_back(damped_beam(p.lattice, b, crossing[b], surface));
   }
   return damped;
 }
 
-void build_crack(Prepared& p) {
-  const Scene& scene = p.preset.scene;
+LanePlan plan_lane(const Prepared& p, const Scene& scene) {
+  LanePlan lane{.scene = scene, .scenario = {}, .crack_end = crack_end(scene), .window = {}, .schedule = {}};
   const double length = scene.specimen.length;
-  p.crack_end = crack_end(scene);
   const auto window = window_over_length(scene);
-  p.window = {window[0] * length, window[1] * length};
-  if (crossings(p.path, p.lattice).empty())
-    throw InputError({issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
-  ReleaseLaw& law = p.scenario.law;
+  lane.window = {window[0] * length, window[1] * length};
+  ReleaseLaw& law = lane.scenario.law;
   law.technique = scene.crack.technique;
   law.exponent = scene.crack.relaxation;
   if (law.technique == Technique::progressive)
@@ -203,15 +226,38 @@ void build_crack(Prepared& p) {
     pieces.push_back({speed_m_s(piece.speed, p.rayleigh_speed),
                       piece.until.value_or(std::numeric_limits<double>::infinity())});
   // The history begins a zone's length behind the notch, so that nothing is damaged in one jump.
-  p.scenario.history = history_of(scene.crack.start - law.zone_length, pieces);
-  p.damped = damped_beams(scene, p.lattice, p.path);
-  p.scenario.alpha_at_surface = p.damped.empty() ? 0.0 : scene.damping.alpha;
-  p.scenario.alpha_elsewhere = scene.damping.region == DampingRegion::all ? scene.damping.alpha : 0.0;
+  lane.scenario.history = history_of(scene.crack.start - law.zone_length, pieces);
+  const DampingRegion region = scene.damping.region;
+  lane.scenario.alpha_at_surface = region == DampingRegion::none ? 0.0 : scene.damping.alpha;
+  lane.scenario.alpha_elsewhere = region == DampingRegion::all ? scene.damping.alpha : 0.0;
+  return lane;
+}
+
+/// What each lane asks of the step.
+std::vector<StepWish> step_wishes(const Prepared& p) {
+  std::vector<StepWish> wishes;
+  for (const LanePlan& lane : p.lane)
+    wishes.push_back({.zone_length = lane.scenario.law.zone_length,
+                      .speed = highest_velocity(lane.scene) * p.rayleigh_speed,
+                      .alpha_at_surface = lane.scenario.alpha_at_surface,
+                      .alpha_elsewhere = lane.scenario.alpha_elsewhere});
+  return wishes;
+}
+
+void plan_lanes(Prepared& p, const std::vector<Scene>& lanes) {
+  if (crossings(p.path, p.lattice).empty())
+    throw InputError({issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
+  for (const Scene& scene : lanes) p.lane.push_back(plan_lane(p, scene));
+  p.damped = damped_beams(p);
+  p.step = choose_step(p.preset, p.lattice, p.damped, step_wishes(p));
+  for (LanePlan& lane : p.lane)
+    lane.schedule = make_schedule(lane.scene, lane.scenario.history, p.step.dt, lane.crack_end, lane.window);
 }
 
 }  // namespace
 
-Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progress) {
+Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& cache,
+                 const StageProgress& progress) {
   Prepared p;
   p.preset = preset;
   const Scene& scene = p.preset.scene;
@@ -220,14 +266,13 @@ Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progre
   p.path = straight_path(scene.specimen.length, path_height_m(scene));
   build_specimen(p, cache, progress);
   build_prestress(p, cache, progress);
-  build_crack(p);
-  ViscousDamping<1> damping(p.damped);
-  damping.alpha_at_surface = {p.scenario.alpha_at_surface};
-  damping.alpha_elsewhere = {p.scenario.alpha_elsewhere};
   tell(progress, "critical step", 0.0);
-  p.step = choose_step(p.preset, p.lattice, damping, p.scenario.law.zone_length);
-  p.schedule = make_schedule(scene, p.scenario.history, p.step.dt, p.crack_end, p.window);
+  plan_lanes(p, lanes);
   return p;
+}
+
+Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progress) {
+  return prepare(preset, {preset.scene}, cache, progress);
 }
 
 }  // namespace rift

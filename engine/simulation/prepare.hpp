@@ -1,9 +1,10 @@
 #pragma once
 
+#include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/release_rate.hpp"
+#include "engine/fracture/scenario.hpp"
 #include "engine/simulation/cache.hpp"
 #include "engine/simulation/schedule.hpp"
-#include "engine/simulation/simulation.hpp"
 #include "engine/simulation/time_step.hpp"
 
 #include <functional>
@@ -15,24 +16,31 @@ namespace rift {
 /// Told what is being done and the fraction of it done; answers false to stop (Interrupted is thrown then).
 using StageProgress = std::function<bool(std::string_view stage, double done)>;
 
-/// All that a run needs before its first step; what a dry run looks at.
+/// One scenario of a run: what it releases, and when it is looked at.
+struct LanePlan {
+  Scene scene;
+  LaneScenario scenario;
+  double crack_end = 0;            // [m]
+  std::array<double, 2> window{};  // [m]
+  Schedule schedule;
+};
+
+/// All that a run needs before its first step; what a dry run looks at. Its lanes share lattice, pre-stress,
+/// path and step.
 struct Prepared {
   Preset preset;
   double density = 0, rayleigh_speed = 0;  // [kg/m3], [m/s]
   Specimen specimen;
   MicroMaterial micro;
   Lattice lattice;
-  double strip_modulus = 0;           // of this specimen with these beams [Pa]
+  double strip_modulus = 0;           // of this specimen with these beams, by linear kinematics [Pa]
   double static_energy = 0;           // of the plate at rest, notch cut, pulled [J]
   RateScale scale;                    // b, G_I0, L
   std::vector<Vector6> displacement;  // at the start of the run: at rest and pulled, or none for a ramp
   CrackPath path;
-  double crack_end = 0;            // [m]
-  std::array<double, 2> window{};  // [m]
-  LaneScenario scenario;
-  std::vector<DampedBeam> damped;
-  TimeStep step;
-  Schedule schedule;
+  std::vector<LanePlan> lane;
+  std::vector<DampedBeam> damped;  // those that any lane damps
+  TimeStep step;                   // the smallest that a lane asks for
   bool packing_from_cache = false, statics_from_cache = false;
   double wall_packing_s = 0, wall_prestress_s = 0;
 };
@@ -41,5 +49,10 @@ struct Prepared {
 /// issues. Throws InputError where the lattice cannot be what the preset asks for, Interrupted where progress
 /// says stop.
 Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progress = {});
+
+/// The same for scenarios other than the preset's own, one lane each; they differ in what lanes may differ
+/// in.
+Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& cache,
+                 const StageProgress& progress = {});
 
 }  // namespace rift

@@ -1,5 +1,6 @@
 #include "engine/simulation/summary.hpp"
 
+#include "engine/ensemble/instruction_set.hpp"
 #include "engine/scene/crack_text.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/theory/references.hpp"
@@ -38,8 +39,8 @@ double constant_velocity(const Scene& scene) {
   return scene.crack.velocity.size() == 1 ? highest_velocity(scene) : undefined;
 }
 
-void add_scenario(Json& j, const Prepared& p) {
-  const Scene& scene = p.preset.scene;
+void add_scenario(Json& j, const LanePlan& lane) {
+  const Scene& scene = lane.scene;
   const bool progressive = scene.crack.technique == Technique::progressive;
   j["crack_velocity_over_cr"] = constant_velocity(scene);
   j["technique"] = name_of(scene.crack.technique);
@@ -51,8 +52,8 @@ void add_scenario(Json& j, const Prepared& p) {
   j["stiffness"] = name_of(scene.material.stiffness);
   j["plane"] = scene.material.plane == Plane::stress ? "stress" : "strain";
   j["prestress_method"] = scene.loading.method == LoadingMethod::ramp ? "ramp" : "static";
-  j["kinematics"] = "linear";
-  j["precision"] = "double";
+  j["kinematics"] = scene.solver.kinematics == Kinematics::linear ? "linear" : "corotational";
+  j["precision"] = scene.solver.precision == Precision::double_precision ? "double" : "single";
   j["beta"] = scene.solver.beta;
   j["seed"] = scene.specimen.seed;
 }
@@ -82,26 +83,27 @@ void add_specimen(Json& j, const Prepared& p) {
   j["strip_modulus_pa"] = p.strip_modulus;
 }
 
-void add_step(Json& j, const Prepared& p, const RunResult& r, const BuildInfo& build) {
+void add_step(Json& j, const Prepared& p, const LanePlan& lane, const RunResult& r, const LaneResult& result,
+              const BuildInfo& build) {
   j["dt_s"] = p.step.dt;
   j["dt_critical_s"] = p.step.critical;
   j["dt_critical_damped_s"] = p.step.critical_damped;
   j["dt_element_bound_s"] = p.step.element_bound;
   j["dt_fraction"] = p.step.dt / p.step.critical;
-  j["steps"] = r.steps;
-  const double fastest = highest_velocity(p.preset.scene) * p.rayleigh_speed;
-  const double zone = p.scenario.law.zone_length;
+  j["steps"] = result.steps;
+  const double fastest = highest_velocity(lane.scene) * p.rayleigh_speed;
+  const double zone = lane.scenario.law.zone_length;
   j["steps_per_beam"] = zone > 0.0 ? Json(zone / (fastest * p.step.dt)) : Json(nullptr);
-  j["threads"] = 1;
-  j["simd"] = build.simd;
-  j["lanes"] = 1;
+  j["threads"] = r.threads;
+  j["simd"] = r.instructions;
+  j["lanes"] = r.lanes;
   j["version"] = build.version;
 }
 
-void add_rates(Json& j, const Prepared& p, const Rates& rates) {
+void add_rates(Json& j, const Prepared& p, const LanePlan& lane, const Rates& rates) {
   const Plateau& plateau = rates.plateau;
   const auto rate = [&](double value) { return plateau.reached ? Json(value) : Json(nullptr); };
-  const double ratio = plateau.mean.ratio_with_damping, v = constant_velocity(p.preset.scene);
+  const double ratio = plateau.mean.ratio_with_damping, v = constant_velocity(lane.scene);
   const Scene::Material& m = p.preset.scene.material;
   const auto reference = [&](theory::Factor (*of)(double, double, Plane)) {
     return v > 0.0 && v <= 1.0 ? of(v, m.poisson_ratio, m.plane).g : undefined;
@@ -113,7 +115,7 @@ void add_rates(Json& j, const Prepared& p, const Rates& rates) {
   j["ratio_with_damping"] = rate(ratio);
   j["ratio_translation_only"] = rate(plateau.mean.ratio_translation_only);
   j["ratio_scatter"] = rate(plateau.scatter);
-  j["window_over_length"] = {p.window[0] / p.scale.length, p.window[1] / p.scale.length};
+  j["window_over_length"] = {lane.window[0] / p.scale.length, lane.window[1] / p.scale.length};
   j["broberg"] = reference(theory::broberg);
   j["freund"] = reference(theory::freund);
   j["strip"] = reference(theory::strip);
@@ -121,8 +123,8 @@ void add_rates(Json& j, const Prepared& p, const Rates& rates) {
   j["error_converged"] = nullptr;
 }
 
-void add_books(Json& j, const Prepared& p, const RunResult& r) {
-  const bool ramped = p.schedule.ramp > 0;
+void add_books(Json& j, const Prepared& p, const LanePlan& lane, const LaneResult& r) {
+  const bool ramped = lane.schedule.ramp > 0;
   const results::Sample last = r.books.empty() ? results::Sample{} : r.books.back();
   j["energy_initial_j"] = r.books.empty() ? Json(nullptr) : Json(r.energy_at_crack_start);
   j["energy_elastic_j"] = last.elastic_j;
@@ -134,22 +136,23 @@ void add_books(Json& j, const Prepared& p, const RunResult& r) {
   j["energy_numerical_damping_j"] = last.numerical_damping_j;
   j["work_external_j"] = last.work_external_j;
   j["ledger_residual"] = r.worst_residual;
-  j["ledger_closes"] = r.worst_residual <= ledger_limit;
+  j["ledger_closes"] =
+      r.worst_residual <= ledger_limit(lane.scene.solver.kinematics, lane.scene.solver.precision);
   j["prestress_energy_over_static"] = ramped ? Json(r.energy_at_crack_start / p.static_energy) : Json(1.0);
   j["prestress_kinetic_fraction"] = ramped ? Json(r.prestress_kinetic) : Json(0.0);
   j["outcome"] = name_of(r.outcome);
   j["outcome_where"] = r.where.empty() ? Json(nullptr) : Json(r.where);
 }
 
-void add_costs(Json& j, const Prepared& p, const RunResult& r, double wall_total_s) {
+void add_costs(Json& j, const Prepared& p, const RunResult& r, const LaneResult& lane, double wall_total_s) {
   const double marching = r.wall_prestress_s + r.wall_fracture_s;
   const auto rate = [&](std::size_t things) {
-    return marching > 0.0 ? Json(static_cast<double>(r.steps) * static_cast<double>(things) / marching)
+    return marching > 0.0 ? Json(static_cast<double>(r.lane_steps) * static_cast<double>(things) / marching)
                           : Json(nullptr);
   };
   j["wall_packing_s"] = p.wall_packing_s;
   j["wall_prestress_s"] = p.wall_prestress_s + r.wall_prestress_s;
-  j["wall_fracture_s"] = r.wall_fracture_s;
+  j["wall_fracture_s"] = lane.wall_s;
   j["wall_pass_s"] = r.wall_fracture_s;
   j["wall_total_s"] = wall_total_s;
   j["packing_from_cache"] = p.packing_from_cache;
@@ -161,25 +164,27 @@ void add_costs(Json& j, const Prepared& p, const RunResult& r, double wall_total
 
 }  // namespace
 
-Rates rates_of(const Prepared& prepared, const RunResult& result) {
+Rates rates_of(const Prepared& prepared, const RunResult& result, int lane) {
   std::vector<results::Sample> rows;
-  for (const results::Sample& row : result.books)
+  for (const results::Sample& row : result.lane[lane].books)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
   if (rows.size() < 2) return {};
-  return {plateau_of(rows, prepared.window, prepared.scale), rate_curve(rows, prepared.scale)};
+  return {plateau_of(rows, prepared.lane[lane].window, prepared.scale), rate_curve(rows, prepared.scale)};
 }
 
 Json header_of(const Prepared& prepared, const BuildInfo& build) {
   const Scene& scene = prepared.preset.scene;
+  std::int64_t most_steps = 0;
+  for (const LanePlan& lane : prepared.lane) most_steps = std::max(most_steps, lane.schedule.total());
   return {{"preset_name", prepared.preset.name},
           {"preset", preset_text(scene)},
           {"version", build.version},
           {"compiler", build.compiler},
-          {"instruction_set", build.simd},
+          {"instruction_set", name_of(instruction_set())},
           {"seed", scene.specimen.seed},
-          {"lanes", 1},
+          {"lanes", prepared.lane.size()},
           {"dt_s", prepared.step.dt},
-          {"steps", prepared.schedule.total()},
+          {"steps", most_steps},
           {"length_m", prepared.lattice.box.length},
           {"height_m", prepared.lattice.box.height},
           {"thickness_m", prepared.lattice.box.thickness},
@@ -187,16 +192,21 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"rayleigh_speed_m_s", prepared.rayleigh_speed}};
 }
 
-Json summary_of(const Prepared& prepared, const RunResult& result, const Rates& rates, const BuildInfo& build,
-                double wall_total_s) {
-  Json scenario;
-  add_scenario(scenario, prepared);
-  add_specimen(scenario, prepared);
-  add_step(scenario, prepared, result, build);
-  add_rates(scenario, prepared, rates);
-  add_books(scenario, prepared, result);
-  add_costs(scenario, prepared, result, wall_total_s);
-  return {{"preset", prepared.preset.name}, {"scenarios", Json::array({scenario})}};
+Json summary_of(const Prepared& prepared, const RunResult& result, const std::vector<Rates>& rates,
+                const BuildInfo& build, double wall_total_s) {
+  Json scenarios = Json::array();
+  for (std::size_t k = 0; k < prepared.lane.size(); ++k) {
+    const LanePlan& lane = prepared.lane[k];
+    Json scenario;
+    add_scenario(scenario, lane);
+    add_specimen(scenario, prepared);
+    add_step(scenario, prepared, lane, result, result.lane[k], build);
+    add_rates(scenario, prepared, lane, rates[k]);
+    add_books(scenario, prepared, lane, result.lane[k]);
+    add_costs(scenario, prepared, result, result.lane[k], wall_total_s);
+    scenarios.push_back(std::move(scenario));
+  }
+  return {{"preset", prepared.preset.name}, {"scenarios", scenarios}};
 }
 
 results::Geometry geometry_of(const Prepared& prepared) {

@@ -7,12 +7,12 @@
 
 namespace rift {
 
-/// The plateau and the rate curve of a run's fracture phase.
+/// The plateau and the rate curve of a lane's fracture phase.
 struct Rates {
   Plateau plateau;
   std::vector<results::RatePoint> curve;
 };
-Rates rates_of(const Prepared& prepared, const RunResult& result);
+Rates rates_of(const Prepared& prepared, const RunResult& result, int lane = 0);
 
 /// What the journal says of a run before its first step: the preset as it is in effect, and what runs it.
 nlohmann::ordered_json header_of(const Prepared& prepared, const BuildInfo& build);
@@ -20,8 +20,9 @@ nlohmann::ordered_json header_of(const Prepared& prepared, const BuildInfo& buil
 /// summary.json: one object per lane under "scenarios", names as in docs/results-format.md; what is undefined
 /// is null.
 /// @param[in] wall_total_s  since the program started
-nlohmann::ordered_json summary_of(const Prepared& prepared, const RunResult& result, const Rates& rates,
-                                  const BuildInfo& build, double wall_total_s);
+nlohmann::ordered_json summary_of(const Prepared& prepared, const RunResult& result,
+                                  const std::vector<Rates>& rates, const BuildInfo& build,
+                                  double wall_total_s);
 
 /// The lattice as a viewer needs it.
 results::Geometry geometry_of(const Prepared& prepared);

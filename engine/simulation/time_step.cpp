@@ -1,8 +1,8 @@
 #include "engine/simulation/time_step.hpp"
 
-#include "engine/scene/derived.hpp"
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace rift {
 
@@ -13,22 +13,23 @@ double default_step(double critical, double zone_length, double speed) {
   return dt;
 }
 
-TimeStep choose_step(const Preset& preset, const Lattice& lattice, const ViscousDamping<1>& damping,
-                     double zone_length) {
+TimeStep choose_step(const Preset& preset, const Lattice& lattice, const std::vector<DampedBeam>& damped,
+                     const std::vector<StepWish>& wishes) {
   const Scene& scene = preset.scene;
   const StableStep stable = stable_step(lattice);
-  TimeStep step{.dt = 0,
+  ViscousDamping damping(damped);
+  double wished = stable.critical;
+  for (const StepWish& w : wishes) {
+    damping.alpha_at_surface = std::max(damping.alpha_at_surface, w.alpha_at_surface);
+    damping.alpha_elsewhere = std::max(damping.alpha_elsewhere, w.alpha_elsewhere);
+    wished = std::min(wished, default_step(stable.critical, w.zone_length, w.speed));
+  }
+  TimeStep step{.dt = wished,
                 .critical = stable.critical,
                 .critical_damped = damped_critical_step(lattice, damping, stable.critical),
                 .element_bound = stable.element_bound};
-  const double fastest = highest_velocity(scene) * rayleigh_speed(scene);
-  if (scene.solver.dt) {
-    step.dt = *scene.solver.dt;
-  } else if (scene.solver.dt_fraction) {
-    step.dt = *scene.solver.dt_fraction * stable.critical;
-  } else {
-    step.dt = default_step(stable.critical, zone_length, fastest);
-  }
+  if (scene.solver.dt) step.dt = *scene.solver.dt;
+  if (scene.solver.dt_fraction) step.dt = *scene.solver.dt_fraction * stable.critical;
   if (step.dt < step.critical_damped) return step;
   const char* key = scene.solver.dt            ? "solver.dt"
                     : scene.solver.dt_fraction ? "solver.dt_fraction"

@@ -18,8 +18,15 @@ struct TimeStep {
 /// @param[in] zone_length  L_CZM [m], 0 for S-NRT;  @param[in] speed  highest of the crack [m/s]
 double default_step(double critical, double zone_length, double speed);
 
-/// The step which the preset asks for, or the default one. Throws InputError where it is not below the limit.
-TimeStep choose_step(const Preset& preset, const Lattice& lattice, const ViscousDamping<1>& damping,
-                     double zone_length);
+/// What a scenario asks of the step.
+struct StepWish {
+  double zone_length = 0, speed = 0;  // L_CZM [m], 0 for S-NRT; highest of the crack [m/s]
+  double alpha_at_surface = 0, alpha_elsewhere = 0;
+};
+
+/// The step which the preset asks for, or the smallest default of the wishes. Throws InputError where it is
+/// not below the limit, damped as much as any of them damps.
+TimeStep choose_step(const Preset& preset, const Lattice& lattice, const std::vector<DampedBeam>& damped,
+                     const std::vector<StepWish>& wishes);
 
 }  // namespace rift

@@ -1,7 +1,7 @@
 #include "engine/interrupted.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
-#include "engine/simulation/prepare.hpp"
+#include "engine/simulation/march.hpp"
 #include "engine/simulation/summary.hpp"
 #include "engine/theory/wave_speeds.hpp"
 #include "studio/commands/commands.hpp"
@@ -21,22 +21,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
-/// Seconds per step on this machine, now: a few steps of the very simulation that the run would march.
-double measured_seconds_per_step(const Prepared& p) {
-  constexpr int most_steps = 200;
+/// Seconds per step on this machine, now: the run itself, for a moment.
+double measured_seconds_per_step(const Prepared& p, int threads) {
   constexpr double enough_s = 0.3;
-  Simulation<1> simulation(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, {p.scenario});
-  simulation.start_from(p.displacement);
-  simulation.start_crack(p.damped);
-  const auto start = Clock::now();
-  int steps = 0;
   double seconds = 0.0;
-  while (steps < most_steps && seconds < enough_s) {
-    simulation.step();
-    ++steps;
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  }
-  return seconds / steps;
+  std::int64_t steps = 0;
+  Observer observer;
+  observer.go_on = [&](const Progress& progress) {
+    seconds = progress.seconds, steps = progress.step;
+    return seconds < enough_s;
+  };
+  const RunResult result = march(p, observer, {.threads = threads});
+  if (result.outcome == Outcome::stopped) return seconds / static_cast<double>(steps);
+  return (result.wall_prestress_s + result.wall_fracture_s) / static_cast<double>(result.lane_steps);
 }
 
 /// Bytes that a frame of one field or another takes in the archive, before compression.
@@ -50,17 +47,27 @@ double frame_bytes(const Prepared& p) {
 
 /// Journal and archive each hold the frames once; the geometry is small beside them.
 double disk_bytes(const Prepared& p) {
-  const double geometry = 24.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size());
-  return 2.0 * (geometry + static_cast<double>(p.schedule.frames.size()) * frame_bytes(p)) +
-         400.0 * static_cast<double>(p.schedule.samples.size());
+  double bytes = 24.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size());
+  for (const LanePlan& lane : p.lane)
+    bytes += static_cast<double>(lane.schedule.frames.size()) * frame_bytes(p) +
+             200.0 * static_cast<double>(lane.schedule.samples.size());
+  return 2.0 * bytes;
+}
+
+std::int64_t steps_of_all(const Prepared& p) {
+  std::int64_t steps = 0;
+  for (const LanePlan& lane : p.lane) steps += lane.schedule.total();
+  return steps;
 }
 
 Json derived(const Prepared& p, double seconds_per_step) {
   const Scene& scene = p.preset.scene;
   const Scene::Material& m = scene.material;
   const theory::WaveSpeeds speeds = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
-  const double fastest = highest_velocity(scene) * p.rayleigh_speed, zone = p.scenario.law.zone_length;
-  const double fracture_s = static_cast<double>(p.schedule.fracture) * p.step.dt;
+  const double fastest = highest_velocity(scene) * p.rayleigh_speed;
+  const LanePlan& lane = p.lane.front();
+  const double zone = lane.scenario.law.zone_length;
+  const double fracture_s = static_cast<double>(lane.schedule.fracture) * p.step.dt;
   Json j;
   j["elements"] = scene.specimen.elements;
   j["beams"] = p.lattice.beam.size();
@@ -77,19 +84,19 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["g_i0_j_m2"] = p.scale.g_i0;
   j["energy_stored_j"] = p.static_energy;
   j["crack_speed_m_s"] = fastest;
-  j["crack_end_m"] = p.crack_end;
-  j["window_m"] = p.window;
+  j["crack_end_m"] = lane.crack_end;
+  j["window_m"] = lane.window;
   j["damage_zone_m"] = zone;
   j["dt_s"] = p.step.dt;
   j["dt_critical_s"] = p.step.critical;
   j["dt_critical_damped_s"] = p.step.critical_damped;
   j["dt_element_bound_s"] = p.step.element_bound;
   j["dt_fraction"] = p.step.dt / p.step.critical;
-  j["steps"] = p.schedule.total();
+  j["lanes"] = p.lane.size();
+  j["steps"] = steps_of_all(p);
   j["steps_per_beam"] = zone > 0.0 ? Json(zone / (fastest * p.step.dt)) : Json(nullptr);
   j["fracture_time_s"] = fracture_s;
-  j["wall_estimate_s"] =
-      seconds_per_step * static_cast<double>(p.schedule.total() + p.schedule.samples.size());
+  j["wall_estimate_s"] = seconds_per_step * static_cast<double>(steps_of_all(p));
   j["disk_estimate_bytes"] = disk_bytes(p);
   j["left_out"] = left_out(scene);
   return j;
@@ -145,7 +152,7 @@ ExitCode check(const SceneOptions& options) {
       line.tell(stage, done);
       return stop.received() == 0;
     });
-    const Json j = derived(prepared, measured_seconds_per_step(prepared));
+    const Json j = derived(prepared, measured_seconds_per_step(prepared, options.threads));
     line.clear();
     print_notes(cache);
     if (options.json) {

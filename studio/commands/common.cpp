@@ -1,5 +1,6 @@
 #include "studio/commands/common.hpp"
 
+#include "engine/ensemble/instruction_set.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/wording.hpp"
 
@@ -57,22 +58,10 @@ std::vector<std::string> preset_names() {
 
 }  // namespace
 
-BuildInfo build_info() { return {RIFT_VERSION, std::string(compiler), std::string(instruction_set())}; }
+BuildInfo build_info() { return {RIFT_VERSION, std::string(compiler)}; }
 
 std::string version_text() {
-  return fmt::format("rift {} ({}; {}; {})", RIFT_VERSION, build, compiler, instruction_set());
-}
-
-std::string_view instruction_set() {
-#if defined(__AVX512F__)
-  return "AVX-512";
-#elif defined(__AVX2__)
-  return "AVX2";
-#elif defined(__AVX__)
-  return "AVX";
-#else
-  return "baseline";
-#endif
+  return fmt::format("rift {} ({}; {}; {})", RIFT_VERSION, build, compiler, name_of(instruction_set()));
 }
 
 fs::path presets_folder() {

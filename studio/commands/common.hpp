@@ -20,11 +20,8 @@ BuildInfo build_info();
 /// "rift 0.1.0 (optimised, asserts off; GCC 12.2.0; AVX2)"
 std::string version_text();
 
-/// The widest vector instructions this program was compiled for: "AVX-512", "AVX2", "AVX" or "baseline".
-std::string_view instruction_set();
-
-/// Where the presets are: $RIFT_PRESETS if set, else those installed beside the program (../share/rift/presets), else
-/// those of the source tree. The folder need not exist.
+/// Where the presets are: $RIFT_PRESETS if set, else those installed beside the program
+/// (../share/rift/presets), else those of the source tree. The folder need not exist.
 std::filesystem::path presets_folder();
 
 /// The preset that the user means: a path to a file, or the bare name of one in the presets folder

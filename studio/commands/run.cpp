@@ -89,7 +89,8 @@ void print_result(const RunOptions& options, const Json& summary, const fs::path
     fmt::print("{}\n", summary.dump(2));
     return;
   }
-  fmt::print("{}", run_table(summary.at("scenarios")[0], wants_color(options.scene.color, stdout)));
+  for (const Json& scenario : summary.at("scenarios"))
+    fmt::print("{}", run_table(scenario, wants_color(options.scene.color, stdout)));
   fmt::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
              folder.string());
 }
@@ -125,11 +126,17 @@ ExitCode run(const RunOptions& options) {
   const BuildInfo build = build_info();
   const fs::path path = folder.keep();
   results::RunWriter writer(path, header_of(prepared, build), geometry_of(prepared));
-  const RunResult result = march(prepared, observer_for(writer, line, stop, prepared.lattice.centre.size()));
-  const Rates rates = rates_of(prepared, result);
+  const RunResult result = march(prepared, observer_for(writer, line, stop, prepared.lattice.centre.size()),
+                                 {.threads = options.scene.threads});
+  std::vector<Rates> rates;
+  std::vector<std::vector<results::RatePoint>> curves;
+  for (int lane = 0; lane < static_cast<int>(prepared.lane.size()); ++lane) {
+    rates.push_back(rates_of(prepared, result, lane));
+    curves.push_back(rates.back().curve);
+  }
   const double total = std::chrono::duration<double>(Clock::now() - start).count();
   const Json summary = summary_of(prepared, result, rates, build, total);
-  writer.finish(summary, {rates.curve});
+  writer.finish(summary, curves);
   line.clear();
   print_notes(cache);
   print_result(options, summary, path);

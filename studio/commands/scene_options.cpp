@@ -23,6 +23,10 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
       .add_option("--set", options.overrides,
                   "key=value: any parameter of docs/parameters.md; may be repeated")
       ->allow_extra_args(false);
+  command
+      .add_option("--threads", options.threads,
+                  "Threads (default: one per core); the results do not depend on it")
+      ->check(CLI::Range(1, 1024));
   command.add_flag("--quiet", options.quiet, "No progress on stderr");
   command.add_flag("--json", options.json, "Progress as JSON lines on stderr, the result as JSON on stdout");
   command.add_flag("--no-cache", options.no_cache,

@@ -17,6 +17,7 @@ struct SceneOptions {
   std::vector<std::string> overrides;
   bool quiet = false, json = false, no_cache = false, print_config = false;
   std::string color;
+  int threads = 0;  // 0 for one per core
 };
 
 void add_scene_options(CLI::App& command, SceneOptions& options);

@@ -36,19 +36,19 @@ TEST(March, ReadsTheBooksAtEverySampleOfItsSchedule) {
   Heard heard;
   const RunResult result = march(p, heard.observer());
   EXPECT_EQ(result.outcome, Outcome::finished);
-  EXPECT_EQ(result.steps, p.schedule.total());
-  ASSERT_EQ(heard.samples.size(), p.schedule.samples.size());
-  ASSERT_EQ(result.books.size(), p.schedule.samples.size());
+  EXPECT_EQ(result.lane[0].steps, p.lane[0].schedule.total());
+  ASSERT_EQ(heard.samples.size(), p.lane[0].schedule.samples.size());
+  ASSERT_EQ(result.lane[0].books.size(), p.lane[0].schedule.samples.size());
   for (std::size_t k = 0; k < heard.samples.size(); ++k) {
     const results::Sample& s = heard.samples[k];
-    EXPECT_EQ(s.step, p.schedule.samples[k]);
+    EXPECT_EQ(s.step, p.lane[0].schedule.samples[k]);
     EXPECT_EQ(s.phase, results::Phase::fracture);
     EXPECT_DOUBLE_EQ(s.time_s, static_cast<double>(s.step) * p.step.dt);
-    EXPECT_DOUBLE_EQ(s.tip_m, tip_at(p.scenario.history, s.time_s));
+    EXPECT_DOUBLE_EQ(s.tip_m, tip_at(p.lane[0].scenario.history, s.time_s));
     EXPECT_DOUBLE_EQ(s.velocity_m_s, 1100.0);
   }
-  EXPECT_NEAR(result.books.front().elastic_j / p.static_energy, 1.0, 1e-12);
-  EXPECT_EQ(result.energy_at_crack_start, result.books.front().elastic_j);
+  EXPECT_NEAR(result.lane[0].books.front().elastic_j / p.static_energy, 1.0, 1e-12);
+  EXPECT_EQ(result.lane[0].energy_at_crack_start, result.lane[0].books.front().elastic_j);
   EXPECT_TRUE(rates_of(p, result).plateau.reached);
 }
 
@@ -59,7 +59,7 @@ TEST(March, WritesFramesOfTheFieldsAskedFor) {
   ASSERT_EQ(heard.frames.size(), 5U);
   const std::size_t n = p.lattice.centre.size(), crossed = crossings(p.path, p.lattice).size();
   for (std::size_t k = 0; k < 5; ++k) {
-    EXPECT_EQ(heard.frames[k].step, p.schedule.frames[k]);
+    EXPECT_EQ(heard.frames[k].step, p.lane[0].schedule.frames[k]);
     EXPECT_EQ(heard.frames[k].displacement.size(), n);
     EXPECT_EQ(heard.frames[k].velocity.size(), n);
     EXPECT_EQ(heard.frames[k].damage_factor.size(), crossed);
@@ -93,7 +93,7 @@ TEST(March, ReportsEachReleasedBeamOnceWithItsFractureEnergy) {
     const Prepared p = small_plate({"crack.technique=" + technique, "crack.start=0.006"});
     Heard heard;
     const RunResult result = march(p, heard.observer());
-    const results::Sample& end = result.books.back();
+    const results::Sample& end = result.lane[0].books.back();
     std::map<int, double> to_break;
     for (const Crossing& c : crossings(p.path, p.lattice))
       if (c.position > 0.006 && c.position <= end.tip_m) to_break[c.beam] = c.position;
@@ -102,7 +102,7 @@ TEST(March, ReportsEachReleasedBeamOnceWithItsFractureEnergy) {
     for (const results::ReleaseEvent& e : heard.events) {
       ASSERT_TRUE(to_break.contains(e.beam));
       EXPECT_EQ(e.position_m, to_break[e.beam]);
-      const double tip = tip_at(p.scenario.history, e.time_s), way = 1100.0 * p.step.dt;
+      const double tip = tip_at(p.lane[0].scenario.history, e.time_s), way = 1100.0 * p.step.dt;
       EXPECT_GE(tip, e.position_m);
       EXPECT_LT(tip - e.position_m, way * (1.0 + 1e-9));
       sum += e.energy_j;
@@ -126,14 +126,14 @@ TEST(March, StopsWhenTheObserverSaysSoAndKeepsWhatItHas) {
   EXPECT_EQ(result.outcome, Outcome::stopped);
   EXPECT_STREQ(name_of(result.outcome), "stopped");
   ASSERT_EQ(heard.progress.size(), 2U);
-  EXPECT_EQ(heard.progress[1].step, result.steps);
-  EXPECT_EQ(heard.progress[1].total, p.schedule.total());
+  EXPECT_EQ(heard.progress[1].step, result.lane[0].steps);
+  EXPECT_EQ(heard.progress[1].total, p.lane[0].schedule.total());
   EXPECT_GT(heard.progress[1].seconds, 0.0);
-  EXPECT_LT(result.steps, p.schedule.total());
-  EXPECT_EQ(result.where,
-            "step " + std::to_string(result.steps) + " of " + std::to_string(p.schedule.total()));
-  EXPECT_EQ(result.books.size(), heard.samples.size());
-  EXPECT_LE(result.books.back().step, result.steps);
+  EXPECT_LT(result.lane[0].steps, p.lane[0].schedule.total());
+  EXPECT_EQ(result.lane[0].where, "step " + std::to_string(result.lane[0].steps) + " of " +
+                                      std::to_string(p.lane[0].schedule.total()));
+  EXPECT_EQ(result.lane[0].books.size(), heard.samples.size());
+  EXPECT_LE(result.lane[0].books.back().step, result.lane[0].steps);
   EXPECT_FALSE(rates_of(p, result).plateau.reached);
 }
 
@@ -142,14 +142,14 @@ TEST(March, OfARampGoesThroughThreePhases) {
       small_plate({"loading.method=ramp", "loading.ramp_steps=1500", "loading.hold_steps=1000"});
   Heard heard;
   const RunResult result = march(p, heard.observer());
-  ASSERT_EQ(result.outcome, Outcome::finished) << result.where;
-  EXPECT_EQ(heard.samples.size(), p.schedule.samples.size());
+  ASSERT_EQ(result.outcome, Outcome::finished) << result.lane[0].where;
+  EXPECT_EQ(heard.samples.size(), p.lane[0].schedule.samples.size());
   for (const results::Sample& s : heard.samples) {
     EXPECT_EQ(s.phase, s.step < 1500   ? results::Phase::loading
                        : s.step < 2500 ? results::Phase::hold
                                        : results::Phase::fracture);
     if (s.step > 2500) continue;
-    EXPECT_DOUBLE_EQ(s.tip_m, tip_at(p.scenario.history, 0.0));
+    EXPECT_DOUBLE_EQ(s.tip_m, tip_at(p.lane[0].scenario.history, 0.0));
     EXPECT_EQ(s.fracture_j, 0.0);
   }
   EXPECT_NEAR(heard.samples.front().elastic_j, 0.0, 1e-30);
@@ -158,32 +158,35 @@ TEST(March, OfARampGoesThroughThreePhases) {
                                   [](const results::Sample& s) { return s.step == 2500; });
   ASSERT_NE(start, heard.samples.end());
   EXPECT_GT(start->numerical_damping_j, 0.0);
-  EXPECT_EQ(heard.samples.back().numerical_damping_j, start->numerical_damping_j);
-  EXPECT_EQ(heard.samples.back().work_external_j, start->work_external_j);
+  // But for the rounding of sums that go on.
+  EXPECT_NEAR(heard.samples.back().numerical_damping_j / start->numerical_damping_j, 1.0, 1e-12);
+  EXPECT_NEAR(heard.samples.back().work_external_j / start->work_external_j, 1.0, 1e-12);
 }
 
 TEST(March, RefusesToCrackAPlateThatStillSwingsAfterItsRamp) {
   const Prepared p = small_plate({"loading.method=ramp", "loading.ramp_steps=20", "loading.hold_steps=0"});
   const RunResult result = march(p, {});
   EXPECT_EQ(result.outcome, Outcome::diverged);
-  EXPECT_GT(result.prestress_kinetic, 0.01);
-  EXPECT_NE(result.where.find("not quasi-static; raise loading.ramp_steps or loading.hold_steps"),
+  EXPECT_GT(result.lane[0].prestress_kinetic, 0.01);
+  EXPECT_NE(result.lane[0].where.find("not quasi-static; raise loading.ramp_steps or loading.hold_steps"),
             std::string::npos)
-      << result.where;
-  EXPECT_EQ(result.steps, 20);
+      << result.lane[0].where;
+  EXPECT_EQ(result.lane[0].steps, 20);
 }
 
 // A step that choose_step() would never let through: what the user would see if it ever did.
 TEST(March, StopsAsDivergedWhereTheNumbersBlowUpAndNamesTheStep) {
   Prepared p = small_plate();
   p.step.dt *= 2.2;
-  p.schedule = make_schedule(p.preset.scene, p.scenario.history, 0.01 * p.step.dt, p.crack_end, p.window);
+  p.lane[0].schedule = make_schedule(p.preset.scene, p.lane[0].scenario.history, 0.01 * p.step.dt,
+                                     p.lane[0].crack_end, p.lane[0].window);
   const RunResult result = march(p, {});
   EXPECT_EQ(result.outcome, Outcome::diverged);
   EXPECT_STREQ(name_of(result.outcome), "diverged");
-  EXPECT_LT(result.steps, p.schedule.total());
-  EXPECT_TRUE(result.where.starts_with("step " + std::to_string(result.steps) + ": the books are open by "))
-      << result.where;
+  EXPECT_LT(result.lane[0].steps, p.lane[0].schedule.total());
+  EXPECT_TRUE(result.lane[0].where.starts_with("step " + std::to_string(result.lane[0].steps) +
+                                               ": the books are open by "))
+      << result.lane[0].where;
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ TEST(PreStress, ByARampStoresWhatTheStaticSolveSays) {
       small_plate({"loading.method=ramp", "loading.ramp_steps=6000", "loading.hold_steps=3000"});
   const Prepared at_once = small_plate();
   const RunResult pulled = march(ramp, {}), released = march(at_once, {});
-  ASSERT_EQ(pulled.outcome, Outcome::finished) << pulled.where;
-  EXPECT_NEAR(pulled.energy_at_crack_start / at_once.static_energy, 1.0, 0.01);  // physics.md §4
-  EXPECT_LT(pulled.prestress_kinetic, 0.01);
+  ASSERT_EQ(pulled.outcome, Outcome::finished) << pulled.lane[0].where;
+  EXPECT_NEAR(pulled.lane[0].energy_at_crack_start / at_once.static_energy, 1.0, 0.01);  // physics.md §4
+  EXPECT_LT(pulled.lane[0].prestress_kinetic, 0.01);
   const double by_ramp = rates_of(ramp, pulled).plateau.mean.ratio,
                by_solve = rates_of(at_once, released).plateau.mean.ratio;
   EXPECT_NEAR(by_ramp, by_solve, 0.02);  // what still swings after the ramp: below 1 % of the energy
@@ -26,9 +26,9 @@ TEST(PreStress, TakesWorkOfTheGripThatIsStoredOrDamped) {
   const Prepared p =
       small_plate({"loading.method=ramp", "loading.ramp_steps=6000", "loading.hold_steps=3000"});
   const RunResult result = march(p, {});
-  const results::Sample& end = result.books.back();
+  const results::Sample& end = result.lane[0].books.back();
   // Pulled slowly, the plate stores nearly all of the grip's work before it cracks.
-  EXPECT_NEAR(result.energy_at_crack_start / end.work_external_j, 1.0, 0.05);
+  EXPECT_NEAR(result.lane[0].energy_at_crack_start / end.work_external_j, 1.0, 0.05);
   EXPECT_GE(end.numerical_damping_j, 0.0);
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/interrupted.hpp"
 #include "engine/mechanics/statics.hpp"
+#include "tests/engine/ensemble/plain_simulation.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 #include "tests/studio/run_rift.hpp"
 
@@ -74,11 +75,11 @@ TEST(Prepare, BulkAndExplicitBeamsAreTakenAsTheyAre) {
 
 /// Largest force on a free element from the beams that are there, over the largest force of any beam.
 double unbalanced(const Prepared& p, double notch_end) {
-  Simulation<1> s(p.lattice, p.path, notch_end, p.step.dt, {p.scenario});
+  PlainSimulation s(p.lattice, p.path, notch_end, p.step.dt, p.lane[0].scenario);
   s.start_from(p.displacement);
   double worst = 0.0, largest = 0.0;
   for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
-    const double force = s.motion(s.f, i, 0).head<3>().norm();
+    const double force = s.motion(s.f, i).head<3>().norm();
     if (p.lattice.grip[i] == Grip::none) worst = std::max(worst, force);
     largest = std::max(largest, force);
   }
@@ -93,11 +94,11 @@ TEST(Prepare, NotchedBeamsAreAbsentFromThePreStressOn) {
   EXPECT_LT(notched.static_energy, 0.95 * whole.static_energy);
   EXPECT_EQ(notched.scale.g_i0, whole.scale.g_i0);  // of the strip without its notch
   EXPECT_EQ(notched.micro.young_modulus, whole.micro.young_modulus);
-  const Simulation<1> s = ready(notched);
+  Ensemble<double> s = ready(notched);
   int cut = 0;
-  for (std::size_t k = 0; k < s.met.size(); ++k) {
-    EXPECT_EQ(s.factor[k], s.met[k].position <= 0.008 ? 0.0 : 1.0);
-    cut += s.factor[k] == 0.0 ? 1 : 0;
+  for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
+    EXPECT_EQ(s.factor(k, 0), s.met()[k].position <= 0.008 ? 0.0 : 1.0);
+    cut += s.factor(k, 0) == 0.0 ? 1 : 0;
   }
   EXPECT_GT(cut, 10);
   EXPECT_NEAR(s.energy(0).elastic / notched.static_energy, 1.0, 1e-12);
@@ -105,21 +106,21 @@ TEST(Prepare, NotchedBeamsAreAbsentFromThePreStressOn) {
 
 TEST(Prepare, HistoryBeginsAZonesLengthBehindTheNotch) {
   const Prepared p = small_plate({"crack.start=0.008", "crack.damage_zone_ratio=2.5"});
-  EXPECT_DOUBLE_EQ(p.scenario.law.zone_length, 2.5 * p.lattice.mean_radius);
-  EXPECT_DOUBLE_EQ(tip_at(p.scenario.history, 0.0), 0.008 - 2.5 * p.lattice.mean_radius);
+  EXPECT_DOUBLE_EQ(p.lane[0].scenario.law.zone_length, 2.5 * p.lattice.mean_radius);
+  EXPECT_DOUBLE_EQ(tip_at(p.lane[0].scenario.history, 0.0), 0.008 - 2.5 * p.lattice.mean_radius);
   const Prepared simple = small_plate({"crack.start=0.008", "crack.technique=simple"});
-  EXPECT_DOUBLE_EQ(tip_at(simple.scenario.history, 0.0), 0.008);
-  EXPECT_EQ(simple.scenario.law.zone_length, 0.0);
+  EXPECT_DOUBLE_EQ(tip_at(simple.lane[0].scenario.history, 0.0), 0.008);
+  EXPECT_EQ(simple.lane[0].scenario.law.zone_length, 0.0);
 }
 
 TEST(Prepare, DampsTheBeamsNearThePathOrAllOrNone) {
   EXPECT_TRUE(small_plate().damped.empty());
   const Prepared all = small_plate({"damping.alpha=0.0002", "damping.region=all"});
   EXPECT_EQ(all.damped.size(), all.lattice.beam.size());
-  EXPECT_EQ(all.scenario.alpha_elsewhere, 0.0002);
+  EXPECT_EQ(all.lane[0].scenario.alpha_elsewhere, 0.0002);
   const Prepared surface = small_plate({"damping.alpha=0.001", "damping.region=surface"});
-  EXPECT_EQ(surface.scenario.alpha_at_surface, 0.001);
-  EXPECT_EQ(surface.scenario.alpha_elsewhere, 0.0);
+  EXPECT_EQ(surface.lane[0].scenario.alpha_at_surface, 0.001);
+  EXPECT_EQ(surface.lane[0].scenario.alpha_elsewhere, 0.0);
   const double near = 1.5 * surface.lattice.mean_radius;
   const auto is_near = [&](int i) { return std::abs(surface.lattice.centre[i].y() - 0.006) <= near; };
   std::size_t expected = 0;

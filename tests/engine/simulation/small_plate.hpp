@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/ensemble/ensemble.hpp"
 #include "engine/simulation/march.hpp"
 #include "tests/studio/run_rift.hpp"
 
@@ -40,22 +41,22 @@ inline Prepared small_plate(const std::vector<std::string>& overrides = {}) {
   return prepare(small_preset(overrides), cache);
 }
 
-/// A simulation at rest under the pre-stress, its crack about to start.
-template <int Lanes>
-Simulation<Lanes> ready(const Prepared& p, const std::array<LaneScenario, Lanes>& scenarios, double dt) {
-  Simulation<Lanes> simulation(p.lattice, p.path, p.preset.scene.crack.start, dt, scenarios);
+/// An ensemble at rest under the pre-stress, its crack about to start.
+template <class Real = double>
+Ensemble<Real> ready(const Prepared& p, const std::vector<LaneScenario>& scenarios, double dt,
+                     const Marching& marching = {}) {
+  Ensemble<Real> simulation(p.lattice, p.path, p.preset.scene.crack.start, dt, scenarios, marching);
   simulation.start_from(p.displacement);
   simulation.start_crack(p.damped);
   return simulation;
 }
 
-inline Simulation<1> ready(const Prepared& p) { return ready<1>(p, {p.scenario}, p.step.dt); }
+inline Ensemble<double> ready(const Prepared& p) { return ready(p, {p.lane[0].scenario}, p.step.dt); }
 
 /// The plate's crack by S-NRT and by P-NRT with the three laws of the paper, eqs. (9)-(11).
-inline std::array<LaneScenario, 4> four_laws(const Prepared& p) {
+inline std::vector<LaneScenario> four_laws(const Prepared& p) {
   const double zone = p.lattice.mean_radius;
-  std::array<LaneScenario, 4> lanes;
-  lanes.fill(p.scenario);
+  std::vector<LaneScenario> lanes(4, p.lane[0].scenario);
   lanes[0].law = {Technique::simple, 1.0, 0.0};
   lanes[1].law = {Technique::progressive, 1.0, zone};
   lanes[2].law = {Technique::progressive, 0.5, zone};

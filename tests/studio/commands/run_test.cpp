@@ -198,12 +198,13 @@ class BadInput : public testing::TestWithParam<Mistake> {};
 
 TEST_P(BadInput, IsRefusedWithAMessageAndNothingIsWritten) {
   const TinyPlate plate;
-  const Ran ran = plate.run(GetParam().arguments);
+  const std::string arguments = std::string("--quiet ") + GetParam().arguments;
+  const Ran ran = plate.run(arguments);
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.out, "");
   EXPECT_TRUE(contains("\n" + ran.err, std::string("\n") + GetParam().message));
   EXPECT_FALSE(fs::exists(plate.out()));
-  const Ran checked = plate.check(GetParam().arguments);  // the dry run says the same
+  const Ran checked = plate.check(arguments);  // the dry run says the same
   EXPECT_EQ(checked.exit_code, 2);
   EXPECT_EQ(checked.err, ran.err);
 }

@@ -1,9 +1,10 @@
-#include "engine/simulation/simulation.hpp"
+#include "engine/ensemble/ensemble.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 namespace rift {
 namespace {
@@ -58,27 +59,35 @@ struct Vibration {
   double critical() const { return 2.0 / omega[35]; }
 
   /// At rest in a shape given by its modes' amplitudes; nothing is cracked.
-  Simulation<1> released_from(const Vector& amplitude, double dt) const {
+  Ensemble<double> released_from(const Vector& amplitude, double dt) const {
     LaneScenario idle;
     idle.history = history_of(0.0, {{1.0, 1.0}});
-    Simulation<1> s(lattice, straight_path(1.0, 1.0), 0.0, dt, {idle});
+    Ensemble<double> s(lattice, straight_path(1.0, 1.0), 0.0, dt, {idle});
     std::vector<Vector6> q(8, Vector6::Zero());
     const Vector shape = mode * amplitude;
     for (int i = 0; i < 6; ++i) q[i + 1] = shape.segment<6>(6 * i);
-    s.start_from(q);
+    s.release_from(q);
     return s;
   }
 
-  Vector modal(const std::vector<double>& state) const {
-    return mode.transpose() * mass.cwiseProduct(Eigen::Map<const Vector>(state.data() + 6, 36));
+  Vector modal(const std::function<Vector6(int element)>& state) const {
+    Vector of_all(36);
+    for (int i = 0; i < 6; ++i) of_all.segment<6>(6 * i) = state(i + 1);
+    return mode.transpose() * mass.cwiseProduct(of_all);
+  }
+  Vector modal_position(const Ensemble<double>& s) const {
+    return modal([&](int i) { return s.motion(i, 0); });
+  }
+  Vector modal_velocity(Ensemble<double>& s) const {
+    return modal([&](int i) { return s.velocity(i, 0); });
   }
 };
 
 double distance_after(const Vibration& v, const Vector& amplitude, double time, int steps) {
-  Simulation<1> s = v.released_from(amplitude, time / steps);
+  Ensemble<double> s = v.released_from(amplitude, time / steps);
   for (int n = 0; n < steps; ++n) s.step();
   const Vector exact = amplitude.cwiseProduct((v.omega * time).array().cos().matrix());
-  return (v.modal(s.q) - exact).norm() / amplitude.norm();
+  return (v.modal_position(s) - exact).norm() / amplitude.norm();
 }
 
 TEST(Integrator, IsOfSecondOrder) {
@@ -100,11 +109,11 @@ TEST(Integrator, IsOfSecondOrder) {
 Eigen::Matrix2d amplification(const Vibration& v, int mode, double beta, double dt) {
   Vector amplitude = Vector::Zero(36);
   amplitude[mode] = 1.0;
-  Simulation<1> s = v.released_from(amplitude, dt);
-  s.beta = beta;
+  Ensemble<double> s = v.released_from(amplitude, dt);
+  s.set_beta(beta);
   Eigen::Matrix<double, 2, 3> x;
   for (int n = 0; n < 3; ++n) {
-    x.col(n) << v.modal(s.q)[mode] * v.omega[mode], v.modal(s.v)[mode];
+    x.col(n) << v.modal_position(s)[mode] * v.omega[mode], v.modal_velocity(s)[mode];
     s.step();
   }
   return x.rightCols<2>() * x.leftCols<2>().inverse();
@@ -134,8 +143,8 @@ TEST(Integrator, DampsBelowOneKeepsAtOneAndGrowsAbove) {
   for (const double beta : {0.9, 1.0, 1.05}) {
     Vector amplitude = Vector::Zero(36);
     amplitude[35] = 1.0;
-    Simulation<1> s = v.released_from(amplitude, dt);
-    s.beta = beta;
+    Ensemble<double> s = v.released_from(amplitude, dt);
+    s.set_beta(beta);
     const double before = s.energy(0).total();
     for (int n = 0; n < steps; ++n) s.step();
     const double grown = std::log(s.energy(0).total() / before) / steps;
@@ -153,7 +162,7 @@ TEST(Integrator, BlowsUpAboveTheCriticalStepAndNotBelow) {
   const Vibration v;
   const auto growth = [&](double fraction) {
     Vector amplitude = Vector::Ones(36);
-    Simulation<1> s = v.released_from(amplitude, fraction * v.critical());
+    Ensemble<double> s = v.released_from(amplitude, fraction * v.critical());
     const double before = s.energy(0).elastic;
     for (int n = 0; n < 400; ++n) s.step();
     return s.energy(0).elastic / before;

@@ -1,0 +1,380 @@
+#include "engine/ensemble/ensemble.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace rift {
+
+template <class Real>
+Ensemble<Real>::Ensemble(const Lattice& lattice, const CrackPath& path, double notch_end, double dt,
+                         std::vector<LaneScenario> scenarios, const Marching& marching)
+    : lattice_(&lattice),
+      dt_(dt),
+      marching_(marching),
+      lanes_(marching.lanes ? marching.lanes : lanes_for<Real>(static_cast<int>(scenarios.size()))),
+      numbers_(marching.kinematics == Kinematics::linear ? 6 : 7),
+      kernel_(kernel_for<Real>(marching.instructions, marching.kinematics, lanes_)),
+      scenario_(std::move(scenarios)),
+      met_(crossings(path, lattice)),
+      base_(lattice.centre.size(), Vector6::Zero()),
+      cut_(cut_evenly(lattice, marching.threads)),
+      born_(scenario_.size(), 0),
+      crack_start_(scenario_.size(), 0),
+      first_standing_(scenario_.size(), 0),
+      ledger_(scenario_.size()),
+      energy_(scenario_.size()),
+      spent_(scenario_.size()),
+      pending_(scenario_.size()) {
+  assert(!scenario_.empty() && scenarios() <= lanes_);
+  for (const Crossing& c : met_) notched_.push_back(c.position <= notch_end);
+  booked_.assign(met_.size() * lanes_, 0.0);
+  factor_.resize(booked_.size());
+  softening_.reserve(booked_.size());
+  crew_ = std::make_unique<Crew>(static_cast<int>(cut_.size()) - 1, static_cast<int>(cut_.size()) - 1);
+  for (std::size_t i = 0; i < lattice.mass.size(); ++i) {
+    const bool free = lattice.grip[i] == Grip::none;
+    mass_.insert(mass_.end(), {lattice.mass[i], lattice.inertia[i]});
+    for (const double m : {lattice.mass[i], lattice.inertia[i]})
+      per_mass_.push_back(free ? static_cast<Real>(1.0 / m) : Real(0));
+    top_.push_back(lattice.grip[i] == Grip::top);
+  }
+}
+
+template <class Real>
+void Ensemble<Real>::start_from(const std::vector<Vector6>& base) {
+  base_ = base;
+  base_pull_ = 0.0;
+  std::vector<char> absent(lattice_->beam.size(), 0);
+  for (std::size_t k = 0; k < met_.size(); ++k) absent[met_[k].beam] = notched_[k];
+  for (std::size_t b = 0; b < absent.size(); ++b) {
+    const auto& [i, j] = lattice_->ends[b];
+    if (absent[b] || top_[i] == top_[j]) continue;
+    const bool linear = marching_.kinematics == Kinematics::linear;
+    const Beam& beam = lattice_->beam[b];
+    const BeamLoads loads =
+        linear ? loads_of(beam, base[i], base[j]) : loads_of(beam, pose_of(base[i]), pose_of(base[j]));
+    base_pull_ += top_[i] ? loads.force_i.y() : -loads.force_i.y();
+  }
+  steps_done_ = 0;
+  std::fill(born_.begin(), born_.end(), 0);
+  build_parts();
+  for (int lane = 0; lane < lanes_; ++lane) put_to_rest(lane);
+  weighed_at_ = velocities_at_ = -1;
+  for (int lane = 0; lane < scenarios(); ++lane) ledger_[lane].energy_start = energy(lane).total();
+}
+
+template <class Real>
+void Ensemble<Real>::release_from(const std::vector<Vector6>& moved) {
+  start_from(std::vector<Vector6>(moved.size(), Vector6::Zero()));
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const Pose pose = pose_of(moved[i]);
+    const Eigen::Vector4d turn(pose.turn.w(), pose.turn.x(), pose.turn.y(), pose.turn.z());
+    for (int lane = 0; lane < lanes_; ++lane)
+      for (int c = 0; c < numbers_; ++c)
+        q_[(i * numbers_ + c) * lanes_ + lane] =
+            static_cast<Real>(numbers_ == 6 || c < 3 ? moved[i][c] : turn[c - 3]);
+  }
+  // At rest now, so half a step ago it moved the other way.
+  weigh(velocity_.data());
+  for (std::size_t k = 0; k < velocity_.size(); ++k) v_[k] = -static_cast<Real>(velocity_[k]);
+  weighed_at_ = velocities_at_ = -1;
+  for (int lane = 0; lane < scenarios(); ++lane) {
+    ledger_[lane] = Ledger{};
+    ledger_[lane].energy_start = energy(lane).total();
+  }
+}
+
+/// A lane in the base state, nothing of it released yet. Lanes without a scenario stay there.
+template <class Real>
+void Ensemble<Real>::put_to_rest(int lane) {
+  const std::size_t rows = q_.size() / (static_cast<std::size_t>(numbers_) * lanes_);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (int c = 0; c < 6; ++c) v_[(row * 6 + c) * lanes_ + lane] = 0;
+    Eigen::Vector4d turn(1, 0, 0, 0);
+    if (numbers_ == 7 && row < base_.size()) {
+      const Eigen::Quaterniond base = pose_of(base_[row]).turn;
+      turn = {base.w(), base.x(), base.y(), base.z()};
+    }
+    for (int c = 0; c < numbers_; ++c)
+      q_[(row * numbers_ + c) * lanes_ + lane] =
+          numbers_ == 7 && c >= 3 ? static_cast<Real>(turn[c - 3]) : Real(0);
+  }
+  for (std::size_t k = 0; k < met_.size(); ++k) {
+    factor_[at_crossing(static_cast<int>(k), lane)] = notched_[k] ? Real(0) : Real(1);
+    booked_[at_crossing(static_cast<int>(k), lane)] = 0.0;
+  }
+  if (lane >= scenarios()) return;
+  first_standing_[lane] = 0;
+  spent_[lane] = pending_[lane] = {};
+  ledger_[lane] = Ledger{};
+}
+
+template <class Real>
+void Ensemble<Real>::build_parts() {
+  const RowSource source{*lattice_, marching_.kinematics, base_, met_, notched_, damped_};
+  part_.clear();
+  int ghost_row = static_cast<int>(base_.size());
+  for (std::size_t p = 0; p + 1 < cut_.size(); ++p) {
+    part_.push_back(rows_of_part<Real>(source, cut_[p], cut_[p + 1], ghost_row, lanes_));
+    ghost_row += static_cast<int>(part_.back().ghost.size());
+  }
+  q_.resize(static_cast<std::size_t>(ghost_row) * numbers_ * lanes_);
+  v_.resize(static_cast<std::size_t>(ghost_row) * 6 * lanes_);
+  if (!rate_.empty()) rate_.resize(v_.size());
+  velocity_.resize(base_.size() * 6 * lanes_);
+  base_rows_.assign(6UL * ghost_row, 0.0);
+  const auto set_base = [&](int row, int element) {
+    for (int c = 0; c < 6; ++c) base_rows_[6UL * row + c] = base_[element][c];
+  };
+  for (int i = 0; i < static_cast<int>(base_.size()); ++i) set_base(i, i);
+  alpha_at_surface_.assign(lanes_, 0), alpha_elsewhere_.assign(lanes_, 0);
+  for (int lane = 0; lane < scenarios(); ++lane) {
+    alpha_at_surface_[lane] = static_cast<Real>(scenario_[lane].alpha_at_surface);
+    alpha_elsewhere_[lane] = static_cast<Real>(scenario_[lane].alpha_elsewhere);
+  }
+  for (std::size_t p = 0; p < part_.size(); ++p) {
+    PartRows<Real>& rows = part_[p];
+    for (std::size_t g = 0; g < rows.ghost.size(); ++g)
+      set_base(rows.first_ghost_row + static_cast<int>(g), rows.ghost[g]);
+    const bool linear = marching_.kinematics == Kinematics::linear;
+    PartView<Real>& view = rows.view;
+    view.begin = cut_[p], view.end = cut_[p + 1];
+    view.q = q_.data(), view.v = v_.data(), view.rate = rate_.empty() ? nullptr : rate_.data();
+    view.ring = rows.ring.data();
+    view.per_mass = per_mass_.data(), view.mass = mass_.data(), view.top = top_.data();
+    view.base = base_rows_.data();
+    view.halo = static_cast<std::int32_t>(rows.halo_i.size()), view.halo_i = rows.halo_i.data();
+    view.first = rows.first.data();
+    view.beam = linear ? static_cast<const void*>(rows.linear.data()) : rows.corotational.data();
+    view.groups =
+        static_cast<std::int32_t>(linear ? rows.linear_group.size() : rows.corotational_group.size());
+    view.group = linear ? static_cast<const void*>(rows.linear_group.data()) : rows.corotational_group.data();
+    view.specials = static_cast<std::int32_t>(rows.special.size()), view.special = rows.special.data();
+    view.extra = rows.extra.data();
+    view.damping = damped_.empty() ? nullptr : rows.damping.data();
+    view.damping_before = damped_.empty() ? nullptr : rows.damping_before.data();
+    view.crossings =
+        static_cast<std::int32_t>(linear ? rows.linear_crossing.size() : rows.corotational_crossing.size());
+    view.crossing =
+        linear ? static_cast<const void*>(rows.linear_crossing.data()) : rows.corotational_crossing.data();
+    view.factor = factor_.data();
+    view.damped = static_cast<std::int32_t>(rows.damped.size()), view.damped_row = rows.damped.data();
+    view.alpha_at_surface = alpha_at_surface_.data(), view.alpha_elsewhere = alpha_elsewhere_.data();
+    view.account = rows.account.data();
+    view.speed = nullptr;
+  }
+}
+
+template <class Real>
+void Ensemble<Real>::start_crack(const std::vector<DampedBeam>& damped) {
+  std::fill(crack_start_.begin(), crack_start_.end(), steps_done_);
+  cracking_ = true;
+  if (damped.empty()) return;
+  add_up_spent();
+  damped_ = damped;
+  build_parts();
+  weighed_at_ = velocities_at_ = -1;
+}
+
+template <class Real>
+void Ensemble<Real>::refill(int lane, const LaneScenario& scenario) {
+  scenario_[lane] = scenario;
+  alpha_at_surface_[lane] = static_cast<Real>(scenario.alpha_at_surface);
+  alpha_elsewhere_[lane] = static_cast<Real>(scenario.alpha_elsewhere);
+  put_to_rest(lane);
+  for (PartRows<Real>& rows : part_) {
+    for (std::size_t k = lane; k < rows.damping_before.size(); k += lanes_) rows.damping_before[k] = 0;
+    for (std::size_t k = lane; k < rows.account.size(); k += lanes_) rows.account[k] = 0.0;
+  }
+  born_[lane] = crack_start_[lane] = steps_done_;
+  weighed_at_ = velocities_at_ = -1;
+  ledger_[lane].energy_start = energy(lane).total();
+}
+
+/// The books of the steps done, out of the parts' accounts.
+template <class Real>
+void Ensemble<Real>::add_up_spent() {
+  for (PartRows<Real>& rows : part_)
+    for (std::size_t chunk = 0; chunk < rows.account.size();
+         chunk += static_cast<std::size_t>(accounts) * lanes_)
+      for (int lane = 0; lane < lanes_; ++lane) {
+        const auto take = [&](Account which) {
+          return std::exchange(rows.account[chunk + which * lanes_ + lane], 0.0);
+        };
+        const Spent part{take(spent_damping), take(spent_numerical), take(spent_grip)};
+        if (lane >= scenarios()) continue;
+        spent_[lane].damping += part.damping;
+        spent_[lane].numerical += part.numerical;
+        spent_[lane].grip += part.grip;
+      }
+}
+
+template <class Real>
+void Ensemble<Real>::copy_ghosts() {
+  if (part_.size() < 2) return;
+  crew_->run(threads(), [this](int p) {
+    const PartRows<Real>& rows = part_[p];
+    const auto copy = [&](AlignedVector<Real>& state, int numbers) {
+      const std::size_t row = static_cast<std::size_t>(numbers) * lanes_;
+      for (std::size_t g = 0; g < rows.ghost.size(); ++g)
+        std::copy_n(&state[rows.ghost[g] * row], row, &state[(rows.first_ghost_row + g) * row]);
+    };
+    copy(q_, numbers_);
+    if (damped_.empty()) return;
+    copy(rate_.empty() ? v_ : rate_, 6);
+  });
+}
+
+template <class Real>
+void Ensemble<Real>::step() {
+  foresee_softening();
+  copy_ghosts();
+  const StepConstants k = constants();
+  const bool booked = !damped_.empty() || !rate_.empty() || grip_before_ != 0.0 || grip_after_ != 0.0;
+  crew_->run(threads(),
+             [&](int p) { (booked ? kernel_.advance_booked : kernel_.advance)(part_[p].view, k); });
+  for (Spent& spent : spent_) spent.grip -= 0.5 * (grip_before_ + grip_after_) * dt_ * base_pull_;
+  soften();
+  beta_before_ = beta_after_;
+  grip_before_ = grip_after_;
+  ++steps_done_;
+}
+
+/// The crack's history is known ahead: which beams will soften in this step, and how they are strained before
+/// it.
+template <class Real>
+void Ensemble<Real>::foresee_softening() {
+  softening_.clear();
+  if (!cracking_) return;
+  const int count = static_cast<int>(met_.size());
+  for (int lane = 0; lane < scenarios(); ++lane) {
+    const ReleaseLaw& law = scenario_[lane].law;
+    const double a = tip_at(scenario_[lane].history, crack_time(lane, steps_done_ + 1));
+    int& first = first_standing_[lane];
+    while (first < count && factor_[at_crossing(first, lane)] == 0) ++first;
+    for (int k = first; k < count && met_[k].position <= a + law.zone_length; ++k) {
+      const Real before = factor_[at_crossing(k, lane)];
+      const Real after = std::min(before, static_cast<Real>(stiffness_left(law, a, met_[k].position)));
+      if (after != before) softening_.push_back({k, lane, before, after, strain(k, lane)});
+    }
+  }
+}
+
+/// A factor that falls from s to s' takes (s - s') 1/2 q_before^T k q_after: with it the books close exactly.
+template <class Real>
+void Ensemble<Real>::soften() {
+  for (const Softening& c : softening_) {
+    const std::size_t at = at_crossing(c.crossing, c.lane);
+    booked_[at] += (c.before - c.after) * bilinear_energy(lattice_->beam[met_[c.crossing].beam], c.strain,
+                                                          strain(c.crossing, c.lane));
+    factor_[at] = static_cast<Real>(c.after);
+  }
+}
+
+template <class Real>
+void Ensemble<Real>::set_grip_speed(double speed) {
+  grip_after_ = speed;
+  velocities_at_ = -1;
+  for (std::size_t i = 0; i < top_.size(); ++i)
+    if (top_[i])
+      for (int lane = 0; lane < lanes_; ++lane) v_[(i * 6 + 1) * lanes_ + lane] = static_cast<Real>(speed);
+}
+
+template <class Real>
+void Ensemble<Real>::set_beta(double beta) {
+  beta_after_ = beta;
+  if (beta == 1.0 || !rate_.empty()) return;
+  rate_ = v_;
+  for (PartRows<Real>& rows : part_) rows.view.rate = rate_.data();
+}
+
+template <class Real>
+void Ensemble<Real>::weigh(double* velocities) {
+  copy_ghosts();
+  const StepConstants k = constants();
+  crew_->run(threads(), [&](int p) {
+    PartView<Real> view = part_[p].view;
+    view.speed = velocities;
+    kernel_.weigh(view, k);
+  });
+  for (int lane = 0; lane < scenarios(); ++lane) {
+    double sum[accounts] = {};
+    for (const PartRows<Real>& rows : part_)
+      for (std::size_t chunk = 0; chunk < rows.account.size();
+           chunk += static_cast<std::size_t>(accounts) * lanes_)
+        for (int a = 0; a < accounts; ++a) sum[a] += rows.account[chunk + a * lanes_ + lane];
+    energy_[lane] = {sum[elastic], sum[kinetic_translation], sum[kinetic_rotation], sum[step_correction]};
+    pending_[lane] = {sum[pending_damping] + sum[spent_damping],
+                      sum[pending_numerical] + sum[spent_numerical],
+                      sum[pending_grip] + sum[spent_grip] - 0.5 * grip_before_ * dt_ * base_pull_};
+  }
+  weighed_at_ = steps_done_;
+  if (velocities) velocities_at_ = steps_done_;
+}
+
+template <class Real>
+LatticeEnergy Ensemble<Real>::energy(int lane) {
+  if (weighed_at_ != steps_done_) weigh(nullptr);
+  return energy_[lane];
+}
+
+template <class Real>
+results::Sample Ensemble<Real>::sample(int lane, results::Phase phase) {
+  const LatticeEnergy now = energy(lane);
+  Ledger& books = ledger_[lane];
+  books.fracture = 0.0;
+  for (int c = 0; c < static_cast<int>(met_.size()); ++c) books.fracture += booked(c, lane);
+  books.damping = spent_[lane].damping + pending_[lane].damping;
+  books.numerical_damping = spent_[lane].numerical + pending_[lane].numerical;
+  books.work_external = spent_[lane].grip + pending_[lane].grip;
+  results::Sample s = balance(books, now);
+  s.step = steps_done(lane);
+  s.time_s = time(lane);
+  s.phase = phase;
+  s.lane = lane;
+  const CrackHistory& history = scenario_[lane].history;
+  s.tip_m = cracking_ ? tip(lane) : history.stretch.front().position;
+  s.velocity_m_s = cracking_ ? speed_at(history, crack_time(lane, steps_done_)) : 0.0;
+  return s;
+}
+
+template <class Real>
+Pose Ensemble<Real>::pose(int element, int lane) const {
+  const auto at = [&](int c) {
+    return static_cast<double>(q_[(static_cast<std::size_t>(element) * numbers_ + c) * lanes_ + lane]);
+  };
+  return {base_[element].template head<3>() + Eigen::Vector3d(at(0), at(1), at(2)),
+          Eigen::Quaterniond(at(3), at(4), at(5), at(6))};
+}
+
+template <class Real>
+Vector6 Ensemble<Real>::motion(int element, int lane) const {
+  if (marching_.kinematics == Kinematics::corotational) return motion_of(pose(element, lane));
+  Vector6 m = base_[element];
+  for (int c = 0; c < 6; ++c)
+    m[c] += static_cast<double>(q_[(static_cast<std::size_t>(element) * 6 + c) * lanes_ + lane]);
+  return m;
+}
+
+template <class Real>
+Vector6 Ensemble<Real>::velocity(int element, int lane) {
+  if (velocities_at_ != steps_done_) weigh(velocity_.data());
+  Vector6 v;
+  for (int c = 0; c < 6; ++c) v[c] = velocity_[(static_cast<std::size_t>(element) * 6 + c) * lanes_ + lane];
+  return v;
+}
+
+template <class Real>
+BeamStrain Ensemble<Real>::strain(int crossing, int lane) const {
+  const int b = met_[crossing].beam;
+  const auto& [i, j] = lattice_->ends[b];
+  const Beam& beam = lattice_->beam[b];
+  if (marching_.kinematics == Kinematics::corotational) return strain_of(beam, pose(i, lane), pose(j, lane));
+  return strain_of(beam, motion(i, lane), motion(j, lane));
+}
+
+template class Ensemble<double>;
+template class Ensemble<float>;
+
+}  // namespace rift

@@ -1,0 +1,150 @@
+#pragma once
+
+#include "engine/ensemble/instruction_set.hpp"
+#include "engine/ensemble/part_rows.hpp"
+#include "engine/fracture/ledger.hpp"
+#include "engine/fracture/scenario.hpp"
+#include "engine/lattice/crew.hpp"
+#include "engine/scene/scene.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace rift {
+
+/// A change of one crossing beam's stiffness in one step, and its strain before the elements move.
+struct Softening {
+  int crossing = 0, lane = 0;
+  double before = 1, after = 1;
+  BeamStrain strain;
+};
+
+/// How an ensemble marches; none of it changes what comes out, but for the kinematics and the last bits.
+struct Marching {
+  Kinematics kinematics = Kinematics::linear;
+  int threads = 1;
+  InstructionSet instructions = instruction_set();
+  int lanes = 0;  // of the kernel; 0 for the fewest that hold the scenarios
+};
+
+/// Scenarios that march in lock-step over one lattice with one step; a scenario is a lane, and what it does
+/// is bit for bit the same whatever runs beside it and however many threads march. `Real` is the precision of
+/// the state, which holds changes since the base state (the pre-stress), so that float loses nothing against
+/// it; the books are in double.
+///
+/// Between two calls of step() positions are those of step n and velocities those of the middle of the step
+/// before it; forces are not kept. weigh() evaluates them once more and with them all energies of step n. The
+/// lattice must outlive the ensemble.
+template <class Real>
+class Ensemble {
+ public:
+  Ensemble(const Lattice& lattice, const CrackPath& path, double notch_end, double dt,
+           std::vector<LaneScenario> scenarios, const Marching& marching = {});
+
+  /// Puts every lane at rest in an equilibrium of the lattice without the notch's beams, and opens the books.
+  /// Forces of the base state are taken as balanced, not evaluated again.
+  /// @param[in] base  N displacements and rotation vectors [m, rad]
+  void start_from(const std::vector<Vector6>& base);
+
+  /// Puts every lane at rest in any state, for what follows to pull it back.
+  void release_from(const std::vector<Vector6>& moved);
+
+  /// Starts every lane's crack: a(0) of its history is now. With it start these beams' viscous damping.
+  void start_crack(const std::vector<DampedBeam>& damped);
+
+  /// Puts a lane back to the base state with another scenario whose crack starts now and whose steps are
+  /// counted from now; the others do not notice. The damped beams must be those of start_crack().
+  void refill(int lane, const LaneScenario& scenario);
+
+  /// One step of Table 1 of the paper. Cost O(beams x lanes); allocates nothing.
+  void step();
+
+  /// Moves the top grip along y at `speed` [m/s] from the next step on; 0 holds it.
+  void set_grip_speed(double speed);
+
+  /// beta of eq. (2) from the next step on; below 1 damps.
+  void set_beta(double beta);
+
+  /// Energies of a lane now. Cost: two looks at every beam, for all lanes at once.
+  LatticeEnergy energy(int lane);
+
+  /// The books of a lane now; step, time, tip and speed included.
+  results::Sample sample(int lane, results::Phase phase);
+
+  Vector6 motion(int element, int lane) const;  // since the unloaded lattice; rotation vector
+  Vector6 velocity(int element, int lane);      // of this moment
+
+  /// Steps since the lane's scenario was put in.
+  std::int64_t steps_done(int lane) const { return steps_done_ - born_[lane]; }
+  double time(int lane) const { return static_cast<double>(steps_done(lane)) * dt_; }
+  double tip(int lane) const { return tip_at(scenario_[lane].history, crack_time(lane, steps_done_)); }
+  double factor(int crossing, int lane) const {
+    return static_cast<double>(factor_[at_crossing(crossing, lane)]);
+  }
+  double booked(int crossing, int lane) const { return booked_[at_crossing(crossing, lane)]; }
+  double& booked(int crossing, int lane) { return booked_[at_crossing(crossing, lane)]; }
+  double largest_energy(int lane) const { return ledger_[lane].largest; }
+
+  const Lattice& lattice() const { return *lattice_; }
+  const LaneScenario& scenario(int lane) const { return scenario_[lane]; }
+  const std::vector<Crossing>& met() const { return met_; }               // in the order the crack meets them
+  const std::vector<Softening>& softening() const { return softening_; }  // of the last step
+  bool cracking() const { return cracking_; }
+  double dt() const { return dt_; }
+  int scenarios() const { return static_cast<int>(scenario_.size()); }
+  int lanes() const { return lanes_; }
+  int threads() const { return static_cast<int>(part_.size()); }
+
+ private:
+  double crack_time(int lane, std::int64_t step) const {
+    return static_cast<double>(step - crack_start_[lane]) * dt_;
+  }
+  std::size_t at_crossing(int k, int lane) const { return static_cast<std::size_t>(k) * lanes_ + lane; }
+  Pose pose(int element, int lane) const;
+  BeamStrain strain(int crossing, int lane) const;
+  void put_to_rest(int lane);
+  void build_parts();
+  void add_up_spent();
+  void copy_ghosts();
+  void foresee_softening();
+  void soften();
+  void weigh(double* velocities);
+  StepConstants constants() const { return {dt_, beta_before_, beta_after_, grip_before_, grip_after_}; }
+
+  const Lattice* lattice_;
+  double dt_;
+  Marching marching_;
+  int lanes_, numbers_;  // of the kernel; of an element's position
+  Kernel<Real> kernel_;
+  std::vector<LaneScenario> scenario_;
+  std::vector<Crossing> met_;
+  std::vector<char> notched_;
+  std::vector<Vector6> base_;
+  std::vector<DampedBeam> damped_;
+  double base_pull_ = 0;  // of the lattice on the top grip along y in the base state [N]
+
+  std::vector<int> cut_;
+  std::vector<PartRows<Real>> part_;
+  std::unique_ptr<Crew> crew_;
+  AlignedVector<Real> q_, v_, rate_, per_mass_, factor_, alpha_at_surface_, alpha_elsewhere_;
+  AlignedVector<double> mass_, base_rows_, velocity_;
+  std::vector<std::uint8_t> top_;
+
+  std::int64_t steps_done_ = 0;
+  std::int64_t weighed_at_ = -1, velocities_at_ = -1;  // the steps that energy_ and velocity_ are of
+  std::vector<std::int64_t> born_, crack_start_;       // of each lane's scenario
+  bool cracking_ = false;
+  double beta_before_ = 1, beta_after_ = 1, grip_before_ = 0, grip_after_ = 0;
+  std::vector<int> first_standing_;  // per lane, the first crossing beam not yet gone
+  std::vector<double> booked_;       // [crossing][lane] energy taken by its release so far [J]
+  std::vector<Softening> softening_;
+  std::vector<Ledger> ledger_;
+  std::vector<LatticeEnergy> energy_;
+  struct Spent {
+    double damping = 0, numerical = 0, grip = 0;
+  };
+  std::vector<Spent> spent_, pending_;  // by steps done; by the step that ends
+};
+
+}  // namespace rift

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/ensemble/part.hpp"
+
+#include <string_view>
+
+namespace rift {
+
+enum class Kinematics;
+
+/// Vector instructions that the kernels are compiled for; each includes the ones before.
+enum class InstructionSet { baseline, avx2, avx512 };
+
+std::string_view name_of(InstructionSet set);
+
+/// The best one that this processor has, or the lesser one that $RIFT_SIMD names ("baseline", "AVX2",
+/// "AVX-512").
+InstructionSet instruction_set();
+
+/// Every instruction set has kernels for 1 lane and for a half, a quarter and all of this many (of 64 bytes).
+template <class Real>
+inline constexpr int most_lanes = 64 / static_cast<int>(sizeof(Real));
+
+/// Lanes that fill a register: the fastest a lane.
+template <class Real>
+int lanes_in_register(InstructionSet set);
+
+/// The fewest lanes there are kernels for that hold `scenarios`, or most_lanes.
+template <class Real>
+int lanes_for(int scenarios);
+
+/// @param[in] lanes  1 or most_lanes, a half or a quarter of it
+template <class Real>
+Kernel<Real> kernel_for(InstructionSet set, Kinematics kinematics, int lanes);
+
+}  // namespace rift

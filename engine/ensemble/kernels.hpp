@@ -1,0 +1,191 @@
+#pragma once
+
+#include "engine/ensemble/walk.hpp"
+
+namespace rift::RIFT_INSTRUCTIONS {
+
+/// All that acts on an element, and its share of the extra forces.
+template <class Real, int Width>
+inline void add_extra(const PartView<Real>& p, int place, Pack<Real, Width> (&f)[6]) {
+  if (place < 0) return;
+  for (int c = 0; c < 6; ++c) {
+    const long at = (6L * place + c) * Width;
+    f[c] = f[c] + load<Width>(p.extra + at);
+    if (p.damping) f[c] = f[c] + load<Width>(p.damping + at);
+  }
+}
+
+/// What the books of a step take of one element [J], in double: viscous damping 1/2 (F_n + F_{n+1}) . dq,
+/// numerical damping 1/2 M (v^2 at beta = 1 - v^2 at beta), work of the moving grip - 1/2 F . dq [physics.md
+/// §7].
+template <class Real, int Width>
+struct StepBooks {
+  using D = Pack<double, Width>;
+  D damping{}, numerical{}, grip{};
+
+  void take(const PartView<Real>& p, const StepConstants& k, int i, int place,
+            const Pack<Real, Width> (&f)[6], double grip_way) {
+    const Real* rates = (p.rate ? p.rate : p.v) + 6L * Width * i;
+    if (p.damping && place >= 0)
+      for (int c = 0; c < 6; ++c) {
+        const long at = (6L * place + c) * Width;
+        const D force = widened<Real, Width>(load<Width>(p.damping + at)) +
+                        widened<Real, Width>(load<Width>(p.damping_before + at));
+        damping -= 0.5 * k.dt * force * widened<Real, Width>(load<Width>(rates + c * Width));
+      }
+    if (p.rate && p.per_mass[2L * i] != 0)
+      for (int c = 0; c < 6; ++c) {
+        const D kick =
+            0.5 * k.dt * static_cast<double>(p.per_mass[2L * i + c / 3]) * widened<Real, Width>(f[c]);
+        const D conserved = widened<Real, Width>(load<Width>(rates + c * Width)) + kick;
+        const D v = widened<Real, Width>(load<Width>(p.v + (6L * i + c) * Width)) + k.beta_before * kick;
+        numerical += 0.5 * p.mass[2L * i + c / 3] * (conserved * conserved - v * v);
+      }
+    if (p.top[i]) grip -= 0.5 * grip_way * widened<Real, Width>(f[1]);
+  }
+};
+
+template <int Width>
+inline double* account_of(double* chunk, Account which) {
+  return chunk + which * Width;
+}
+
+template <int Width>
+inline void add_to_account(double* chunk, Account which, Pack<double, Width> amount) {
+  double* at = account_of<Width>(chunk, which);
+  store<Width>(at, load<Width>(at) + amount);
+}
+
+template <class Real, int Width>
+inline double* chunk_of(const PartView<Real>& p, int i) {
+  return p.account + static_cast<long>((i - p.begin) / chunk_size) * accounts * Width;
+}
+
+/// One step: forces at q_n, velocities over a whole step, q_{n+1}   [eqs. (1), (2); Table 1]. `v` holds the
+/// velocity after the first half of the step that ends; with beta = 1 that is the rate (q_n - q_{n-1}) / dt.
+template <template <class, int> class Form, class Real, int Width, bool Booked>
+void advance(const PartView<Real>& p, const StepConstants& k) {
+  using F = Form<Real, Width>;
+  using V = Pack<Real, Width>;
+  const Real dt = static_cast<Real>(k.dt);
+  const Real kick = static_cast<Real>(0.5 * k.dt);
+  const Real both = Booked ? static_cast<Real>(0.5 * k.dt * k.beta_before) : static_cast<Real>(k.dt);
+  const Real begun = static_cast<Real>(0.5 * k.dt * k.beta_after);
+  walk<Form, Real, Width>(p, [&](int i, V(&f)[6], int place) {
+    add_extra<Real, Width>(p, place, f);
+    V q[F::numbers], v[6], rate[6];
+    Real* at_q = p.q + static_cast<long>(F::numbers) * Width * i;
+    Real* at_v = p.v + 6L * Width * i;
+    load_row<F::numbers, Width>(at_q, q);
+    load_row<6, Width>(at_v, v);
+    const V yield[2] = {splat<V>(p.per_mass[2L * i]), splat<V>(p.per_mass[2L * i + 1])};
+    if constexpr (Booked) {
+      StepBooks<Real, Width> books;
+      books.take(p, k, i, place, f, (k.grip_before + k.grip_after) * k.dt);
+      double* chunk = chunk_of<Real, Width>(p, i);
+      add_to_account<Width>(chunk, spent_damping, books.damping);
+      add_to_account<Width>(chunk, spent_numerical, books.numerical);
+      add_to_account<Width>(chunk, spent_grip, books.grip);
+      if (p.damping && place >= 0)
+        for (int c = 0; c < 6; ++c) {
+          const long at = (6L * place + c) * Width;
+          store<Width>(p.damping_before + at, load<Width>(p.damping + at));
+        }
+      for (int c = 0; c < 6; ++c) {
+        const V a = yield[c / 3] * f[c];
+        v[c] = fma(splat<V>(both), a, v[c]);
+        rate[c] = fma(splat<V>(kick), a, v[c]);
+        v[c] = fma(splat<V>(begun), a, v[c]);
+      }
+      if (p.rate) store_row<6, Width>(p.rate + 6L * Width * i, rate);
+    } else {
+      for (int c = 0; c < 6; ++c) rate[c] = v[c] = fma(both * yield[c / 3], f[c], v[c]);
+    }
+    F::drift(q, rate, splat<V>(dt));
+    store_row<F::numbers, Width>(at_q, q);
+    store_row<6, Width>(at_v, v);
+  });
+}
+
+/// Elastic energy of the sound beams by their first element's chunk; in double whatever the state is.
+template <template <class, int> class Form, class Real, int Width>
+inline typename Form<double, Width>::Position wide_position(const PartView<Real>& p, long row) {
+  using D = Form<double, Width>;
+  Pack<double, Width> c[D::numbers];
+  for (int k = 0; k < D::numbers; ++k) {
+    c[k] = widened<Real, Width>(load<Width>(p.q + (row * D::numbers + k) * Width));
+    if constexpr (D::numbers == 6) c[k] += p.base[row * 6 + k];  // the linear form's strains are of all
+  }
+  return D::position(c);
+}
+
+template <template <class, int> class Form, class Real, int Width>
+inline Pack<double, Width> wide_energy(const PartView<Real>& p, const typename Form<Real, 1>::Row& beam,
+                                       long i, long j) {
+  using D = Form<double, Width>;
+  constexpr int numbers = sizeof(beam) / sizeof(Real);
+  const Real* narrow = reinterpret_cast<const Real*>(&beam);
+  Pack<double, Width> number[numbers];
+  for (int k = 0; k < numbers; ++k) number[k] = splat<Pack<double, Width>>(static_cast<double>(narrow[k]));
+  return D::energy(D::form(number), wide_position<Form, Real, Width>(p, i),
+                   wide_position<Form, Real, Width>(p, j));
+}
+
+template <template <class, int> class Form, class Real, int Width>
+inline void weigh_beams(const PartView<Real>& p) {
+  using Row = typename Form<Real, 1>::Row;
+  const auto* beam = static_cast<const SoundRow<Row>*>(p.beam) + p.halo;
+  for (int i = p.begin; i < p.end; ++i) {
+    Pack<double, Width> sum{};
+    for (int left = p.first[i - p.begin + 1] - p.first[i - p.begin]; left > 0; --left, ++beam)
+      sum += wide_energy<Form, Real, Width>(p, beam->form, i, beam->j);
+    add_to_account<Width>(chunk_of<Real, Width>(p, i), elastic, sum);
+  }
+  const auto* crossing = static_cast<const CrossingRow<Real, Row>*>(p.crossing);
+  for (int b = 0; b < p.crossings; ++b) {
+    const auto& row = crossing[b];
+    if (row.extra_i < 0) continue;  // the other part's
+    const auto s = widened<Real, Width>(load<Width>(p.factor + static_cast<long>(row.k) * Width));
+    add_to_account<Width>(chunk_of<Real, Width>(p, row.i), elastic,
+                          s * wide_energy<Form, Real, Width>(p, row.form, row.i, row.j));
+  }
+}
+
+/// The energies at q_n and v_n, and what the books of the step that ends have yet to take.
+template <template <class, int> class Form, class Real, int Width>
+void weigh(const PartView<Real>& p, const StepConstants& k) {
+  using V = Pack<Real, Width>;
+  using D = Pack<double, Width>;
+  for (int i = p.begin; i < p.end; i += chunk_size) clear(chunk_of<Real, Width>(p, i), spent_damping * Width);
+  weigh_beams<Form, Real, Width>(p);
+  walk<Form, Real, Width>(p, [&](int i, V(&f)[6], int place) {
+    add_extra<Real, Width>(p, place, f);
+    StepBooks<Real, Width> books;
+    books.take(p, k, i, place, f, k.grip_before * k.dt);
+    D translation{}, rotation{}, correction{};
+    for (int c = 0; c < 6; ++c) {
+      const D force = widened<Real, Width>(f[c]);
+      const double per_mass = static_cast<double>(p.per_mass[2L * i + c / 3]), m = p.mass[2L * i + c / 3];
+      const D v = widened<Real, Width>(load<Width>(p.v + (6L * i + c) * Width)) +
+                  0.5 * k.dt * k.beta_before * per_mass * force;
+      if (p.speed) store<Width>(p.speed + (6L * i + c) * Width, v);
+      if (per_mass == 0.0) continue;
+      (c < 3 ? translation : rotation) += 0.5 * m * v * v;
+      correction += 0.125 * k.dt * k.dt * per_mass * force * force;
+    }
+    double* chunk = chunk_of<Real, Width>(p, i);
+    add_to_account<Width>(chunk, kinetic_translation, translation);
+    add_to_account<Width>(chunk, kinetic_rotation, rotation);
+    add_to_account<Width>(chunk, step_correction, correction);
+    add_to_account<Width>(chunk, pending_damping, books.damping);
+    add_to_account<Width>(chunk, pending_numerical, books.numerical);
+    add_to_account<Width>(chunk, pending_grip, books.grip);
+  });
+}
+
+template <template <class, int> class Form, class Real, int Width>
+constexpr Kernel<Real> kernel() {
+  return {advance<Form, Real, Width, false>, advance<Form, Real, Width, true>, weigh<Form, Real, Width>};
+}
+
+}  // namespace rift::RIFT_INSTRUCTIONS

@@ -1,0 +1,3 @@
+#define RIFT_INSTRUCTIONS avx512
+#define RIFT_REGISTER_BYTES 64
+#include "engine/ensemble/kernel_set.inc"

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "engine/ensemble/aligned.hpp"
+#include "engine/ensemble/part.hpp"
+#include "engine/fracture/crack_path.hpp"
+#include "engine/mechanics/corotational.hpp"
+#include "engine/mechanics/damping.hpp"
+
+#include <vector>
+
+namespace rift {
+
+enum class Kinematics;
+
+/// What the rows of all parts are made from.
+struct RowSource {
+  const Lattice& lattice;
+  Kinematics kinematics;
+  const std::vector<Vector6>& base;  // N, the base state
+  const std::vector<Crossing>& met;
+  const std::vector<char>& notched;  // [crossing] absent from the base state on
+  const std::vector<DampedBeam>& damped;
+};
+
+/// First elements of `parts` ranges with about equally many beams, and N; all but the last multiples of
+/// chunk_size, so that sums by chunks do not depend on them. Fewer parts where there are fewer chunks.
+std::vector<int> cut_evenly(const Lattice& lattice, int parts);
+
+/// The rows that one thread works on, and copies of elements of other parts that they refer to.
+template <class Real>
+struct PartRows {
+  std::vector<int> ghost;  // elements, in the order of their rows
+  int first_ghost_row = 0;
+  std::vector<std::int32_t> halo_i, first, special;
+  std::vector<SoundRow<LinearBeam<Real>>> linear;
+  std::vector<SoundRow<CorotationalBeam<Real>>> corotational;
+  AlignedVector<BeamGroup<Real, 7>> linear_group;
+  AlignedVector<BeamGroup<Real, 10>> corotational_group;
+  std::vector<CrossingRow<Real, LinearBeam<Real>>> linear_crossing;
+  std::vector<CrossingRow<Real, CorotationalBeam<Real>>> corotational_crossing;
+  std::vector<DampedRow<Real>> damped;
+  AlignedVector<Real> ring, extra, damping, damping_before;
+  AlignedVector<double> account;
+  PartView<Real> view{};  // of the vectors above; state and lanes' arrays are the ensemble's
+};
+
+/// @param[in] begin, end       the part's elements
+/// @param[in] first_ghost_row  where its copies of others begin
+/// @param[in] lanes            of the kernel
+template <class Real>
+PartRows<Real> rows_of_part(const RowSource& source, int begin, int end, int first_ghost_row, int lanes);
+
+}  // namespace rift

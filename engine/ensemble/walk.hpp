@@ -1,0 +1,220 @@
+#pragma once
+
+#include "engine/ensemble/forms.hpp"
+
+namespace rift::RIFT_INSTRUCTIONS {
+
+/// A row of `Count` numbers per lane.
+template <int Count, int Width, class Real>
+inline void load_row(const Real* row, Pack<Real, Width> (&to)[Count]) {
+  for (int c = 0; c < Count; ++c) to[c] = load<Width>(row + c * Width);
+}
+template <int Count, int Width, class Real>
+inline void store_row(Real* row, const Pack<Real, Width> (&from)[Count]) {
+  for (int c = 0; c < Count; ++c) store<Width>(row + c * Width, from[c]);
+}
+
+template <template <class, int> class Form, class Real, int Width>
+inline typename Form<Real, Width>::Position position_at(const Real* q, long row) {
+  using F = Form<Real, Width>;
+  Pack<Real, Width> c[F::numbers];
+  load_row<F::numbers, Width>(q + row * F::numbers * Width, c);
+  return F::position(c);
+}
+
+template <class V>
+inline void put(V (&f)[6], const EndLoads<V>& e) {
+  f[0] += e.force.x, f[1] += e.force.y, f[2] += e.force.z;
+  f[3] += e.moment_i.x, f[4] += e.moment_i.y, f[5] += e.moment_i.z;
+}
+template <class V>
+inline void put_opposite(V (&f)[6], const EndLoads<V>& e) {
+  f[0] -= e.force.x, f[1] -= e.force.y, f[2] -= e.force.z;
+  f[3] += e.moment_j.x, f[4] += e.moment_j.y, f[5] += e.moment_j.z;
+}
+
+/// Adds to a row of forces.
+template <int Width, class Real, class Put>
+inline void add_to(Real* row, const Put& put) {
+  Pack<Real, Width> f[6];
+  load_row<6, Width>(row, f);
+  put(f);
+  store_row<6, Width>(row, f);
+}
+
+/// The forces of the crossing beams, s L + (s - 1) L_base: where L is linear it is of the change since the
+/// base state, in which the intact beams balance.
+template <template <class, int> class Form, class Real, int Width>
+inline void add_crossing_forces(const PartView<Real>& p) {
+  using F = Form<Real, Width>;
+  using V = Pack<Real, Width>;
+  const auto* rows = static_cast<const CrossingRow<Real, typename F::Row>*>(p.crossing);
+  for (int b = 0; b < p.crossings; ++b) {
+    const auto& row = rows[b];
+    const V s = load<Width>(p.factor + static_cast<long>(row.k) * Width);
+    const V of_base = s - Real(1);
+    EndLoads<V> e = F::loads(F::form(row.form), position_at<Form, Real, Width>(p.q, row.i),
+                             position_at<Form, Real, Width>(p.q, row.j));
+    const auto reduce = [&](Space<V>& load, const Real* base) {
+      load = {fma(of_base, splat<V>(base[0]), s * load.x), fma(of_base, splat<V>(base[1]), s * load.y),
+              fma(of_base, splat<V>(base[2]), s * load.z)};
+    };
+    reduce(e.force, row.base), reduce(e.moment_i, row.base + 3), reduce(e.moment_j, row.base + 6);
+    if (row.extra_i >= 0) add_to<Width>(p.extra + row.extra_i * 6L * Width, [&](V(&f)[6]) { put(f, e); });
+    if (row.extra_j >= 0)
+      add_to<Width>(p.extra + row.extra_j * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
+  }
+}
+
+/// f = 2 alpha sqrt(K M) delta n at the rates (q_n - q_{n-1}) / dt   [eq. (8)], kept apart for the books.
+template <class Real, int Width>
+inline void add_damping_forces(const PartView<Real>& p) {
+  using V = Pack<Real, Width>;
+  const Real* rate = p.rate ? p.rate : p.v;
+  for (int b = 0; b < p.damped; ++b) {
+    const DampedRow<Real>& row = p.damped_row[b];
+    V alpha = load<Width>(row.at_surface ? p.alpha_at_surface : p.alpha_elsewhere);
+    if (row.crossing >= 0) alpha = alpha * load<Width>(p.factor + static_cast<long>(row.crossing) * Width);
+    V at_i[6], at_j[6];
+    load_row<6, Width>(rate + row.i * 6L * Width, at_i);
+    load_row<6, Width>(rate + row.j * 6L * Width, at_j);
+    const Space<V> n{splat<V>(row.nx), splat<V>(row.ny), splat<V>(row.nz)};
+    const Space<V> slide{at_j[0] - at_i[0], at_j[1] - at_i[1], at_j[2] - at_i[2]};
+    const Space<V> turn{at_j[3] - at_i[3], at_j[4] - at_i[4], at_j[5] - at_i[5]};
+    EndLoads<V> e;
+    e.force = (alpha * row.axial * dot(n, slide)) * n;
+    e.moment_i = plus((alpha * row.bend) * turn, alpha * (row.twist - row.bend) * dot(n, turn), n);
+    e.moment_j = Space<V>{} - e.moment_i;
+    if (row.extra_i >= 0) add_to<Width>(p.damping + row.extra_i * 6L * Width, [&](V(&f)[6]) { put(f, e); });
+    if (row.extra_j >= 0)
+      add_to<Width>(p.damping + row.extra_j * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
+  }
+}
+
+template <class Real>
+inline void clear(Real* from, long count) {
+  for (long k = 0; k < count; ++k) from[k] = 0;
+}
+
+/// All that acts on special elements before the walk.
+template <template <class, int> class Form, class Real, int Width>
+inline void add_special_forces(const PartView<Real>& p) {
+  clear(p.extra, 6L * Width * p.specials);
+  add_crossing_forces<Form, Real, Width>(p);
+  if (!p.damping) return;
+  clear(p.damping, 6L * Width * p.specials);
+  add_damping_forces<Real, Width>(p);
+}
+
+/// Hands out the extra forces as the walk comes by.
+template <class Real, int Width>
+struct Specials {
+  const PartView<Real>& p;
+  int next = 0;
+  /// The place of element i among the specials, or -1; i ascends.
+  int place(int i) { return next < p.specials && p.special[next] == i ? next++ : -1; }
+};
+
+/// Elements in their order: each gets the forces of its beams to later ones, of earlier ones' beams to it (in
+/// the ring), and the extra forces; then nothing is missing and finish(i, forces, place among the specials)
+/// may move it on, since no later beam asks for it. Every element sums in one order, whoever walks.
+template <template <class, int> class Form, class Real, int Width, class Finish>
+inline void walk_lanes(const PartView<Real>& p, const Finish& finish) {
+  using F = Form<Real, Width>;
+  using V = Pack<Real, Width>;
+  const auto* beam = static_cast<const SoundRow<typename F::Row>*>(p.beam);
+  for (int h = 0; h < p.halo; ++h, ++beam) {
+    const EndLoads<V> e = F::loads(F::form(beam->form), position_at<Form, Real, Width>(p.q, p.halo_i[h]),
+                                   position_at<Form, Real, Width>(p.q, beam->j));
+    add_to<Width>(p.ring + beam->slot * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
+  }
+  Specials<Real, Width> specials{p};
+  for (int i = p.begin; i < p.end; ++i) {
+    const auto qi = position_at<Form, Real, Width>(p.q, i);
+    Real* own = p.ring + (i & p.mask) * 6L * Width;
+    V f[6];
+    load_row<6, Width>(own, f);
+    for (int left = p.first[i - p.begin + 1] - p.first[i - p.begin]; left > 0; --left, ++beam) {
+      const EndLoads<V> e = F::loads(F::form(beam->form), qi, position_at<Form, Real, Width>(p.q, beam->j));
+      put(f, e);
+      add_to<Width>(p.ring + beam->slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
+    }
+    finish(i, f, specials.place(i));
+    clear(own, 6L * Width);
+  }
+}
+
+template <class Real>
+inline void transpose(Pack<Real, 4> (&r)[4]) {
+  const auto a = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6),
+             b = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
+  const auto c = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6),
+             d = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+  r[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5), r[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+  r[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7), r[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+}
+
+/// The positions of four elements, one in each place of the packs.
+template <template <class, int> class Form, class Real>
+inline typename Form<Real, 4>::Position four_positions(const Real* q, const std::int32_t (&row)[4]) {
+  constexpr int n = Form<Real, 4>::numbers;
+  Pack<Real, 4> low[4], high[4], c[n];
+  for (int k = 0; k < 4; ++k)
+    low[k] = load<4>(q + row[k] * long{n}), high[k] = load<4>(q + row[k] * long{n} + n - 4);
+  transpose<Real>(low), transpose<Real>(high);
+  for (int k = 0; k < 4; ++k) c[k] = low[k], c[n - 4 + k] = high[k];
+  return Form<Real, 4>::position(c);
+}
+
+/// One scenario alone: four beams at once, else as above.
+template <template <class, int> class Form, class Real, class Finish>
+inline void walk_groups(const PartView<Real>& p, const Finish& finish) {
+  using F = Form<Real, 4>;
+  using V = Pack<Real, 4>;
+  constexpr int numbers = sizeof(typename F::Row) / sizeof(Real);
+  const auto* group = static_cast<const BeamGroup<Real, numbers>*>(p.group);
+  Specials<Real, 1> specials{p};
+  int i = p.begin;
+  for (int g = 0; g < p.groups; ++g, ++group) {
+    V number[numbers];
+    for (int k = 0; k < numbers; ++k) number[k] = load<4>(group->number[k]);
+    const EndLoads<V> e = F::loads(F::form(number), four_positions<Form, Real>(p.q, group->i),
+                                   four_positions<Form, Real>(p.q, group->j));
+    V on_i[4] = {e.force.x, e.force.y, e.force.z, e.moment_i.x};
+    V on_j[4] = {V{} - e.force.x, V{} - e.force.y, V{} - e.force.z, e.moment_j.x};
+    transpose<Real>(on_i), transpose<Real>(on_j);
+    const V yz[4] = {__builtin_shufflevector(e.moment_i.y, e.moment_i.z, 0, 4, 1, 5),
+                     __builtin_shufflevector(e.moment_i.y, e.moment_i.z, 2, 6, 3, 7),
+                     __builtin_shufflevector(e.moment_j.y, e.moment_j.z, 0, 4, 1, 5),
+                     __builtin_shufflevector(e.moment_j.y, e.moment_j.z, 2, 6, 3, 7)};
+    const auto add = [&](Real* row, V head, Pack<Real, 2> tail) {
+      store<4>(row, load<4>(row) + head);
+      store<2>(row + 4, load<2>(row + 4) + tail);
+    };
+    for (int k = 0; k < 4; ++k) {
+      const auto half = [&](V x) {
+        return k % 2 == 0 ? __builtin_shufflevector(x, x, 0, 1) : __builtin_shufflevector(x, x, 2, 3);
+      };
+      add(p.ring + group->slot_i[k] * 6L, on_i[k], half(yz[k / 2]));
+      add(p.ring + group->slot_j[k] * 6L, on_j[k], half(yz[2 + k / 2]));
+    }
+    for (; i < group->complete; ++i) {
+      Real* own = p.ring + (i & p.mask) * 6L;
+      Real f[6];
+      load_row<6, 1>(own, f);
+      finish(i, f, specials.place(i));
+      clear(own, 6);
+    }
+  }
+}
+
+template <template <class, int> class Form, class Real, int Width, class Finish>
+inline void walk(const PartView<Real>& p, const Finish& finish) {
+  add_special_forces<Form, Real, Width>(p);
+  if constexpr (Width == 1)
+    walk_groups<Form, Real>(p, finish);
+  else
+    walk_lanes<Form, Real, Width>(p, finish);
+}
+
+}  // namespace rift::RIFT_INSTRUCTIONS

@@ -1,0 +1,259 @@
+#include "engine/ensemble/ensemble.hpp"
+
+#include "tests/engine/ensemble/plain_simulation.hpp"
+#include "tests/engine/simulation/small_plate.hpp"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <vector>
+
+namespace rift {
+namespace {
+
+/// Everything at once: four laws, one of two velocities, each lane damped in its own way.
+std::vector<LaneScenario> motley(const Prepared& p) {
+  std::vector<LaneScenario> lanes = four_laws(p);
+  lanes[1].history = history_of(-lanes[1].law.zone_length, {{300.0, 1e-3}, {2100.0, 1.0}});
+  lanes[2].alpha_at_surface = 0.01;
+  lanes[3].alpha_elsewhere = 0.0;
+  return lanes;
+}
+
+const std::vector<std::string> damped{"damping.alpha=0.001", "damping.region=all"};
+
+/// Marches with numerical damping and a moving grip.
+template <class Real>
+void march_on(Ensemble<Real>& s, int steps) {
+  s.set_beta(0.95);
+  s.set_grip_speed(1.0);
+  for (int n = 0; n < steps; ++n) s.step();
+}
+
+template <class Real>
+void expect_same_bits(Ensemble<Real>& a, int lane_a, Ensemble<Real>& b, int lane_b) {
+  for (int i = 0; i < static_cast<int>(a.lattice().centre.size()); ++i) {
+    ASSERT_EQ(a.motion(i, lane_a), b.motion(i, lane_b)) << "element " << i;
+    ASSERT_EQ(a.velocity(i, lane_a), b.velocity(i, lane_b)) << "element " << i;
+  }
+  for (int k = 0; k < static_cast<int>(a.met().size()); ++k) {
+    ASSERT_EQ(a.factor(k, lane_a), b.factor(k, lane_b));
+    ASSERT_EQ(a.booked(k, lane_a), b.booked(k, lane_b));
+  }
+  const results::Sample mine = a.sample(lane_a, results::Phase::fracture),
+                        its = b.sample(lane_b, results::Phase::fracture);
+  for (const auto column : {&results::Sample::elastic_j, &results::Sample::kinetic_translation_j,
+                            &results::Sample::kinetic_rotation_j, &results::Sample::step_correction_j,
+                            &results::Sample::damping_j, &results::Sample::numerical_damping_j,
+                            &results::Sample::work_external_j, &results::Sample::tip_m})
+    EXPECT_EQ(mine.*column, its.*column);
+  EXPECT_GT(mine.fracture_j, 0.0);
+}
+
+template <class Real>
+void expect_lanes_to_be_their_own_runs(Kinematics kinematics) {
+  const Prepared p = small_plate(damped);
+  const std::vector<LaneScenario> lanes = motley(p);
+  for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (set > instruction_set()) continue;
+    const Marching marching{.kinematics = kinematics, .instructions = set};
+    Ensemble<Real> together = ready<Real>(p, lanes, p.step.dt, marching);
+    march_on(together, 120);
+    for (int lane = 0; lane < 4; ++lane) {
+      SCOPED_TRACE(testing::Message() << name_of(set) << " lane " << lane);
+      Ensemble<Real> alone = ready<Real>(p, {lanes[lane]}, p.step.dt, marching);
+      march_on(alone, 120);
+      expect_same_bits(together, lane, alone, 0);
+    }
+    EXPECT_NE(together.motion(5, 0), together.motion(5, 1));
+    EXPECT_NE(together.motion(5, 2), together.motion(5, 3));
+  }
+}
+
+TEST(Lanes, AreBitForBitTheirOwnSingleRuns) { expect_lanes_to_be_their_own_runs<double>(Kinematics::linear); }
+TEST(Lanes, AreTheirOwnSingleRunsInSinglePrecision) {
+  expect_lanes_to_be_their_own_runs<float>(Kinematics::linear);
+}
+TEST(Lanes, AreTheirOwnSingleRunsWithCorotationalBeams) {
+  expect_lanes_to_be_their_own_runs<double>(Kinematics::corotational);
+}
+
+template <class Real>
+void expect_any_threads_to_give_the_same(Kinematics kinematics, int scenarios) {
+  const Prepared p = small_plate(damped);
+  std::vector<LaneScenario> lanes = motley(p);
+  lanes.resize(scenarios);
+  Ensemble<Real> one = ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics});
+  march_on(one, 120);
+  for (const int threads : {2, 3, 5}) {
+    Ensemble<Real> several = ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics, .threads = threads});
+    ASSERT_EQ(several.threads(), threads);
+    march_on(several, 120);
+    for (int lane = 0; lane < scenarios; ++lane) expect_same_bits(one, lane, several, lane);
+  }
+}
+
+TEST(Threads, GiveTheSameBitsWhateverTheirNumber) {
+  expect_any_threads_to_give_the_same<double>(Kinematics::linear, 1);
+  expect_any_threads_to_give_the_same<double>(Kinematics::linear, 4);
+  expect_any_threads_to_give_the_same<float>(Kinematics::linear, 4);
+  expect_any_threads_to_give_the_same<double>(Kinematics::corotational, 1);
+}
+
+// A lane that is put back in the middle of a run does what it would have done from the start.
+TEST(Lanes, GoOnWithAnotherScenarioAsIfItWereTheFirst) {
+  const Prepared p = small_plate(damped);
+  const std::vector<LaneScenario> lanes = motley(p);
+  Ensemble<double> s = ready(p, lanes, p.step.dt);
+  for (int n = 0; n < 50; ++n) s.step();
+  s.refill(2, lanes[0]);
+  EXPECT_EQ(s.steps_done(2), 0);
+  for (int n = 0; n < 120; ++n) s.step();
+  Ensemble<double> fresh = ready(p, {lanes[0]}, p.step.dt), untouched = ready(p, {lanes[1]}, p.step.dt);
+  for (int n = 0; n < 120; ++n) fresh.step();
+  for (int n = 0; n < 170; ++n) untouched.step();
+  expect_same_bits(s, 2, fresh, 0);
+  expect_same_bits(s, 1, untouched, 0);
+  EXPECT_LT(std::abs(s.sample(2, results::Phase::fracture).residual), 1e-12);
+}
+
+// The kernels sum and round in another order than the plain path; 200 steps let that grow to some hundred
+// roundings.
+TEST(Ensemble, MarchesAsThePlainPathDoes) {
+  const Prepared p = small_plate(damped);
+  for (const LaneScenario& lane : motley(p)) {
+    PlainSimulation plain(p.lattice, p.path, 0.0, p.step.dt, lane);
+    plain.start_from(p.displacement);
+    plain.start_crack(p.damped);
+    plain.beta = 0.95;
+    plain.set_grip_speed(1.0);
+    for (int n = 0; n < 200; ++n) plain.step();
+    Ensemble<double> s = ready(p, {lane}, p.step.dt);
+    march_on(s, 200);
+    double fastest = 0.0;
+    for (std::size_t k = 0; k < plain.v.size(); k += 6) fastest = std::max(fastest, std::abs(plain.v[k]));
+    for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
+      EXPECT_NEAR((s.motion(i, 0) - plain.motion(plain.q, i)).head<3>().norm() / 0.6e-3, 0.0, 1e-11);
+      EXPECT_NEAR((s.velocity(i, 0) - plain.motion(plain.v, i)).head<3>().norm() / fastest, 0.0, 1e-9);
+    }
+    const results::Sample mine = s.sample(0, results::Phase::fracture), its = plain.sample();
+    for (const auto column : {&results::Sample::elastic_j, &results::Sample::kinetic_translation_j,
+                              &results::Sample::kinetic_rotation_j, &results::Sample::step_correction_j,
+                              &results::Sample::fracture_j, &results::Sample::damping_j,
+                              &results::Sample::numerical_damping_j, &results::Sample::work_external_j})
+      EXPECT_NEAR(mine.*column, its.*column, 1e-9 * plain.ledger.largest);
+  }
+}
+
+TEST(Momentum, OfAFreePlateStaysWhereItIsWhileItCracksAndIsDamped) {
+  const Prepared p = small_plate({"damping.alpha=0.01", "damping.region=all"});
+  Lattice free = p.lattice;
+  free.grip.assign(free.grip.size(), Grip::none);
+  for (const LaneScenario& law : four_laws(p)) {
+    Ensemble<double> s(free, p.path, 0.0, p.step.dt, {law});
+    s.release_from(p.displacement);  // stretched and let go
+    s.start_crack(p.damped);
+    for (int n = 0; n < 200; ++n) s.step();
+    Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear;
+    double size = 0.0, turning = 0.0;
+    for (int i = 0; i < static_cast<int>(free.centre.size()); ++i) {
+      const Vector6 v = s.velocity(i, 0);
+      const Eigen::Vector3d momentum = free.mass[i] * v.head<3>();
+      linear += momentum;
+      angular += free.centre[i].cross(momentum) + free.inertia[i] * v.tail<3>();
+      size += momentum.norm();
+      turning += free.centre[i].cross(momentum).norm();
+    }
+    EXPECT_GT(s.sample(0, results::Phase::fracture).fracture_j, 0.0);
+    // Rounding of 200 steps over 2,000 beams, against the sum of the sizes.
+    EXPECT_NEAR(linear.norm() / size, 0.0, 1e-12);
+    EXPECT_NEAR(angular.norm() / turning, 0.0, 1e-12);
+  }
+}
+
+TEST(Release, OfABeamIsAtTheFirstStepWithTheTipAtItsCrossing) {
+  const Prepared p = small_plate({"crack.technique=simple"});
+  Ensemble<double> s = ready(p);
+  ASSERT_GT(s.met().size(), 50U);
+  for (int n = 0; n < 150; ++n) {
+    s.step();
+    for (int k = 0; k < static_cast<int>(s.met().size()); ++k)
+      ASSERT_EQ(s.factor(k, 0), s.tip(0) >= s.met()[k].position ? 0.0 : 1.0)
+          << "step " << n << ", beam " << k;
+  }
+  EXPECT_EQ(s.factor(10, 0), 0.0);
+  EXPECT_EQ(s.factor(static_cast<int>(s.met().size()) - 1, 0), 1.0);
+}
+
+TEST(Release, OfADamagedBeamFollowsItsLawAtEveryStep) {
+  const Prepared p = small_plate({"crack.relaxation=quadratic", "crack.damage_zone_ratio=3"});
+  Ensemble<double> s = ready(p);
+  int partly = 0;
+  for (int n = 0; n < 150; ++n) {
+    s.step();
+    for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
+      ASSERT_EQ(s.factor(k, 0), stiffness_left(p.lane[0].scenario.law, s.tip(0), s.met()[k].position));
+      partly += s.factor(k, 0) > 0.0 && s.factor(k, 0) < 1.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(partly, 500);
+}
+
+// With the linear law a step takes v dt / L_CZM of a beam, no beam more than that; also behind a notch, whose
+// tip begins L_CZM short of it.
+TEST(Release, DamagesNoBeamInOneJump) {
+  for (const std::string start : {"crack.start=0", "crack.start=0.006"}) {
+    const Prepared p = small_plate({start, "crack.damage_zone_ratio=2"});
+    Ensemble<double> s = ready(p);
+    std::vector<double> before(s.met().size(), 1.0);
+    for (std::size_t k = 0; k < before.size(); ++k) before[k] = s.factor(static_cast<int>(k), 0);
+    const double most = s.dt() * 1100.0 / p.lane[0].scenario.law.zone_length;
+    ASSERT_LT(most, 0.2);
+    double largest = 0.0;
+    for (int n = 0; n < 150; ++n) {
+      s.step();
+      for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
+        largest = std::max(largest, before[k] - s.factor(k, 0));
+        before[k] = s.factor(k, 0);
+      }
+    }
+    EXPECT_LE(largest, most * (1.0 + 1e-9));
+    EXPECT_GT(largest, 0.9 * most);
+  }
+}
+
+TEST(Release, LeavesARunAtRestWhileThereIsNothingToRelease) {
+  const Prepared p = small_plate();
+  Ensemble<double> s(p.lattice, p.path, 0.0, p.step.dt, {p.lane[0].scenario});
+  s.start_from(p.displacement);  // and no crack
+  const double stored = s.energy(0).elastic;
+  for (int n = 0; n < 50; ++n) s.step();
+  const LatticeEnergy e = s.energy(0);
+  // The static solve leaves forces of 1e-12 of the load: energies of the square of it.
+  EXPECT_NEAR(e.kinetic_translation / stored, 0.0, 1e-18);
+  EXPECT_NEAR(e.elastic / stored, 1.0, 1e-10);
+}
+
+TEST(Grip, MovesTheTopAloneAndOnlyAlongY) {
+  const Prepared p = small_plate();
+  Ensemble<double> s(p.lattice, p.path, 0.0, p.step.dt, {p.lane[0].scenario});
+  s.start_from(p.displacement);
+  s.set_grip_speed(3.0);
+  for (int n = 0; n < 40; ++n) s.step();
+  s.set_grip_speed(0.0);
+  for (int n = 0; n < 10; ++n) s.step();
+  int top = 0, bottom = 0;
+  for (int i = 0; i < static_cast<int>(p.lattice.grip.size()); ++i) {
+    if (p.lattice.grip[i] == Grip::none) continue;
+    const bool is_top = p.lattice.grip[i] == Grip::top;
+    ++(is_top ? top : bottom);
+    Vector6 expected = Vector6::Zero();
+    if (is_top) expected[1] = 0.6e-3 + 40 * 3.0 * p.step.dt;
+    EXPECT_NEAR((s.motion(i, 0) - expected).norm(), 0.0, 1e-15);  // rounding of 40 sums
+  }
+  EXPECT_GT(top, 10);
+  EXPECT_GT(bottom, 10);
+}
+
+}  // namespace
+}  // namespace rift
