@@ -1,5 +1,6 @@
 #include "engine/scene/parameters_page.hpp"
 
+#include "engine/scene/axes.hpp"
 #include "engine/scene/parameters.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,44 @@ Quantities are numbers in SI units or text with a unit:
 constexpr std::string_view crack_words = R"(
 The velocity of the crack always carries its unit, `c_r` (the Rayleigh speed) or a unit of speed; a bare number is an error.
 The path is a fraction of the height (`"0.5 H"`) or a length.
+)";
+
+constexpr std::string_view scenario_words = R"(
+## Studies and lanes
+
+A preset may ask for many scenarios. Each is the preset's own scene with the values of some axes put in its place, checked as if they stood under their keys.
+
+`[study]` has one list of values per axis and stands for all their combinations, the first list varying slowest.
+Combinations that are physically one scenario are one: with `technique = "simple"` there is no damage zone, so `relaxation` and `damage_zone_ratio` do not count; without a damped region `damping_alpha` is 0, and with `damping_alpha = 0` there is no damped region.
+`[[study.rows]]` are scenarios written out, a table each; what a row does not name is as in the preset. They come after the grid.
+
+```toml
+[study]
+technique = ["simple", "progressive"]
+damage_zone_ratio = [1, 2, 4]
+crack_velocity = ["0.3 c_r", "0.6 c_r"]
+
+[[study.rows]]
+relaxation = "quadratic"
+layers = 2
+```
+
+These are eight scenarios of the grid (two simple, six progressive) and one more.
+
+`[[lanes]]` are scenarios that run at once as one ensemble, a table each. They share one lattice and one time step and may differ in the axes marked below only.
+
+```toml
+[[lanes]]
+technique = "simple"
+
+[[lanes]]
+damage_zone_ratio = 4
+```
+
+A preset has a study or lanes, not both. `--set` changes what they start from; of a key that they vary it is an error. Two rows or two lanes with the same scenario are an error as well.
+
+| axis | key | lanes may differ |
+|---|---|---|
 )";
 
 /// The text inside a cell of a table.
@@ -56,6 +95,9 @@ std::string parameters_markdown() {
     out += fmt::format("| `{}` | {} | {} | {} |\n", name_of(row),
                        value.empty() ? "none" : '`' + cell(value) + '`', cell(allowed(row)), cell(row.doc));
   }
+  out += scenario_words;
+  for (const Axis& axis : axes())
+    out += fmt::format("| `{}` | `{}` | {} |\n", axis.name, axis.key, axis.per_lane ? "yes" : "no");
   return out;
 }
 

@@ -1,8 +1,9 @@
 #include "engine/scene/preset.hpp"
 
-#include "engine/scene/contradictions.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset_file.hpp"
+#include "engine/scene/scenario_tables.hpp"
+#include "engine/scene/scenarios.hpp"
 #include "engine/scene/toml_text.hpp"
 #include "engine/scene/unknown_key.hpp"
 #include "engine/scene/wording.hpp"
@@ -27,13 +28,14 @@ struct Given {
 
 struct Reading {
   Preset preset;
+  TomlDocument document;
   std::vector<Given> given;
   std::set<std::string> unsound;  // keys with an issue of their own
 
   void say(Issue issue) { preset.issues.push_back(std::move(issue)); }
 };
 
-/// What [[lanes]] is.
+/// What a [[name]] is.
 bool is_list_of_tables(const Value& value) {
   const auto* list = std::get_if<std::vector<Value>>(&value.held);
   return list && !list->empty() && kind_of(list->front()) == "a table";
@@ -56,17 +58,20 @@ void take_entry(Reading& reading, const TomlEntry& entry) {
 }
 
 void take_text(Reading& reading, std::string_view text) {
-  const TomlDocument document = read_toml(text);
+  reading.document = read_toml(text);
+  const TomlDocument& document = reading.document;
   if (document.error) {
     const TomlError& e = *document.error;
     reading.say({reading.preset.name, e.line, "", e.text, "", e.column});
     return;
   }
   for (const TomlTable& table : document.tables) {
-    if (!is_table(table.name)) reading.say({reading.preset.name, table.line, "", unknown_table(table.name)});
+    if (!is_table(table.name) && !is_scenario_table(table.name))
+      reading.say({reading.preset.name, table.line, "", unknown_table(table.name)});
   }
   for (const TomlEntry& entry : document.entries) {
-    if (entry.table.empty() || is_table(entry.table)) take_entry(reading, entry);
+    const bool of_scenarios = entry.table.empty() && is_scenario_table(entry.name);
+    if (!of_scenarios && (entry.table.empty() || is_table(entry.table))) take_entry(reading, entry);
   }
 }
 
@@ -119,7 +124,8 @@ Preset finished(Reading reading, const std::vector<std::string>& overrides, bool
   for (const std::string& text : overrides) take_override(reading, text);
   assign_all(reading);
   if (readable) {
-    for (Issue& issue : contradictions(reading.preset, reading.unsound)) reading.say(std::move(issue));
+    for (Issue& issue : take_scenarios(reading.preset, reading.document, reading.unsound))
+      reading.say(std::move(issue));
   }
   sort_by_place(reading.preset.issues);
   return std::move(reading.preset);

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rift {
@@ -18,13 +19,24 @@ struct Origin {
   std::string value;  // as shown in messages
 };
 
-/// A preset read into a scene, with every mistake that was found. The scene counts only where `issues` is
+/// One scenario of a study.
+struct StudyRow {
+  Scene scene;
+  /// The axes that the study names, in the order of the file, and this scenario's values as text: "0.5 c_r",
+  /// "linear"; "-" where the axis does not apply. The same names in every row.
+  std::vector<std::pair<std::string, std::string>> axes;
+};
+
+/// A preset read into a scene, with every mistake that was found. The scenes count only where `issues` is
 /// empty: a parameter with an issue keeps its default.
 struct Preset {
-  Scene scene;
+  Scene scene;  // with a study or lanes what they start from; it is then checked in them, not by itself
   std::map<std::string, Origin> origins;  // by full key; what is not here is a default
   std::vector<Issue> issues;              // in the order of the file, those of --set last
   std::string name;                       // of the preset in messages
+  std::vector<Scene> lanes;               // of [[lanes]], in the order of the file; a lattice and step shared
+  /// Of [study], the first list varying slowest, then of [[study.rows]]; no two scenes are equal.
+  std::vector<StudyRow> study;
 };
 
 /// Reads a preset file, applies overrides ("crack.velocity=0.3 c_r", full keys only) and checks all of it.
@@ -44,5 +56,8 @@ Issue issue_at(const Preset& preset, const std::string& key, std::string text);
 /// The effective preset as TOML: every key with a line of doc, absent ones as comments. Reading it gives the
 /// scene back to the last bit.
 std::string preset_text(const Scene& scene);
+
+/// The same with its lanes as [[lanes]] and its study as [[study.rows]], in the axes that are varied.
+std::string preset_text(const Preset& preset);
 
 }  // namespace rift

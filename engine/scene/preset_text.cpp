@@ -1,9 +1,38 @@
+#include "engine/scene/axes.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset.hpp"
 
 #include <fmt/format.h>
 
 namespace rift {
+
+namespace {
+
+/// One line per axis that the scene has a value for; what is left out is the base's when it is read.
+std::string axis_lines(const Scene& scene, const std::vector<const Axis*>& varied) {
+  std::string out;
+  for (const Axis* axis : varied) {
+    const std::string value = toml_value(scene, parameter_of(*axis));
+    if (applies(scene, *axis) && !value.empty()) out += fmt::format("{} = {}\n", axis->name, value);
+  }
+  return out;
+}
+
+/// The axes in which some lane differs from the base; never none, for a table without any is a mistake.
+std::vector<const Axis*> varied_in_lanes(const Preset& preset) {
+  std::vector<const Axis*> varied;
+  for (const Axis& axis : axes()) {
+    const Parameter& row = parameter_of(axis);
+    const std::string base = toml_value(preset.scene, row);
+    bool differs = false;
+    for (const Scene& lane : preset.lanes) differs = differs || toml_value(lane, row) != base;
+    if (differs) varied.push_back(&axis);
+  }
+  if (varied.empty()) varied.push_back(find_axis("technique"));
+  return varied;
+}
+
+}  // namespace
 
 std::string preset_text(const Scene& scene) {
   std::string out = "# The effective preset; docs/parameters.md says more.\n";
@@ -17,6 +46,18 @@ std::string preset_text(const Scene& scene) {
     out += fmt::format("# {} Allowed: {}.\n", row.doc, allowed(row));
     out += value.empty() ? fmt::format("# {} is not given\n", name_of(row))
                          : fmt::format("{} = {}\n", name_of(row), value);
+  }
+  return out;
+}
+
+std::string preset_text(const Preset& preset) {
+  std::string out = preset_text(preset.scene);
+  const std::vector<const Axis*> in_lanes = varied_in_lanes(preset);
+  for (const Scene& lane : preset.lanes) out += "\n[[lanes]]\n" + axis_lines(lane, in_lanes);
+  for (const StudyRow& row : preset.study) {
+    std::vector<const Axis*> varied;
+    for (const auto& [name, text] : row.axes) varied.push_back(find_axis(name));
+    out += "\n[[study.rows]]\n" + axis_lines(row.scene, varied);
   }
   return out;
 }

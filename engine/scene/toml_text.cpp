@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace rift {
 
@@ -58,36 +59,60 @@ std::optional<TomlError> too_deep(std::string_view text) {
   return {};
 }
 
+bool earlier(const TomlEntry& a, const TomlEntry& b) {
+  return std::pair{a.line, a.column} < std::pair{b.line, b.column};
+}
+
+TomlEntry entry_of(const std::string& table, const toml::key& key, const toml::node& node) {
+  const toml::source_position at = node.source().begin;
+  return {table, std::string(key.str()), value_of(node), static_cast<int>(at.line),
+          static_cast<int>(at.column)};
+}
+
+/// The tables of a list of tables; a list of anything else has none.
+void take_rows(TomlDocument& document, const std::string& list, const toml::node& node) {
+  if (!node.is_array_of_tables()) return;
+  for (const toml::node& item : *node.as_array()) {
+    TomlRow row{list, {}, line_of(item)};
+    for (const auto& [key, value] : *item.as_table()) row.entries.push_back(entry_of(list, key, value));
+    std::stable_sort(row.entries.begin(), row.entries.end(), earlier);
+    document.rows.push_back(std::move(row));
+  }
+}
+
 TomlDocument flattened(const toml::table& root) {
   TomlDocument document;
   for (const auto& [key, node] : root) {
     const std::string name(key.str());
     const toml::table* table = node.as_table();
     if (!table) {
-      document.entries.push_back({"", name, value_of(node), line_of(node)});
+      document.entries.push_back(entry_of("", key, node));
+      take_rows(document, name, node);
       continue;
     }
     document.tables.push_back({name, line_of(node)});
     for (const auto& [inner, value] : *table) {
-      document.entries.push_back({name, std::string(inner.str()), value_of(value), line_of(value)});
+      document.entries.push_back(entry_of(name, inner, value));
+      take_rows(document, fmt::format("{}.{}", name, inner.str()), value);
     }
   }
   const auto by_line = [](const auto& a, const auto& b) { return a.line < b.line; };
   std::stable_sort(document.tables.begin(), document.tables.end(), by_line);
-  std::stable_sort(document.entries.begin(), document.entries.end(), by_line);
+  std::stable_sort(document.entries.begin(), document.entries.end(), earlier);
   return document;
 }
 
 }  // namespace
 
 TomlDocument read_toml(std::string_view text) {
-  if (text.size() > largest_text) return {{}, {}, TomlError{1, 1, "larger than 1 MiB: not a preset"}};
-  if (auto error = too_deep(text)) return {{}, {}, std::move(error)};
+  if (text.size() > largest_text) return {{}, {}, {}, TomlError{1, 1, "larger than 1 MiB: not a preset"}};
+  if (auto error = too_deep(text)) return {{}, {}, {}, std::move(error)};
   try {
     return flattened(toml::parse(text));
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
     return {{},
+            {},
             {},
             TomlError{static_cast<int>(at.line), static_cast<int>(at.column),
                       printable(error.description(), 200)}};

@@ -19,6 +19,13 @@ struct TomlTable {
 struct TomlEntry {
   std::string table, name;
   Value value;
+  int line = 0, column = 0;  // of the value; they give the order in the file
+};
+
+/// One table of a list of tables, such as one [[lanes]] or one [[study.rows]]. The list is an entry as well.
+struct TomlRow {
+  std::string list;  // "lanes", "study.rows"
+  std::vector<TomlEntry> entries;
   int line = 0;
 };
 
@@ -31,6 +38,7 @@ struct TomlError {
 struct TomlDocument {
   std::vector<TomlTable> tables;
   std::vector<TomlEntry> entries;
+  std::vector<TomlRow> rows;
   std::optional<TomlError> error;
 };
 

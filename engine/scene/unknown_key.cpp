@@ -54,8 +54,10 @@ bool is_table(const std::string& name) {
 }
 
 std::string unknown_table(const std::string& name) {
-  const std::vector<std::string> names = table_names();
-  const std::string nearest = nearest_name(name, names);
+  std::vector<std::string> names = table_names();
+  names.insert(names.end(), {"study", "lanes"});
+  std::string nearest = nearest_name(name, names);
+  if (nearest == "lanes") nearest = "[lanes]";
   if (!nearest.empty())
     return fmt::format("unknown table [{}], did you mean [{}]?", printable(name), nearest);
   return fmt::format("unknown table [{}]: a preset has {}", printable(name), listed(names, "and"));

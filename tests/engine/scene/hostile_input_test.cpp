@@ -2,6 +2,7 @@
 #include "engine/scene/preset.hpp"
 #include "engine/scene/toml_text.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,6 +71,33 @@ TEST(HostilePreset, OfDeepKeysInDeepListsNeverThrows) {
   text += "1";
   for (int i = 0; i < 120; ++i) text += "}\n]";
   EXPECT_EQ(read_preset_text(text, "x.toml").issues.size(), 1u);
+}
+
+TEST(HostilePreset, OfDamagedStudiesNeverThrows) {
+  const std::string good =
+      "[study]\nseed = [1, 2]\ntechnique = [\"simple\", \"progressive\"]\n[[study.rows]]\nlayers = 1\n"
+      "[[lanes]]\nrelaxation = 2\n[[lanes]]\ndamping_alpha = 0\n";
+  std::mt19937 random(3);
+  for (int round = 0; round < 2000; ++round) {
+    std::string text = good;
+    for (int hit = 0; hit < 3; ++hit) text[random() % text.size()] = static_cast<char>(random() % 128);
+    Preset preset;
+    ASSERT_NO_THROW(preset = read_preset_text(text, "x.toml")) << text;
+    expect_civil(preset);
+  }
+}
+
+TEST(HostilePreset, OfAnAstronomicalStudyIsAnIssue) {
+  std::string text = "[study]\n";
+  for (const char* axis : {"seed", "elements", "samples", "damage_zone_ratio", "length"}) {
+    text += fmt::format("{} = [10", axis);
+    for (int i = 11; i < 1000; ++i) text += fmt::format(", {}", i);
+    text += "]\n";
+  }
+  const Preset preset = read_preset_text(text, "x.toml");
+  EXPECT_FALSE(preset.issues.empty());
+  EXPECT_TRUE(preset.study.empty());
+  expect_civil(preset);
 }
 
 TEST(HostilePreset, MayHaveARulerOfDotsInAComment) {

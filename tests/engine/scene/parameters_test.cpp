@@ -1,6 +1,7 @@
 #include "engine/scene/parameters.hpp"
 
 #include "engine/scene/parameters_page.hpp"
+#include "engine/scene/preset.hpp"
 #include "engine/scene/toml_text.hpp"
 
 #include <gtest/gtest.h>
@@ -181,6 +182,18 @@ TEST(ParametersPage, NamesEveryKey) {
   for (const Parameter& row : parameters()) {
     EXPECT_NE(page.find("| `" + name_of(row) + "` |"), std::string::npos) << row.key;
   }
+}
+
+TEST(ParametersPage, ShowsExamplesThatAreGoodPresets) {
+  const std::string page = parameters_markdown(), fence = "```toml\n";
+  int examples = 0;
+  for (auto at = page.find(fence); at != std::string::npos; at = page.find(fence, at + 1), ++examples) {
+    const auto start = at + fence.size();
+    const Preset preset = read_preset_text(page.substr(start, page.find("```", start) - start), "x.toml");
+    for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+    EXPECT_EQ(preset.study.size() + preset.lanes.size(), examples == 0 ? 9u : 2u);
+  }
+  EXPECT_EQ(examples, 2);
 }
 
 }  // namespace

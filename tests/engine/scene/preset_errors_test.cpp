@@ -84,16 +84,20 @@ TEST(PresetErrors, NameUnitsThatAreUnknownOrMissing) {
 TEST(PresetErrors, PointFromUnknownNamesToTheNearestOne) {
   EXPECT_EQ(
       complaints(
-          "lenght = 3\nspecimen = 4\n[crak]\nx = 1\n[study]\n[[lanes]]\n[damping]\nbeta = 1\nhistory = 2\n"),
+          "lenght = 3\nspecimen = 4\n[crak]\nx = 1\n[studdy]\n[[lane]]\n[damping]\nbeta = 1\nhistory = 2\n"),
       "x.toml:1: unknown key 'lenght', did you mean 'specimen.length'?\n"
       "x.toml:2: specimen = 4: expected a table [specimen], got a whole number\n"
       "x.toml:3: unknown table [crak], did you mean [crack]?\n"
-      "x.toml:5: unknown table [study]: a preset has specimen, material, loading, crack, damping, solver and "
-      "output\n"
-      "x.toml:6: unknown table [lanes]: a preset has specimen, material, loading, crack, damping, solver and "
-      "output\n"
+      "x.toml:5: unknown table [studdy], did you mean [study]?\n"
+      "x.toml:6: unknown table [lane], did you mean [[lanes]]?\n"
       "x.toml:8: unknown key 'beta', did you mean 'solver.beta'?\n"
       "x.toml:9: unknown key 'history': [damping] has alpha, region and surface_width\n");
+}
+
+TEST(PresetErrors, ListTheTablesWhereNoneIsNear) {
+  EXPECT_EQ(complaints("[geometry]\n"),
+            "x.toml:1: unknown table [geometry]: a preset has specimen, material, loading, crack, damping, "
+            "solver, output, study and lanes\n");
 }
 
 TEST(PresetErrors, OfSyntaxHaveLineAndColumn) {

@@ -1,0 +1,198 @@
+#include "engine/scene/scenarios.hpp"
+
+#include "engine/scene/contradictions.hpp"
+#include "engine/scene/scenario_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace rift {
+
+namespace {
+
+void check(ScenarioReading& reading, const Scenario& scenario) {
+  for (const Issue& issue : scenario.preset.issues) reading.say(issue);
+  for (Issue& issue : contradictions(scenario.preset, scenario.unsound)) reading.say(std::move(issue));
+}
+
+bool too_many(ScenarioReading& reading, double count, int line) {
+  if (count <= most_scenarios) return false;
+  reading.say(
+      {reading.file(), line, "",
+       fmt::format("{:.6g} scenarios, the limit is {}: leave out some values", count, most_scenarios)});
+  return true;
+}
+
+/// The next combination of the lists, the last list running fastest; false after the last one.
+bool advance(std::vector<std::size_t>& at, const std::vector<std::vector<Setting>>& lists) {
+  for (std::size_t i = lists.size(); i-- > 0;) {
+    if (++at[i] < lists[i].size()) return true;
+    at[i] = 0;
+  }
+  return false;
+}
+
+/// Adds the grid's scenes, each once, in the order of nested loops over the lists.
+void take_grid(ScenarioReading& reading, const std::vector<std::vector<Setting>>& lists,
+               std::map<std::string, int>& seen, std::vector<Scene>& scenes) {
+  if (lists.empty()) return;
+  double count = 1;
+  for (const auto& list : lists) count *= static_cast<double>(list.size());
+  if (too_many(reading, count, lists.front().front().line)) return;
+  std::vector<std::size_t> at(lists.size(), 0);
+  do {
+    std::vector<Setting> settings;
+    for (std::size_t i = 0; i < lists.size(); ++i) settings.push_back(lists[i][at[i]]);
+    const Scenario scenario = scenario_of(reading.base, settings, Chosen::by_grid);
+    if (!seen.emplace(fingerprint(scenario.preset.scene), 0).second) continue;
+    check(reading, scenario);
+    scenes.push_back(scenario.preset.scene);
+  } while (advance(at, lists));
+}
+
+/// Adds the scenes that were written out one by one. One that is there already is a mistake, not a wish.
+void take_rows(ScenarioReading& reading, const std::vector<HandRow>& rows, std::map<std::string, int>& seen,
+               std::vector<Scene>& scenes) {
+  if (!rows.empty() && too_many(reading, static_cast<double>(rows.size() + scenes.size()), rows.front().line))
+    return;
+  for (const HandRow& row : rows) {
+    const Scenario scenario = scenario_of(reading.base, row.settings, Chosen::by_hand);
+    check(reading, scenario);
+    scenes.push_back(scenario.preset.scene);
+    if (!row.sound || !scenario.preset.issues.empty()) continue;
+    const auto [earlier, fresh] = seen.emplace(fingerprint(scenario.preset.scene), row.line);
+    if (fresh) continue;
+    const std::string where = earlier->second == 0 ? "the grid" : fmt::format("line {}", earlier->second);
+    reading.say({reading.file(), row.line, "", fmt::format("the same scenario as in {}", where)});
+  }
+}
+
+/// Why no scenario may have a value that the grid lists: settled away, scenario_of() says how.
+std::string_view reason_of(const Axis& axis) {
+  if (axis.name == "damping_alpha") return "damping_region = \"none\"";
+  if (axis.name == "damping_region") return "damping_alpha = 0";
+  return "technique = \"simple\"";
+}
+
+/// A value of the grid that settling took out of every scenario is a mistake: nobody lists it for nothing.
+void check_values(ScenarioReading& reading, const std::vector<std::vector<Setting>>& lists,
+                  const std::vector<Scene>& scenes) {
+  if (!reading.issues.empty()) return;
+  for (const std::vector<Setting>& list : lists) {
+    const Axis& axis = *list.front().axis;
+    std::set<std::string> had;
+    for (const Scene& scene : scenes) {
+      if (applies(scene, axis)) had.insert(toml_value(scene, parameter_of(axis)));
+    }
+    const auto lost = std::find_if(list.begin(), list.end(), [&](const Setting& setting) {
+      Scene scene = reading.base.preset.scene;
+      assign(scene, parameter_of(axis), setting.value);
+      return !had.contains(toml_value(scene, parameter_of(axis)));
+    });
+    if (lost == list.end()) continue;
+    const Mention& mention = *std::find_if(reading.mentions.begin(), reading.mentions.end(),
+                                           [&](const Mention& m) { return m.axis == &axis; });
+    reading.say({reading.file(), mention.line, fmt::format("study.{}", axis.name),
+                 fmt::format("{} is in no scenario: all have {}", shown(lost->value), reason_of(axis)),
+                 mention.value});
+  }
+}
+
+/// An axis of rows or lanes that means nothing in any of them was meant for another technique.
+void check_applies(ScenarioReading& reading, const std::vector<Scene>& scenes) {
+  if (!reading.issues.empty()) return;
+  for (const Mention& m : reading.mentions) {
+    const bool somewhere = std::any_of(scenes.begin(), scenes.end(),
+                                       [&](const Scene& scene) { return applies(scene, *m.axis); });
+    if (somewhere) continue;
+    reading.say({reading.file(), m.line, fmt::format("{}.{}", m.table, m.axis->name),
+                 "applies to no scenario: all have technique = \"simple\"", m.value});
+  }
+}
+
+/// A --set of what the scenarios set themselves would look as if it counted.
+void check_overrides(ScenarioReading& reading) {
+  for (const Mention& m : reading.mentions) {
+    const auto found = reading.base.preset.origins.find(std::string(m.axis->key));
+    if (found == reading.base.preset.origins.end() || found->second.file != "--set") continue;
+    reading.say({"--set", 0, std::string(m.axis->key),
+                 fmt::format("varied by the {} (line {}): change it there",
+                             m.table == "lanes" ? "lanes" : "study", m.line),
+                 found->second.value});
+  }
+}
+
+void check_both(ScenarioReading& reading, int study, int lanes) {
+  if (study == 0 || lanes == 0) return;
+  reading.say({reading.file(), lanes, "",
+               fmt::format("[[lanes]] beside [study] (line {}): a preset has one or the other", study)});
+}
+
+void check_empty(ScenarioReading& reading) {
+  for (const TomlTable& table : reading.document.tables) {
+    if (table.name != "study" || !reading.mentions.empty() || !reading.issues.empty()) continue;
+    reading.say({reading.file(), table.line, "",
+                 "[study] names no axis: write one list of values per axis, or [[study.rows]]"});
+  }
+}
+
+std::vector<Scene> study_scenes(ScenarioReading& reading) {
+  std::map<std::string, int> seen;  // the line of a scenario, 0 for the grid, by its fingerprint
+  std::vector<Scene> scenes;
+  const std::vector<std::vector<Setting>> lists = read_grid(reading);
+  const std::vector<HandRow> rows = read_hand_rows(reading, "study.rows");
+  check_empty(reading);
+  take_grid(reading, lists, seen, scenes);
+  check_values(reading, lists, scenes);
+  take_rows(reading, rows, seen, scenes);
+  check_applies(reading, scenes);
+  return scenes;
+}
+
+std::vector<Scene> lane_scenes(ScenarioReading& reading) {
+  std::map<std::string, int> seen;
+  std::vector<Scene> scenes;
+  take_rows(reading, read_hand_rows(reading, "lanes"), seen, scenes);
+  check_applies(reading, scenes);
+  return scenes;
+}
+
+StudyRow study_row(const Scene& scene, const std::vector<Mention>& mentions) {
+  StudyRow row{scene, {}};
+  for (const Mention& m : mentions) row.axes.emplace_back(m.axis->name, axis_text(scene, *m.axis));
+  return row;
+}
+
+/// What nobody varies is checked as it stands, but for the axes of scenarios which could not be made.
+void check_base(ScenarioReading& reading, const std::vector<Mention>& mentions) {
+  std::set<std::string> unsound = reading.base.unsound;
+  for (const Mention& m : mentions) unsound.emplace(m.axis->key);
+  for (Issue& issue : contradictions(reading.base.preset, unsound)) reading.say(std::move(issue));
+}
+
+}  // namespace
+
+std::vector<Issue> take_scenarios(Preset& preset, const TomlDocument& document,
+                                  const std::set<std::string>& unsound) {
+  ScenarioReading study{{preset, unsound}, document}, lanes{{preset, unsound}, document};
+  check_shapes(study);
+  const std::vector<Scene> of_study = study_scenes(study);
+  std::vector<Scene> of_lanes = lane_scenes(lanes);
+  check_overrides(study);
+  check_overrides(lanes);
+  check_both(study, first_line(document, "study"), first_line(document, "lanes"));
+  for (Issue& issue : lanes.issues) study.say(std::move(issue));
+  if (of_study.empty() && of_lanes.empty()) {
+    std::vector<Mention> mentions = study.mentions;
+    mentions.insert(mentions.end(), lanes.mentions.begin(), lanes.mentions.end());
+    check_base(study, mentions);
+  }
+  for (const Scene& scene : of_study) preset.study.push_back(study_row(scene, study.mentions));
+  preset.lanes = std::move(of_lanes);
+  return std::move(study.issues);
+}
+
+}  // namespace rift
