@@ -19,6 +19,7 @@ packages=(
   'nlohmann-json3-dev|summaries'
   'libxxhash-dev|checksums'
   'libgtest-dev|tests'
+  'gnuplot-nox|charts of reports'
 )
 
 usage() {

@@ -1,0 +1,76 @@
+#include "studio/report/chart.hpp"
+
+#include "engine/results/files.hpp"
+#include "engine/results/world_error.hpp"
+#include "studio/report/chart_script.hpp"
+#include "studio/report/gnuplot.hpp"
+#include "studio/report/heat_map_script.hpp"
+#include "studio/report/label.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <cmath>
+#include <system_error>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+[[maybe_unused]] bool is_chart_name(const std::string& name) {
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
+  return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
+         std::all_of(name.begin(), name.end(), allowed);
+}
+
+bool has_points(const Chart& chart) {
+  const auto shown = [&](const ChartSeries& s) {
+    const auto points = drawable_points(s);
+    return std::any_of(points.begin(), points.end(), [&](std::size_t k) {
+      return (!chart.log_x || s.x[k] > 0.0) && (!chart.log_y || s.y[k] > 0.0);
+    });
+  };
+  return std::any_of(chart.series.begin(), chart.series.end(), shown);
+}
+
+bool has_points(const HeatMap& map) {
+  return std::any_of(map.value.begin(), map.value.end(), [](double v) { return std::isfinite(v); });
+}
+
+template <class AnyChart>  // Chart or HeatMap
+DrawnChart draw(const AnyChart& chart, const fs::path& given, const std::string& name) {
+  assert(is_chart_name(name));
+  const fs::path folder = given.empty() ? fs::path(".") : given;
+  if (!has_points(chart)) throw results::WorldError("draw", folder / name, "it has no points");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw results::WorldError("create the folder", folder, error.message());
+  DrawnChart drawn{folder / (name + ".svg"),
+                   folder / (name + ".png"),
+                   folder / (name + ".csv"),
+                   folder / (name + ".gp"),
+                   {}};
+  results::write_whole_file(drawn.data, chart_data(chart));
+  results::write_whole_file(drawn.script, chart_script(chart, name));
+  run_script(folder, name);
+  drawn.svg_text = inline_svg(results::read_whole_file(drawn.svg), name, plain_text(chart.title));
+  return drawn;
+}
+
+}  // namespace
+
+DrawnChart draw_chart(const Chart& chart, const fs::path& folder, const std::string& name) {
+  for ([[maybe_unused]] const ChartSeries& s : chart.series) {
+    assert(s.x.size() == s.y.size());
+    assert(s.error.empty() || s.error.size() == s.x.size());
+  }
+  return draw(chart, folder, name);
+}
+
+DrawnChart draw_chart(const HeatMap& map, const fs::path& folder, const std::string& name) {
+  assert(map.value.size() == map.x.size() * map.y.size());
+  assert(map.text.empty() || map.text.size() == map.value.size());
+  return draw(map, folder, name);
+}
+
+}  // namespace rift::studio
