@@ -74,6 +74,21 @@ Kernel<Real> kernel_for(InstructionSet set, Kinematics kinematics, int lanes) {
   return found;
 }
 
+template <class Real>
+double multiply_and_add(InstructionSet set, long rounds) {
+  switch (set) {
+    case InstructionSet::baseline:
+      return baseline::multiply_and_add(Real{}, rounds);
+    case InstructionSet::avx2:
+      return avx2::multiply_and_add(Real{}, rounds);
+    case InstructionSet::avx512:
+      return avx512::multiply_and_add(Real{}, rounds);
+  }
+  return 0.0;
+}
+
+template double multiply_and_add<double>(InstructionSet, long);
+template double multiply_and_add<float>(InstructionSet, long);
 template int lanes_in_register<double>(InstructionSet);
 template int lanes_in_register<float>(InstructionSet);
 template int lanes_for<double>(int);

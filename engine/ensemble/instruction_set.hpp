@@ -33,4 +33,8 @@ int lanes_for(int scenarios);
 template <class Real>
 Kernel<Real> kernel_for(InstructionSet set, Kinematics kinematics, int lanes);
 
+/// Multiplies and adds, `rounds` times in every register; returns the floating-point operations done.
+template <class Real>
+double multiply_and_add(InstructionSet set, long rounds);
+
 }  // namespace rift

@@ -8,6 +8,8 @@ Needs needs_of(const Scene& scene) {
   needs.numerical_damping = scene.solver.beta < 1;
   needs.damage_zone = scene.crack.technique == Technique::progressive;
   needs.ramp = scene.loading.method == LoadingMethod::ramp;
+  needs.corotation = scene.solver.kinematics == Kinematics::corotational;
+  needs.step_books = needs.damping || needs.numerical_damping || needs.ramp;
   needs.frames = scene.output.frames > 0 && !scene.output.fields.empty();
   return needs;
 }
@@ -23,6 +25,10 @@ std::vector<std::string> left_out(const Scene& scene) {
   if (!needs.numerical_damping) lines.emplace_back("numerical damping: beta = 1");
   if (!needs.damage_zone) lines.emplace_back("damage zone: technique = simple");
   if (!needs.ramp) lines.emplace_back("ramp: method = static, the pre-stress is one solve");
+  if (!needs.corotation)
+    lines.emplace_back("corotation: kinematics = linear, beam axes and elements' quaternions stay as they are");
+  if (!needs.step_books)
+    lines.emplace_back("books of every step: nothing is dissipated or pulled, energies are read at samples");
   if (!needs.frames) {
     lines.emplace_back(scene.output.frames == 0 ? "frames: frames = 0, no fields are written"
                                                 : "frames: fields = [], no fields are written");

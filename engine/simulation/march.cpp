@@ -145,8 +145,9 @@ class Run {
     if (observer_.sample) observer_.sample(row);
     const double residual = std::abs(row.residual);
     if (!(residual <= lane.worst_residual)) lane.worst_residual = residual;
-    const double limit = ledger_limit(scene().solver.kinematics, scene().solver.precision);
-    if (residual <= std::max(1e-6, 100.0 * limit)) return;
+    const bool exact = scene().solver.kinematics == Kinematics::linear &&
+                       scene().solver.precision == Precision::double_precision;
+    if (residual <= (exact ? 1e-6 : 0.1)) return;
     lane.outcome = Outcome::diverged;
     lane.where = fmt::format("step {}: the books are open by {:.3g} of the energy{}", row.step, row.residual,
                              first_lost_element(index(seat)));

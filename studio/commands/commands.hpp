@@ -12,6 +12,7 @@ namespace rift::studio {
 // calls the subcommand, its exit code is stored in `exit_code`, which outlives `app`; bad input may also
 // leave as InputError and a failure of the world as any other exception, which main turns into exit codes 2
 // and 1.
+void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_check(CLI::App& app, ExitCode& exit_code);
 void add_export(CLI::App& app, ExitCode& exit_code);
 void add_list(CLI::App& app, ExitCode& exit_code);
@@ -19,6 +20,6 @@ void add_run(CLI::App& app, ExitCode& exit_code);
 void add_theory(CLI::App& app, ExitCode& exit_code);
 
 /// All subcommands, in the order of `rift --help`.
-inline constexpr std::array all_commands = {add_run, add_check, add_list, add_theory, add_export};
+inline constexpr std::array all_commands = {add_run, add_check, add_list, add_theory, add_export, add_bench};
 
 }  // namespace rift::studio

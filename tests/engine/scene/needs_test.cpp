@@ -16,6 +16,8 @@ TEST(Needs, OfTheDefaultSceneAreTheDamageZoneAndFrames) {
   EXPECT_FALSE(needs.numerical_damping);
   EXPECT_TRUE(needs.damage_zone);
   EXPECT_FALSE(needs.ramp);
+  EXPECT_FALSE(needs.corotation);
+  EXPECT_FALSE(needs.step_books);
   EXPECT_TRUE(needs.frames);
 }
 
@@ -25,6 +27,7 @@ Scene scene_with_everything() {
   scene.damping.region = DampingRegion::surface;
   scene.solver.beta = 0.9;
   scene.loading.method = LoadingMethod::ramp;
+  scene.solver.kinematics = Kinematics::corotational;
   return scene;
 }
 
@@ -33,6 +36,8 @@ TEST(Needs, FollowTheScene) {
   EXPECT_TRUE(needs.damping);
   EXPECT_TRUE(needs.numerical_damping);
   EXPECT_TRUE(needs.ramp);
+  EXPECT_TRUE(needs.corotation);
+  EXPECT_TRUE(needs.step_books);
   Scene none = scene_with_everything();
   none.damping.region = DampingRegion::none;
   EXPECT_FALSE(needs_of(none).damping);
@@ -48,6 +53,10 @@ TEST(LeftOut, SaysWhatAndWhy) {
             (std::vector<std::string>{"damping: alpha = 0, no damped beams are built",
                                       "numerical damping: beta = 1", "damage zone: technique = simple",
                                       "ramp: method = static, the pre-stress is one solve",
+                                      "corotation: kinematics = linear, beam axes and elements' quaternions stay "
+                                      "as they are",
+                                      "books of every step: nothing is dissipated or pulled, energies are read at "
+                                      "samples",
                                       "frames: frames = 0, no fields are written"}));
 }
 

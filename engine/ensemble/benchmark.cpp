@@ -1,0 +1,198 @@
+#include "engine/ensemble/benchmark.hpp"
+
+#include "engine/lattice/neighbours.hpp"
+#include "engine/mechanics/forces.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+
+namespace rift {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Arithmetic of one beam and one lane, counted in engine/ensemble/forms.hpp (a fused multiply-add counts
+/// two), and of the integration of an element.
+constexpr double linear_flops = 101, corotational_flops = 306;
+constexpr double linear_drift_flops = 30, corotational_drift_flops = 75;
+
+template <class Real>
+double bytes_of_beam(const BenchCase& c, double beams_per_element) {
+  const bool linear = c.kinematics == Kinematics::linear;
+  const double row =
+      c.scenarios == 1
+          ? (linear ? sizeof(BeamGroup<Real, 7>) : sizeof(BeamGroup<Real, 10>)) / 4.0
+          : (linear ? sizeof(SoundRow<LinearBeam<Real>>) : sizeof(SoundRow<CorotationalBeam<Real>>));
+  const double numbers = linear ? 12 : 13;  // position and velocity, each read and written
+  return row / c.scenarios + 2.0 * numbers * sizeof(Real) / beams_per_element;
+}
+
+/// The plain path: forces beam by beam, then the elements; linear, double, one lane, one thread.
+class PlainMarch {
+ public:
+  explicit PlainMarch(const Lattice& lattice)
+      : q_(6 * lattice.mass.size(), 0.0), v_(q_), f_(q_), per_mass_(q_) {
+    for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b) rows_.push_back(row_of(lattice, b));
+    for (std::size_t k = 0; k < per_mass_.size(); ++k)
+      per_mass_[k] = 1.0 / (k % 6 < 3 ? lattice.mass[k / 6] : lattice.inertia[k / 6]);
+  }
+  void step() {
+    add_beam_forces(rows_, q_.data(), f_.data());
+    for (std::size_t k = 0; k < q_.size(); ++k) {
+      v_[k] += dt_ * per_mass_[k] * f_[k];
+      q_[k] += dt_ * v_[k];
+      f_[k] = 0.0;
+    }
+  }
+
+ private:
+  static constexpr double dt_ = 1e-8;
+  std::vector<double> q_, v_, f_, per_mass_;
+  std::vector<BeamRow> rows_;
+};
+
+/// Steps per second in each of the runs, ascending.
+template <class Step>
+std::vector<double> rates_of_runs(const Step& step, int runs, double seconds) {
+  for (int n = 0; n < 3; ++n) step();
+  std::vector<double> rates;
+  for (int run = 0; run < runs; ++run) {
+    const auto start = Clock::now();
+    int steps = 0;
+    double passed = 0.0;
+    while (passed < seconds) {
+      for (int n = 0; n < 4; ++n) step();
+      steps += 4;
+      passed = seconds_since(start);
+    }
+    rates.push_back(steps / passed);
+  }
+  std::sort(rates.begin(), rates.end());
+  return rates;
+}
+
+/// A shape that moves every element, so that no kernel meets a zero; small, since it is not the point.
+std::vector<Vector6> waves(const Lattice& lattice) {
+  std::vector<Vector6> q;
+  for (const Eigen::Vector3d& x : lattice.centre) {
+    const double phase = 300.0 * x.x() + 500.0 * x.y() + 100.0 * x.z();
+    Vector6 m;
+    m << std::sin(phase), std::cos(phase), std::sin(2 * phase), std::cos(2 * phase), std::sin(3 * phase), 1.0;
+    q.push_back(1e-7 * m);
+  }
+  return q;
+}
+
+template <class Real>
+std::vector<double> ensemble_rates(const BenchCase& c, const Lattice& lattice, int runs, double seconds) {
+  LaneScenario idle;
+  idle.history = history_of(-1.0, {{1e-9, 1.0}});
+  const Marching marching{.kinematics = c.kinematics, .threads = c.threads, .instructions = c.instructions};
+  Ensemble<Real> ensemble(lattice, straight_path(lattice.box.length, 0.5 * lattice.box.height), 0.0, 1e-8,
+                          std::vector<LaneScenario>(c.scenarios, idle), marching);
+  ensemble.release_from(waves(lattice));
+  if (c.beta != 1.0) ensemble.set_beta(c.beta);
+  std::vector<DampedBeam> damped;
+  for (int b = 0; b < static_cast<int>(c.damped * static_cast<double>(lattice.beam.size())); ++b)
+    damped.push_back(damped_beam(lattice, b, -1, false));
+  ensemble.start_crack(damped);
+  return rates_of_runs(
+      [&] {
+        ensemble.step();
+        if (c.weighed) ensemble.energy(0);
+      },
+      runs, seconds);
+}
+
+}  // namespace
+
+Lattice bench_lattice(int elements) {
+  // Two close-packed layers, B over the hollows of A; columns along y.
+  const int columns =
+      std::max(2, static_cast<int>(std::lround(std::sqrt(elements / 2.0 * 5.0 / (std::sqrt(3.0) / 2.0)))));
+  const int rows = std::max(2, elements / 2 / columns);
+  const double d = 0.2 / columns / (std::sqrt(3.0) / 2.0);
+  Specimen s;
+  s.box = {0.2, rows * d, 2.0 * d};
+  std::vector<double> reach;
+  for (int c = 0; c < columns; ++c)
+    for (int r = 0; r < rows; ++r)
+      for (int layer = 0; layer < 2; ++layer) {
+        s.centre.emplace_back(d * (c + (layer ? 2.0 / 3.0 : 0.0)) * std::sqrt(3.0) / 2.0,
+                              d * (r + (c % 2 ? 0.5 : 0.0)), layer * d * std::sqrt(2.0 / 3.0));
+        s.radius.push_back(0.5 * d);
+        reach.push_back(0.51 * d);
+        s.grip.push_back(r == 0 ? Grip::bottom : r == rows - 1 ? Grip::top : Grip::none);
+      }
+  std::vector<std::array<int, 2>> pairs = pairs_within_reach(s.centre, reach);
+  std::mt19937_64 random(7);
+  const double keep = 3.0 * static_cast<double>(s.centre.size()) / static_cast<double>(pairs.size());
+  std::erase_if(pairs, [&](const auto&) { return static_cast<double>(random() >> 11) * 0x1.0p-53 > keep; });
+  s.beam = pairs;
+  s.packing.mean_radius = 0.5 * d;
+  return make_lattice(s, {219e9, 0.3, 0.3}, 667.0);
+}
+
+MachinePeaks machine_peaks(InstructionSet instructions, int threads) {
+  Crew crew(threads, threads);
+  MachinePeaks peaks;
+  const std::size_t share = (std::size_t{1} << 24);  // doubles a thread and array: 128 MB
+  std::vector<std::vector<double>> a(threads), b(threads), c(threads);
+  crew.run(threads,
+           [&](int t) { a[t].assign(share, 0.0), b[t].assign(share, 1.0), c[t].assign(share, 2.0); });
+  const auto best_of = [&](const auto& work) {  // seconds
+    double best = 1e9;
+    for (int n = 0; n < 5; ++n) {
+      const auto start = Clock::now();
+      crew.run(threads, work);
+      best = std::min(best, seconds_since(start));
+    }
+    return best;
+  };
+  const double triad = best_of([&](int t) {
+    for (std::size_t k = 0; k < share; ++k) a[t][k] = b[t][k] + 3.0 * c[t][k];
+  });
+  peaks.memory_bytes_per_s =
+      32.0 * static_cast<double>(share) * threads / triad;  // a is read before it is written
+  constexpr long rounds = 4'000'000;
+  std::vector<double> done(threads);
+  const double in_double = best_of([&](int t) { done[t] = multiply_and_add<double>(instructions, rounds); });
+  peaks.flops_double = done[0] * threads / in_double;
+  const double in_single = best_of([&](int t) { done[t] = multiply_and_add<float>(instructions, rounds); });
+  peaks.flops_single = done[0] * threads / in_single;
+  return peaks;
+}
+
+BenchResult time_case(const BenchCase& bench, int runs, double seconds) {
+  const Lattice lattice = bench_lattice(bench.elements);
+  const bool single = bench.precision == Precision::single_precision;
+  BenchResult result;
+  result.of = bench;
+  result.beams = lattice.beam.size();
+  if (bench.plain) {
+    PlainMarch march(lattice);
+    result.beam_steps_per_s = rates_of_runs([&] { march.step(); }, runs, seconds);
+  } else {
+    result.beam_steps_per_s = single ? ensemble_rates<float>(bench, lattice, runs, seconds)
+                                     : ensemble_rates<double>(bench, lattice, runs, seconds);
+  }
+  const double lanes = bench.scenarios, beams = static_cast<double>(result.beams);
+  result.step_s = 1.0 / result.median();
+  result.element_steps_per_s = result.median() * lanes * static_cast<double>(lattice.mass.size());
+  for (double& rate : result.beam_steps_per_s) rate *= beams * lanes;
+  const double per_element = beams / static_cast<double>(lattice.mass.size());
+  const bool linear = bench.kinematics == Kinematics::linear;
+  result.bytes_per_beam =
+      single ? bytes_of_beam<float>(bench, per_element) : bytes_of_beam<double>(bench, per_element);
+  result.flops_per_beam = (linear ? linear_flops : corotational_flops) +
+                          (linear ? linear_drift_flops : corotational_drift_flops) / per_element;
+  return result;
+}
+
+}  // namespace rift

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/ensemble/ensemble.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rift {
+
+/// A plate of two layers, five times as long as high, in columns across it, with three beams an element: the
+/// shape of the lattice that a run marches on, without the wait for a packing. All in SI, of the paper's
+/// material.
+Lattice bench_lattice(int elements);
+
+/// What this machine can do at most, measured now with the same threads.
+struct MachinePeaks {
+  double memory_bytes_per_s =
+      0;  // a[k] = b[k] + s c[k] over arrays beyond any cache, as the loop's data flow
+  double flops_double = 0, flops_single = 0;  // multiply-adds in registers
+};
+MachinePeaks machine_peaks(InstructionSet instructions, int threads);
+
+/// One thing to time.
+struct BenchCase {
+  std::string name;
+  Kinematics kinematics = Kinematics::linear;
+  Precision precision = Precision::double_precision;
+  int scenarios = 1, threads = 1, elements = 20000;
+  InstructionSet instructions = InstructionSet::baseline;
+  bool plain = false;  // beam by beam, without the kernels: what the others are measured against
+  double damped = 0;   // share of the beams that are damped
+  double beta = 1;
+  bool weighed = false;  // with the energies of every step
+};
+
+/// How fast it went: whole steps with integration.
+struct BenchResult {
+  BenchCase of;
+  std::size_t beams = 0;
+  double step_s = 0;                              // median
+  std::vector<double> beam_steps_per_s;           // of each run, ascending
+  double element_steps_per_s = 0;                 // median
+  double bytes_per_beam = 0, flops_per_beam = 0;  // a beam and a lane: compulsory traffic, arithmetic
+  double median() const { return beam_steps_per_s[beam_steps_per_s.size() / 2]; }
+};
+
+/// @param[in] runs  each of at least `seconds`
+BenchResult time_case(const BenchCase& bench, int runs, double seconds);
+
+}  // namespace rift

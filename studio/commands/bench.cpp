@@ -1,0 +1,207 @@
+#include "engine/ensemble/benchmark.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/report/progress.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+namespace rift::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct BenchOptions {
+  std::vector<int> elements{5000, 20000, 80000};
+  int threads = 0, runs = 7;
+  double seconds = 0.15;
+  bool needs = false, json = false, quiet = false;
+  std::string color;
+};
+
+using Cases = std::vector<BenchCase>;
+
+BenchCase base_case(int elements, int threads) {
+  BenchCase c;
+  c.instructions = instruction_set();
+  c.elements = elements;
+  c.threads = threads;
+  return c;
+}
+
+/// The kernels that the documents quote, for one size and number of threads.
+void add_kernels(Cases& cases, int elements, int threads) {
+  const auto add = [&](std::string name, Kinematics kinematics, Precision precision, int scenarios) {
+    BenchCase c = base_case(elements, threads);
+    c.name = std::move(name);
+    c.kinematics = kinematics, c.precision = precision, c.scenarios = scenarios;
+    cases.push_back(c);
+  };
+  using enum Precision;
+  for (const Kinematics kinematics : {Kinematics::linear, Kinematics::corotational}) {
+    const std::string name = kinematics == Kinematics::linear ? "linear" : "corotational";
+    add(name, kinematics, double_precision, 1);
+    add(name, kinematics, single_precision, 1);
+    for (const int lanes : {4, 8}) add(name, kinematics, double_precision, lanes);
+    for (const int lanes : {8, 16}) add(name, kinematics, single_precision, lanes);
+  }
+}
+
+Cases kernel_cases(const BenchOptions& options, int threads) {
+  Cases cases;
+  for (const int elements : options.elements) {
+    BenchCase plain = base_case(elements, 1);
+    plain.name = "plain", plain.plain = true;
+    cases.push_back(plain);
+    for (const int t : {1, threads})
+      if (t == 1 || threads > 1) add_kernels(cases, elements, t);
+  }
+  return cases;
+}
+
+/// What each piece costs when it is in: one scenario in double, and eight in single.
+Cases needs_cases(const BenchOptions& options, int threads) {
+  Cases cases;
+  const int elements = options.elements.front();
+  for (const int scenarios : {1, 8}) {
+    const auto add = [&](std::string name, const auto& change) {
+      BenchCase c = base_case(elements, threads);
+      c.name = std::move(name), c.scenarios = scenarios;
+      if (scenarios > 1) c.precision = Precision::single_precision;
+      change(c);
+      cases.push_back(c);
+    };
+    add("bare", [](BenchCase&) {});
+    add("damping, 5 % of the beams", [](BenchCase& c) { c.damped = 0.05; });
+    add("damping, all beams", [](BenchCase& c) { c.damped = 1.0; });
+    add("numerical damping", [](BenchCase& c) { c.beta = 0.9; });
+    add("energies every step", [](BenchCase& c) { c.weighed = true; });
+    add("corotational beams", [](BenchCase& c) { c.kinematics = Kinematics::corotational; });
+  }
+  return cases;
+}
+
+std::vector<BenchResult> time_all(const Cases& cases, const BenchOptions& options) {
+  ProgressLine line(progress_style(options.quiet, options.json));
+  std::vector<BenchResult> results;
+  for (const BenchCase& c : cases) {
+    line.tell("bench", static_cast<double>(results.size()) / static_cast<double>(cases.size()));
+    results.push_back(time_case(c, options.runs, options.seconds));
+  }
+  line.clear();
+  return results;
+}
+
+const char* precision_name(Precision p) { return p == Precision::single_precision ? "single" : "double"; }
+
+double share_of_arithmetic(const BenchResult& r, const MachinePeaks& peaks) {
+  const double peak = r.of.precision == Precision::single_precision ? peaks.flops_single : peaks.flops_double;
+  return r.median() * r.flops_per_beam / peak;
+}
+
+Json json_of(const BenchResult& r, const BenchResult& base, const MachinePeaks& peaks) {
+  return {{"kernel", r.of.name},
+          {"kinematics", r.of.kinematics == Kinematics::linear ? "linear" : "corotational"},
+          {"precision", precision_name(r.of.precision)},
+          {"scenarios", r.of.scenarios},
+          {"threads", r.of.threads},
+          {"elements", r.of.elements},
+          {"beams", r.beams},
+          {"simd", r.of.plain ? "none" : name_of(r.of.instructions)},
+          {"beam_steps_per_s", r.median()},
+          {"beam_steps_per_s_least", r.beam_steps_per_s.front()},
+          {"beam_steps_per_s_most", r.beam_steps_per_s.back()},
+          {"element_steps_per_s", r.element_steps_per_s},
+          {"step_s", r.step_s},
+          {"ratio", r.median() / base.median()},
+          {"bytes_per_beam", r.bytes_per_beam},
+          {"flops_per_beam", r.flops_per_beam},
+          {"share_of_memory", r.median() * r.bytes_per_beam / peaks.memory_bytes_per_s},
+          {"share_of_arithmetic", share_of_arithmetic(r, peaks)}};
+}
+
+void print_peaks(const MachinePeaks& peaks, int threads) {
+  fmt::print("  {} thread{}: memory {:.1f} GB/s, arithmetic {:.0f} GFlop/s double, {:.0f} single\n", threads,
+             threads > 1 ? "s" : "", 1e-9 * peaks.memory_bytes_per_s, 1e-9 * peaks.flops_double,
+             1e-9 * peaks.flops_single);
+}
+
+void print_row(const BenchResult& r, const BenchResult& base, const MachinePeaks& peaks) {
+  fmt::print(
+      "  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>7.1f} ({:.0f}-{:.0f}){:>9.1f}{:>8.2f} x{:>7.0f} B{:>5.0f} %{:>5.0f} "
+      "%\n",
+      r.of.name, precision_name(r.of.precision), r.of.scenarios, r.of.threads, r.of.elements,
+      1e-6 * r.median(), 1e-6 * r.beam_steps_per_s.front(), 1e-6 * r.beam_steps_per_s.back(),
+      1e-6 * r.element_steps_per_s, r.median() / base.median(), r.bytes_per_beam,
+      100 * r.median() * r.bytes_per_beam / peaks.memory_bytes_per_s, 100 * share_of_arithmetic(r, peaks));
+}
+
+/// What a row's ratio is against: the plain path on the same lattice, or the bare kernel of as many
+/// scenarios.
+const BenchResult& base_of(const std::vector<BenchResult>& all, const BenchResult& r, bool needs) {
+  return *std::find_if(all.begin(), all.end(), [&](const BenchResult& b) {
+    return needs ? b.of.name == "bare" && b.of.scenarios == r.of.scenarios
+                 : b.of.plain && b.of.elements == r.of.elements;
+  });
+}
+
+ExitCode bench(const BenchOptions& options) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  const int threads = options.threads > 0 ? options.threads : std::max(1, cores);
+  const MachinePeaks alone = machine_peaks(instruction_set(), 1),
+                     together = machine_peaks(instruction_set(), threads);
+  const auto peaks_of = [&](const BenchResult& r) { return r.of.threads == 1 ? alone : together; };
+  const std::vector<BenchResult> results =
+      time_all(options.needs ? needs_cases(options, threads) : kernel_cases(options, threads), options);
+  if (options.json) {
+    Json rows = Json::array();
+    for (const BenchResult& r : results)
+      rows.push_back(json_of(r, base_of(results, r, options.needs), peaks_of(r)));
+    const Json machine{{"threads", threads},
+                       {"memory_bytes_per_s", together.memory_bytes_per_s},
+                       {"flops_double", together.flops_double},
+                       {"flops_single", together.flops_single},
+                       {"simd", name_of(instruction_set())}};
+    fmt::print("{}\n", Json{{"machine", machine}, {"rows", rows}}.dump(2));
+    return ExitCode::done;
+  }
+  fmt::print("{}\n", heading(version_text(), wants_color(options.color, stdout)));
+  print_peaks(alone, 1);
+  if (threads > 1) print_peaks(together, threads);
+  fmt::print("  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>21}{:>7}{:>9}{:>9}{:>7}{:>7}\n", "kernel", "state", "L", "T",
+             "N", "M beam-steps/s (least-most)", "M el.-", options.needs ? "of bare" : "of plain", "a beam",
+             "mem.", "flops");
+  for (const BenchResult& r : results) print_row(r, base_of(results, r, options.needs), peaks_of(r));
+  fmt::print(
+      "  L scenarios side by side, T threads, N elements; medians of {} runs of {:g} s; whole steps.\n"
+      "  A beam: compulsory traffic a beam and scenario; mem., flops: share of what this machine was "
+      "measured to do.\n",
+      options.runs, options.seconds);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command =
+      *app.add_subcommand("bench", "Element-steps/s and beam-steps/s of the kernels on this machine");
+  const auto options = std::make_shared<BenchOptions>();
+  command.add_option("--elements", options->elements, "Sizes, such as 5000,20000,80000,320000")
+      ->delimiter(',')
+      ->check(CLI::Range(1000, 2'000'000));
+  command.add_option("--threads", options->threads, "Threads beside one (default: one per core)")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--runs", options->runs, "Runs of each kernel")->check(CLI::Range(1, 1000));
+  command.add_option("--seconds", options->seconds, "Length of a run")->check(CLI::Range(0.001, 100.0));
+  command.add_flag("--needs", options->needs, "What each piece costs that a scene may leave out");
+  command.add_flag("--json", options->json, "The result as JSON on stdout");
+  command.add_flag("--quiet", options->quiet, "No progress on stderr");
+  add_color_option(command, options->color);
+  command.callback([options, &exit_code] { exit_code = bench(*options); });
+}
+
+}  // namespace rift::studio
