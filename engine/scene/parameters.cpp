@@ -180,7 +180,7 @@ std::vector<Parameter> solver_rows() {
 std::vector<Parameter> output_rows() {
   return {
       {"output.samples", "400", [](Scene& s) -> Slot { return &s.output.samples; },
-       "Samples of the energies and the release rate over the run.", none, closed(10, 1e6)},
+       "Samples of the energies and the release rate over the run, at least; a power of two of steps apart.", none, closed(10, 1e6)},
       {"output.frames", "40", [](Scene& s) -> Slot { return &s.output.frames; },
        "Frames of the fields over the run; 0 for none.", none, closed(0, 1e5)},
       {"output.fields",

@@ -17,8 +17,9 @@ struct Schedule {
   std::int64_t total() const { return ramp + hold + fracture; }
 };
 
-/// Even samples over each phase, and one at each end and sub-division of the window, where the tip is nearest
-/// to it; even frames over the fracture phase, its first and last moment among them.
+/// Samples over each phase, a power of two of steps apart, and one at each end and sub-division of the
+/// window, where the tip is nearest to it; even frames over the fracture phase, its first and last moment
+/// among them.
 /// @param[in] end     tip position at which the run ends [m]
 /// @param[in] window  tip positions [m]
 Schedule make_schedule(const Scene& scene, const CrackHistory& history, double dt, double end,
