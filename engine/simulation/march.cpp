@@ -51,12 +51,12 @@ class Run {
   RunResult march() {
     ensemble_.start_from(prepared_.displacement);
     if (ramp() > 0) pull();
-    const auto crack_started = Clock::now();
+    crack_started_ = Clock::now();
     ensemble_.set_beta(scene().solver.beta);
     ensemble_.start_crack(prepared_.damped);
     for (Seat& seat : seat_) {
       if (seat.scenario < 0) continue;
-      seat.since = crack_started;
+      seat.since = crack_started_;
       lane_of(seat).energy_at_crack_start = ensemble_.energy(index(seat)).elastic;
       if (ramp() == 0) observe(seat);
     }
@@ -65,7 +65,7 @@ class Run {
       for (Seat& seat : seat_)
         if (seat.scenario >= 0 && ended(seat)) take_next(seat);
     }
-    result_.wall_fracture_s = seconds_since(crack_started);
+    result_.wall_fracture_s = seconds_since(crack_started_);
     for (const LaneResult& lane : result_.lane) result_.outcome = std::max(result_.outcome, lane.outcome);
     return std::move(result_);
   }
@@ -116,12 +116,18 @@ class Run {
     LaneResult& lane = lane_of(seat);
     lane.steps = steps(seat);
     lane.wall_s = seconds_since(seat.since) / static_cast<double>(seat_.size());
+    result_.wall_fracture_s = seconds_since(crack_started_);
+    tell_end(seat);
     seat.scenario = -1;
     if (stopped_ || ramp() > 0 || next_scenario_ >= static_cast<int>(prepared_.lane.size())) return;
     seat = {.scenario = next_scenario_++};
     ensemble_.refill(index(seat), plan(seat).scenario);
     lane_of(seat).energy_at_crack_start = ensemble_.energy(index(seat)).elastic;
     observe(seat);
+  }
+
+  void tell_end(const Seat& seat) {
+    if (observer_.ended) observer_.ended(seat.scenario, result_);
   }
 
   void observe(Seat& seat) {
@@ -253,7 +259,9 @@ class Run {
           lane.prestress_kinetic, largest_residual_inertia);
     }
     lane.steps = steps(seat);
-    if (lane.outcome != Outcome::finished) seat.scenario = -1;
+    if (lane.outcome == Outcome::finished) return;
+    tell_end(seat);
+    seat.scenario = -1;
   }
 
   const Prepared& prepared_;
@@ -264,7 +272,7 @@ class Run {
   int next_scenario_ = 0;
   std::int64_t total_ = 0;
   bool stopped_ = false;
-  Clock::time_point started_ = Clock::now(), asked_ = started_;
+  Clock::time_point started_ = Clock::now(), asked_ = started_, crack_started_ = started_;
 };
 
 }  // namespace

@@ -16,12 +16,16 @@ struct Progress {
   double seconds = 0;                // since the first step
 };
 
+struct RunResult;
+
 /// Called while a run marches; any of them may be empty. One way only, but for go_on's answer.
 struct Observer {
   std::function<void(const results::Sample&)> sample;
   std::function<void(const results::Frame&)> frame;
   std::function<void(const results::ReleaseEvent&)> event;
   std::function<bool(const Progress&)> go_on;  // asked a few times a second; false stops the run
+  /// A scenario has come to its end, or a stop; the result holds it and, so far, the times of the run.
+  std::function<void(int scenario, const RunResult& so_far)> ended = {};
 };
 
 enum class Outcome { finished, stopped, diverged };

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <functional>
 #include <limits>
+#include <span>
 
 namespace rift {
 namespace {
@@ -188,10 +189,10 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   tell(progress, "pre-stress", 1.0);
 }
 
-/// Beams whose damping can matter to any lane: none, those near the path, or all.
-std::vector<DampedBeam> damped_beams(const Prepared& p) {
+/// Beams whose damping can matter to any of the lanes: none, those near the path, or all.
+std::vector<DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan> lanes) {
   const auto any = [&](DampingRegion region) {
-    return std::any_of(p.lane.begin(), p.lane.end(),
+    return std::any_of(lanes.begin(), lanes.end(),
                        [&](const LanePlan& lane) { return lane.scene.damping.region == region; });
   };
   std::vector<DampedBeam> damped;
@@ -212,7 +213,9 @@ std::vector<DampedBeam> damped_beams(const Prepared& p) {
 }
 
 LanePlan plan_lane(const Prepared& p, const Scene& scene) {
-  LanePlan lane{.scene = scene, .scenario = {}, .crack_end = crack_end(scene), .window = {}, .schedule = {}};
+  LanePlan lane;
+  lane.scene = scene;
+  lane.crack_end = crack_end(scene);
   const double length = scene.specimen.length;
   const auto window = window_over_length(scene);
   lane.window = {window[0] * length, window[1] * length};
@@ -233,28 +236,40 @@ LanePlan plan_lane(const Prepared& p, const Scene& scene) {
   return lane;
 }
 
-/// What each lane asks of the step.
-std::vector<StepWish> step_wishes(const Prepared& p) {
-  std::vector<StepWish> wishes;
-  for (const LanePlan& lane : p.lane)
-    wishes.push_back({.zone_length = lane.scenario.law.zone_length,
-                      .speed = highest_velocity(lane.scene) * p.rayleigh_speed,
-                      .alpha_at_surface = lane.scenario.alpha_at_surface,
-                      .alpha_elsewhere = lane.scenario.alpha_elsewhere});
-  return wishes;
+StepWish step_wish(const LanePlan& lane, double rayleigh_speed) {
+  return {.zone_length = lane.scenario.law.zone_length,
+          .speed = highest_velocity(lane.scene) * rayleigh_speed,
+          .alpha_at_surface = lane.scenario.alpha_at_surface,
+          .alpha_elsewhere = lane.scenario.alpha_elsewhere};
 }
 
-void plan_lanes(Prepared& p, const std::vector<Scene>& lanes) {
+std::vector<LanePlan> planned(const Prepared& p, const std::vector<Scene>& scenes) {
   if (crossings(p.path, p.lattice).empty())
     throw InputError({issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
-  for (const Scene& scene : lanes) p.lane.push_back(plan_lane(p, scene));
-  p.damped = damped_beams(p);
-  p.step = choose_step(p.preset, p.lattice, p.damped, step_wishes(p));
-  for (LanePlan& lane : p.lane)
-    lane.schedule = make_schedule(lane.scene, lane.scenario.history, p.step.dt, lane.crack_end, lane.window);
+  std::vector<LanePlan> lanes;
+  for (const Scene& scene : scenes) {
+    LanePlan lane = plan_lane(p, scene);
+    const std::vector<DampedBeam> damped = damped_beams(p, {&lane, 1});
+    lane.beams_damped = damped.size();
+    lane.step = choose_step(p.preset, p.lattice, p.stable, damped, {step_wish(lane, p.rayleigh_speed)});
+    lanes.push_back(std::move(lane));
+  }
+  return lanes;
 }
 
 }  // namespace
+
+void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
+  p.lane = std::move(lanes);
+  p.damped = damped_beams(p, p.lane);
+  p.step = p.lane.front().step;
+  for (const LanePlan& lane : p.lane) {
+    p.step.dt = std::min(p.step.dt, lane.step.dt);
+    p.step.critical_damped = std::min(p.step.critical_damped, lane.step.critical_damped);
+  }
+  for (LanePlan& lane : p.lane)
+    lane.schedule = make_schedule(lane.scene, lane.scenario.history, p.step.dt, lane.crack_end, lane.window);
+}
 
 Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& cache,
                  const StageProgress& progress) {
@@ -267,7 +282,8 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
   build_specimen(p, cache, progress);
   build_prestress(p, cache, progress);
   tell(progress, "critical step", 0.0);
-  plan_lanes(p, lanes);
+  p.stable = stable_step(p.lattice);
+  take_lanes(p, planned(p, lanes));
   return p;
 }
 

@@ -22,7 +22,9 @@ struct LanePlan {
   LaneScenario scenario;
   double crack_end = 0;            // [m]
   std::array<double, 2> window{};  // [m]
-  Schedule schedule;
+  TimeStep step;                   // its own, whatever marches beside it
+  std::size_t beams_damped = 0;    // by itself
+  Schedule schedule;               // in steps of the run
 };
 
 /// All that a run needs before its first step; what a dry run looks at. Its lanes share lattice, pre-stress,
@@ -40,6 +42,7 @@ struct Prepared {
   CrackPath path;
   std::vector<LanePlan> lane;
   std::vector<DampedBeam> damped;  // those that any lane damps
+  StableStep stable;               // of the lattice without damping
   TimeStep step;                   // the smallest that a lane asks for
   bool packing_from_cache = false, statics_from_cache = false;
   double wall_packing_s = 0, wall_prestress_s = 0;
@@ -54,5 +57,9 @@ Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progre
 /// in.
 Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& cache,
                  const StageProgress& progress = {});
+
+/// Goes on with other lanes over the same lattice and pre-stress, such as some of its own: damped beams, step
+/// and schedules are theirs again. Cheap: the step that each asks for is in its plan.
+void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
 
 }  // namespace rift

@@ -58,13 +58,13 @@ void add_scenario(Json& j, const LanePlan& lane) {
   j["seed"] = scene.specimen.seed;
 }
 
-void add_specimen(Json& j, const Prepared& p) {
+void add_specimen(Json& j, const Prepared& p, const LanePlan& lane) {
   const Scene& scene = p.preset.scene;
   j["elements"] = scene.specimen.elements;
   j["layers"] = scene.specimen.layers ? Json(*scene.specimen.layers) : Json(nullptr);
   j["beams"] = p.lattice.beam.size();
   j["beams_crossed"] = crossings(p.path, p.lattice).size();
-  j["beams_damped"] = p.damped.size();
+  j["beams_damped"] = lane.beams_damped;
   j["rattlers"] = p.specimen.rattlers;
   j["coordination"] = p.specimen.packing.coordination;
   j["solid_fraction"] = p.specimen.packing.solid_fraction;
@@ -87,7 +87,7 @@ void add_step(Json& j, const Prepared& p, const LanePlan& lane, const RunResult&
               const BuildInfo& build) {
   j["dt_s"] = p.step.dt;
   j["dt_critical_s"] = p.step.critical;
-  j["dt_critical_damped_s"] = p.step.critical_damped;
+  j["dt_critical_damped_s"] = lane.step.critical_damped;
   j["dt_element_bound_s"] = p.step.element_bound;
   j["dt_fraction"] = p.step.dt / p.step.critical;
   j["steps"] = result.steps;
@@ -177,7 +177,7 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
   std::int64_t most_steps = 0;
   for (const LanePlan& lane : prepared.lane) most_steps = std::max(most_steps, lane.schedule.total());
   return {{"preset_name", prepared.preset.name},
-          {"preset", preset_text(scene)},
+          {"preset", preset_text(prepared.preset)},
           {"version", build.version},
           {"compiler", build.compiler},
           {"instruction_set", name_of(instruction_set())},
@@ -192,20 +192,24 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"rayleigh_speed_m_s", prepared.rayleigh_speed}};
 }
 
+Json lane_summary(const Prepared& prepared, const RunResult& result, int k, const Rates& rates,
+                  const BuildInfo& build, double wall_total_s) {
+  const LanePlan& lane = prepared.lane[k];
+  Json scenario;
+  add_scenario(scenario, lane);
+  add_specimen(scenario, prepared, lane);
+  add_step(scenario, prepared, lane, result, result.lane[k], build);
+  add_rates(scenario, prepared, lane, rates);
+  add_books(scenario, prepared, lane, result.lane[k]);
+  add_costs(scenario, prepared, result, result.lane[k], wall_total_s);
+  return scenario;
+}
+
 Json summary_of(const Prepared& prepared, const RunResult& result, const std::vector<Rates>& rates,
                 const BuildInfo& build, double wall_total_s) {
   Json scenarios = Json::array();
-  for (std::size_t k = 0; k < prepared.lane.size(); ++k) {
-    const LanePlan& lane = prepared.lane[k];
-    Json scenario;
-    add_scenario(scenario, lane);
-    add_specimen(scenario, prepared);
-    add_step(scenario, prepared, lane, result, result.lane[k], build);
-    add_rates(scenario, prepared, lane, rates[k]);
-    add_books(scenario, prepared, lane, result.lane[k]);
-    add_costs(scenario, prepared, result, result.lane[k], wall_total_s);
-    scenarios.push_back(std::move(scenario));
-  }
+  for (int k = 0; k < static_cast<int>(prepared.lane.size()); ++k)
+    scenarios.push_back(lane_summary(prepared, result, k, rates[k], build, wall_total_s));
   return {{"preset", prepared.preset.name}, {"scenarios", scenarios}};
 }
 

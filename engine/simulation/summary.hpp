@@ -24,6 +24,10 @@ nlohmann::ordered_json summary_of(const Prepared& prepared, const RunResult& res
                                   const std::vector<Rates>& rates, const BuildInfo& build,
                                   double wall_total_s);
 
+/// The object of one lane in it, which may be asked for as soon as that lane has ended.
+nlohmann::ordered_json lane_summary(const Prepared& prepared, const RunResult& result, int lane,
+                                    const Rates& rates, const BuildInfo& build, double wall_total_s);
+
 /// The lattice as a viewer needs it.
 results::Geometry geometry_of(const Prepared& prepared);
 

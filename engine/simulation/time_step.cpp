@@ -15,8 +15,12 @@ double default_step(double critical, double zone_length, double speed) {
 
 TimeStep choose_step(const Preset& preset, const Lattice& lattice, const std::vector<DampedBeam>& damped,
                      const std::vector<StepWish>& wishes) {
+  return choose_step(preset, lattice, stable_step(lattice), damped, wishes);
+}
+
+TimeStep choose_step(const Preset& preset, const Lattice& lattice, const StableStep& stable,
+                     const std::vector<DampedBeam>& damped, const std::vector<StepWish>& wishes) {
   const Scene& scene = preset.scene;
-  const StableStep stable = stable_step(lattice);
   ViscousDamping damping(damped);
   double wished = stable.critical;
   for (const StepWish& w : wishes) {

@@ -29,4 +29,8 @@ struct StepWish {
 TimeStep choose_step(const Preset& preset, const Lattice& lattice, const std::vector<DampedBeam>& damped,
                      const std::vector<StepWish>& wishes);
 
+/// The same where the lattice's own limits are known already; cheap without damping.
+TimeStep choose_step(const Preset& preset, const Lattice& lattice, const StableStep& stable,
+                     const std::vector<DampedBeam>& damped, const std::vector<StepWish>& wishes);
+
 }  // namespace rift

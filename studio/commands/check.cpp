@@ -64,8 +64,8 @@ Json derived(const Prepared& p, double seconds_per_step) {
   const Scene& scene = p.preset.scene;
   const Scene::Material& m = scene.material;
   const theory::WaveSpeeds speeds = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
-  const double fastest = highest_velocity(scene) * p.rayleigh_speed;
-  const LanePlan& lane = p.lane.front();
+  const LanePlan& lane = p.lane.front();  // of several the first stands for all but the steps
+  const double fastest = highest_velocity(lane.scene) * p.rayleigh_speed;
   const double zone = lane.scenario.law.zone_length;
   const double fracture_s = static_cast<double>(lane.schedule.fracture) * p.step.dt;
   Json j;
@@ -98,7 +98,7 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["fracture_time_s"] = fracture_s;
   j["wall_estimate_s"] = seconds_per_step * static_cast<double>(steps_of_all(p));
   j["disk_estimate_bytes"] = disk_bytes(p);
-  j["left_out"] = left_out(scene);
+  j["left_out"] = left_out(lane.scene);
   return j;
 }
 
@@ -141,14 +141,15 @@ void print_table(const Json& j, const std::string& title, bool color) {
 ExitCode check(const SceneOptions& options) {
   const Preset preset = read_scene(options);
   if (options.print_config) {
-    fmt::print("{}", preset_text(preset.scene));
+    fmt::print("{}", preset_text(preset));
     return ExitCode::done;
   }
+  const std::vector<Scene> lanes = scenes_of_run(preset);
   const StopSignal stop;
   ProgressLine line(progress_style(options.quiet, options.json));
   Cache cache = cache_for(options);
   try {
-    const Prepared prepared = prepare(preset, cache, [&](std::string_view stage, double done) {
+    const Prepared prepared = prepare(preset, lanes, cache, [&](std::string_view stage, double done) {
       line.tell(stage, done);
       return stop.received() == 0;
     });

@@ -105,16 +105,17 @@ ExitCode run(const RunOptions& options) {
   const auto start = Clock::now();
   const Preset preset = read_scene(options.scene);
   if (options.scene.print_config) {
-    fmt::print("{}", preset_text(preset.scene));
+    fmt::print("{}", preset_text(preset));
     return ExitCode::done;
   }
+  const std::vector<Scene> lanes = scenes_of_run(preset);
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
   ClaimedFolder folder(folder_for(options), options.force);
   Cache cache = cache_for(options.scene);
   Prepared prepared;
   try {
-    prepared = prepare(preset, cache, [&](std::string_view stage, double done) {
+    prepared = prepare(preset, lanes, cache, [&](std::string_view stage, double done) {
       line.tell(stage, done);
       return stop.received() == 0;
     });

@@ -41,6 +41,15 @@ Preset read_scene(const SceneOptions& options) {
   return preset;
 }
 
+std::vector<Scene> scenes_of_run(const Preset& preset) {
+  if (!preset.study.empty())
+    throw InputError({Issue{.file = preset.name,
+                            .key = {},
+                            .text = fmt::format("holds a study of {} scenarios: 'rift study {}' computes it",
+                                                preset.study.size(), preset.name)}});
+  return preset.lanes.empty() ? std::vector<Scene>{preset.scene} : preset.lanes;
+}
+
 Cache cache_for(const SceneOptions& options) { return options.no_cache ? Cache{} : user_cache(); }
 
 void print_notes(const Cache& cache) {

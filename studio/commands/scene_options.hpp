@@ -25,6 +25,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 /// Reads and checks the preset; throws InputError with every mistake.
 Preset read_scene(const SceneOptions& options);
 
+/// What `rift run` and `rift check` take: one scene, or one ensemble of lanes. Throws InputError for a study.
+std::vector<Scene> scenes_of_run(const Preset& preset);
+
 /// The user's cache, or none with --no-cache.
 Cache cache_for(const SceneOptions& options);
 

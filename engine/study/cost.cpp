@@ -1,0 +1,51 @@
+#include "engine/study/cost.hpp"
+
+#include "engine/fracture/crack_history.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/simulation/time_step.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace rift {
+namespace {
+
+constexpr double beams_per_element = 3.0;
+constexpr double critical_radii = 0.63;        // critical step x c_r / R
+constexpr double preparation_steps = 10000.0;  // packing and static solve last as long as so many steps
+
+double zone_length(const Scene& scene) {
+  return scene.crack.technique == Technique::progressive
+             ? scene.crack.damage_zone_ratio * expected_mean_radius_m(scene)
+             : 0.0;
+}
+
+double crack_time(const Scene& scene) {
+  std::vector<SpeedUntil> pieces;
+  for (const VelocityPiece& piece : scene.crack.velocity)
+    pieces.push_back({speed_m_s(piece.speed, rayleigh_speed(scene)),
+                      piece.until.value_or(std::numeric_limits<double>::infinity())});
+  return time_of_arrival(history_of(scene.crack.start - zone_length(scene), pieces), crack_end(scene));
+}
+
+double estimated_step(const Scene& scene) {
+  if (scene.solver.dt) return *scene.solver.dt;
+  const double critical = critical_radii * expected_mean_radius_m(scene) / rayleigh_speed(scene);
+  if (scene.solver.dt_fraction) return *scene.solver.dt_fraction * critical;
+  return default_step(critical, zone_length(scene), highest_velocity(scene) * rayleigh_speed(scene));
+}
+
+}  // namespace
+
+double estimated_beam_steps(const Scene& scene) {
+  double steps = crack_time(scene) / estimated_step(scene);
+  if (scene.loading.method == LoadingMethod::ramp)
+    steps += scene.loading.ramp_steps + scene.loading.hold_steps;
+  return beams_per_element * scene.specimen.elements * steps;
+}
+
+double estimated_preparation(const Scene& scene) {
+  return beams_per_element * scene.specimen.elements * preparation_steps;
+}
+
+}  // namespace rift

@@ -1,0 +1,35 @@
+#include "engine/study/identity.hpp"
+
+#include "engine/ensemble/instruction_set.hpp"
+
+#include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace rift {
+
+std::string hash_text(std::string_view text) {
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
+}
+
+std::vector<Scene> scenes_of_study(const Preset& preset) {
+  std::vector<Scene> scenes;
+  for (const StudyRow& row : preset.study) {
+    scenes.push_back(row.scene);
+    scenes.back().output.frames = 0;
+  }
+  return scenes;
+}
+
+std::string result_key(const Scene& scene, const std::string& version) {
+  return fmt::format("{}\nversion {}\ninstruction set {}\n", preset_text(scene), version,
+                     name_of(instruction_set()));
+}
+
+std::string study_hash(const Preset& preset) {
+  std::string text = "version " RIFT_VERSION "\n";
+  for (const Scene& scene : scenes_of_study(preset)) text += preset_text(scene);
+  return hash_text(text);
+}
+
+}  // namespace rift

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/scene/preset.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What makes a scenario of a study the same one again: its effective preset and the program.
+namespace rift {
+
+/// XXH3-64 of a text as 16 hex digits.
+std::string hash_text(std::string_view text);
+
+/// The scenarios' scenes in the order of preset.study. They write no frames: a study keeps numbers.
+std::vector<Scene> scenes_of_study(const Preset& preset);
+
+/// All that the bits of a scenario's result depend on: effective preset, version and instruction set.
+std::string result_key(const Scene& scene, const std::string& version);
+
+/// Of the scenarios, in their order, and of this program's version; what study.json is known by.
+std::string study_hash(const Preset& preset);
+
+}  // namespace rift

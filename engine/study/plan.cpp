@@ -1,0 +1,60 @@
+#include "engine/study/plan.hpp"
+
+#include "engine/scene/axes.hpp"
+#include "engine/scene/parameters.hpp"
+#include "engine/study/cost.hpp"
+#include "engine/study/identity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rift {
+namespace {
+
+bool may_differ_in_lanes(const Parameter& row) {
+  const auto table = axes();
+  return std::any_of(table.begin(), table.end(),
+                     [&](const Axis& axis) { return axis.per_lane && axis.key == row.key; });
+}
+
+/// Equal for scenes that differ at most in what lanes may differ in.
+std::string shared_text(const Scene& scene) {
+  std::string text;
+  for (const Parameter& row : parameters())
+    if (!may_differ_in_lanes(row)) text += std::string(row.key) + " = " + toml_value(scene, row) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::vector<StudyItem> plan_study(const Preset& preset, const std::string& version) {
+  std::vector<StudyItem> items;
+  std::map<std::string, int> groups;
+  for (Scene& scene : scenes_of_study(preset)) {
+    StudyItem item;
+    item.row = static_cast<int>(items.size());
+    item.key = result_key(scene, version);
+    item.group = groups.emplace(shared_text(scene), static_cast<int>(groups.size())).first->second;
+    item.cost = estimated_beam_steps(scene);
+    item.scene = std::move(scene);
+    items.push_back(std::move(item));
+  }
+  std::stable_sort(items.begin(), items.end(),
+                   [](const StudyItem& a, const StudyItem& b) { return a.group < b.group; });
+  return items;
+}
+
+std::vector<StudyItem> part_of(const std::vector<StudyItem>& items, int shard, int shards) {
+  double total = 0.0, before = 0.0;
+  for (const StudyItem& item : items) total += item.cost;
+  std::vector<StudyItem> part;
+  for (const StudyItem& item : items) {
+    const double middle = (before + 0.5 * item.cost) / total;
+    if (std::min(shards, 1 + static_cast<int>(std::floor(middle * shards))) == shard) part.push_back(item);
+    before += item.cost;
+  }
+  return part;
+}
+
+}  // namespace rift

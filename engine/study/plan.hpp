@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/scene/preset.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rift {
+
+/// A scenario of a study on its way to be computed.
+struct StudyItem {
+  int row = 0;  // of preset.study
+  Scene scene;
+  std::string key;  // of its result
+  int group = 0;    // those of one group share specimen, lattice and pre-stress
+  double cost = 0;  // [beam-steps], estimated
+};
+
+/// The scenarios of a study, group by group in the order of first appearance.
+std::vector<StudyItem> plan_study(const Preset& preset, const std::string& version);
+
+/// The i-th of n parts of about equal cost, which keep groups together as far as that allows. The same for
+/// every process, whatever has been computed.
+std::vector<StudyItem> part_of(const std::vector<StudyItem>& items, int shard, int shards);
+
+}  // namespace rift

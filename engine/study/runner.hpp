@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/simulation/build_info.hpp"
+#include "engine/simulation/cache.hpp"
+#include "engine/simulation/march.hpp"
+#include "engine/study/identity.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+/// Studies: many scenarios, each computed once, kept as soon as it is there.
+namespace rift {
+
+/// One object of summary.json's "scenarios", plus "axes": {name: text}, and its place "row" in the study.
+using SummaryRow = nlohmann::ordered_json;
+
+struct StudyOptions {
+  std::filesystem::path folder;  // of the study; made or continued
+  int threads = 0;               // 0: one per core
+  int shard = 1, shards = 1;  // this call computes the i-th part of n and gathers what is there of the others
+};
+
+struct StudyObserver {
+  std::function<bool(std::string_view stage, double done)> progress;  // of the whole study; false stops it
+  std::function<void(const SummaryRow&, int done, int of)>
+      finished;  // each scenario, as soon as it is computed or found
+};
+
+struct StudyResult {
+  std::vector<SummaryRow> rows;  // in the order of preset.study; null where not computed yet
+  Outcome outcome = Outcome::finished;
+  int computed = 0, found = 0;
+  double wall_s = 0;
+};
+
+/// Computes the scenarios of a preset's study that the folder does not hold yet. Each result is bit for bit
+/// that of the scenario run by itself, but for wall times, lanes and threads, and is on the disk as soon as
+/// the scenario ends: a kill loses what is under way and nothing else. Scenarios that differ only in what
+/// lanes may differ in share specimen, lattice and pre-stress, and march side by side where their steps are
+/// equal.
+/// Damaged files are noted in cache.notes and computed again. Throws FolderExists (open_study), InputError
+/// with all scenarios that cannot be run, after the others, and WorldError.
+StudyResult run_study(const Preset& preset, const StudyOptions& options, Cache& cache, const BuildInfo& build,
+                      const StudyObserver& observer);
+
+}  // namespace rift

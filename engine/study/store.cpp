@@ -1,0 +1,143 @@
+#include "engine/study/store.hpp"
+
+#include "engine/results/files.hpp"
+#include "engine/results/run_folder.hpp"
+#include "engine/results/world_error.hpp"
+#include "engine/study/identity.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <random>
+#include <system_error>
+
+namespace rift {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// As results::write_whole_file(), under a temporary name that no other process uses.
+void write_shared_file(const fs::path& path, const std::string& text) {
+  const fs::path temporary =
+      path.string() + fmt::format(".{}-{:08x}.part", ::getpid(), std::random_device{}());
+  std::error_code error;
+  try {
+    results::AppendFile file(temporary);
+    file.append(text);
+    file.close();
+  } catch (...) {
+    fs::remove(temporary, error);
+    throw;
+  }
+  fs::rename(temporary, path, error);
+  if (error) throw results::WorldError("rename", temporary, error.message());
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw results::WorldError("create the folder", folder, error.message());
+  if (!fs::is_directory(folder, error))
+    throw results::WorldError("create the folder", folder, "a file of that name exists");
+}
+
+/// Whether there is anything but what another process is about to write.
+bool holds_files(const fs::path& folder) {
+  std::error_code error;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    if (entry->path().extension() != ".part") return true;
+  if (error) throw results::WorldError("read the folder", folder, error.message());
+  return false;
+}
+
+std::string text_of(const Json& j, const char* key) {
+  return j.contains(key) && j.at(key).is_string() ? j.at(key).get<std::string>() : std::string();
+}
+
+/// Why the study in the folder cannot be gone on with; empty where it can.
+std::string difference(const Json& there, const StudyManifest& ours) {
+  if (text_of(there, "version") != ours.version)
+    return fmt::format("a study of rift {}, this is rift {}", text_of(there, "version"), ours.version);
+  if (text_of(there, "instruction_set") != ours.instruction_set)
+    return fmt::format("a study computed with {0}, this is {1}: RIFT_SIMD={0} goes on with it",
+                       text_of(there, "instruction_set"), ours.instruction_set);
+  if (text_of(there, "hash") != ours.hash)
+    return fmt::format("another study (of {}, {} scenarios)", text_of(there, "preset"),
+                       there.contains("scenarios") ? there.at("scenarios").size() : 0);
+  return {};
+}
+
+Json to_json(const StudyManifest& manifest) {
+  return {{"hash", manifest.hash},
+          {"version", manifest.version},
+          {"instruction_set", manifest.instruction_set},
+          {"preset", manifest.preset},
+          {"axes", manifest.axes},
+          {"scenarios", manifest.rows}};
+}
+
+std::string check_of(const std::string& key, const Json& scenario, const std::string& series_hash) {
+  return hash_text(key + scenario.dump() + series_hash);
+}
+
+fs::path series_file(fs::path result) { return result.replace_extension(".csv"); }
+
+}  // namespace
+
+void open_study(const fs::path& folder, const StudyManifest& manifest, std::vector<std::string>& notes) {
+  make_folder(folder);
+  const fs::path file = folder / "study.json";
+  const bool anything = holds_files(folder);
+  if (fs::exists(file)) {
+    const Json there = Json::parse(results::read_whole_file(file), nullptr, false);
+    const bool sound = there.is_object() && !text_of(there, "hash").empty();
+    if (sound) {
+      if (const std::string why = difference(there, manifest); !why.empty())
+        throw results::FolderExists(
+            fmt::format("{} holds {}; nothing was changed, choose another with --out", folder.string(), why));
+      return make_folder(folder / "runs");
+    }
+    notes.push_back(fmt::format("{}: damaged, written anew", file.string()));
+  } else if (anything) {
+    throw results::FolderExists(
+        fmt::format("{} is not empty and holds no study; choose another with --out", folder.string()));
+  }
+  write_shared_file(file, to_json(manifest).dump(2) + "\n");
+  make_folder(folder / "runs");
+}
+
+fs::path result_file(const fs::path& folder, const std::string& key) {
+  return folder / "runs" / (hash_text(key) + ".json");
+}
+
+std::optional<Json> read_result(const fs::path& folder, const std::string& key,
+                                std::vector<std::string>& notes) {
+  const fs::path file = result_file(folder, key);
+  if (!fs::exists(file)) return std::nullopt;
+  const Json j = Json::parse(results::read_whole_file(file), nullptr, false);
+  const bool whole = j.is_object() && j.contains("scenario") && j.at("scenario").is_object() &&
+                     text_of(j, "check") == check_of(key, j.at("scenario"), text_of(j, "series_hash"));
+  const fs::path series = series_file(file);
+  if (whole && fs::exists(series) && hash_text(results::read_whole_file(series)) == text_of(j, "series_hash"))
+    return j.at("scenario");
+  notes.push_back(fmt::format("{}: damaged, computed again", (whole ? series : file).string()));
+  return std::nullopt;
+}
+
+Json write_result(const fs::path& folder, const std::string& key, const Json& scenario,
+                  const std::string& series_csv) {
+  const fs::path file = result_file(folder, key);
+  write_shared_file(series_file(file), series_csv);
+  Json kept = Json::parse(scenario.dump());  // what is undefined is null from here on
+  const std::string series_hash = hash_text(series_csv);
+  const Json j{{"key", key},
+               {"scenario", kept},
+               {"series_hash", series_hash},
+               {"check", check_of(key, kept, series_hash)}};
+  write_shared_file(file, j.dump(2) + "\n");
+  return kept;
+}
+
+}  // namespace rift

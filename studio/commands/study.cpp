@@ -1,0 +1,226 @@
+#include "engine/results/files.hpp"
+#include "engine/results/world_error.hpp"
+#include "engine/study/cost.hpp"
+#include "engine/study/plan.hpp"
+#include "engine/study/runner.hpp"
+#include "engine/study/store.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/scene_options.hpp"
+#include "studio/report/study_report.hpp"
+#include "studio/report/study_table.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+constexpr double assumed_beam_steps_per_s = 1e8, long_study_s = 600.0;
+
+struct StudyCommand {
+  SceneOptions scene;
+  std::string out, shard, budget;
+  bool yes = false;
+};
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw InputError({Issue{.file = "rift study", .key = {}, .text = text}});
+}
+
+struct Shard {
+  int index = 1, of = 1;
+};
+
+Shard read_shard(const std::string& text) {
+  if (text.empty()) return {};
+  Shard shard;
+  const char *at = text.data(), *end = at + text.size();
+  auto [slash, error] = std::from_chars(at, end, shard.index);
+  bool sound = error == std::errc() && slash != end && *slash == '/';
+  if (sound) {
+    const auto last = std::from_chars(slash + 1, end, shard.of);
+    sound = last.ec == std::errc() && last.ptr == end;
+  }
+  if (!sound) refuse(fmt::format("--shard {}: expected i/n, such as 2/8", text));
+  if (shard.of < 1) refuse(fmt::format("--shard {}: there must be at least 1 part", text));
+  if (shard.index < 1 || shard.index > shard.of)
+    refuse(fmt::format("--shard {}: the index must lie in 1 to {}", text, shard.of));
+  return shard;
+}
+
+/// Seconds; a bare number is not a time, as anywhere else.
+std::optional<double> read_budget(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, value);
+  std::string unit(at, end);
+  unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
+  const double seconds = unit == "s" ? 1.0 : unit == "min" ? 60.0 : unit == "h" ? 3600.0 : 0.0;
+  if (error != std::errc() || seconds == 0.0 || !(value > 0.0) || !(value < 1e9))
+    refuse(fmt::format("--budget {}: expected a time with its unit, such as \"90 s\", \"10 min\" or \"2 h\"",
+                       text));
+  return value * seconds;
+}
+
+void check_holds_study(const Preset& preset) {
+  if (!preset.study.empty()) return;
+  const std::string what =
+      preset.lanes.empty()
+          ? "no [study] in it: write a table [study] with a list of values per axis, such as "
+            "crack_velocity = [\"0.3 c_r\", \"0.5 c_r\"] and seed = [1, 2]; 'rift run' runs one scene"
+          : "lanes and no [study] in it: 'rift run' runs them, [[study.rows]] makes a study of them";
+  throw InputError({Issue{.file = preset.name, .key = {}, .text = what}});
+}
+
+/// Seconds that what is missing of this part takes, roughly.
+double estimated_seconds(const Preset& preset, const StudyOptions& options, const BuildInfo& build) {
+  double beam_steps = 0.0;
+  int group = -1;
+  for (const StudyItem& item : part_of(plan_study(preset, build.version), options.shard, options.shards)) {
+    if (fs::exists(result_file(options.folder, item.key))) continue;
+    beam_steps += item.cost + (item.group != group ? estimated_preparation(item.scene) : 0.0);
+    group = item.group;
+  }
+  return beam_steps / assumed_beam_steps_per_s;
+}
+
+std::string finished_text(const SummaryRow& row, int done, int of) {
+  const Table table = scenario_table({row});
+  std::string text = fmt::format("[{}/{}]", done, of);
+  const std::size_t axes = row.at("axes").size();
+  for (std::size_t k = 0; k < axes; ++k)
+    if (table.rows[0][k] != "-")
+      text += fmt::format(" {} {}", table.head[k], table.rows[0][k]) + (k + 1 < axes ? "," : ":");
+  const std::string outcome = row.at("outcome").get<std::string>();
+  text += fmt::format("  ratio {}  {} s", table.rows[0][axes], table.rows[0][axes + 3]);
+  return outcome == "finished" ? text : text + "  " + outcome + ": " + row.at("outcome_where").dump();
+}
+
+void tell_finished(const StudyCommand& command, ProgressLine& line, const SummaryRow& row, int done, int of) {
+  line.clear();
+  if (command.scene.quiet) return;
+  if (command.scene.json) {
+    const Json told{{"finished", row.at("row")}, {"axes", row.at("axes")}, {"done", done}, {"of", of}};
+    fmt::print(stderr, "{}\n", told.dump());
+  } else {
+    fmt::print(stderr, "{}\n", finished_text(row, done, of));
+  }
+}
+
+void print_result(const StudyCommand& command, const Preset& preset, const StudyResult& result,
+                  const fs::path& folder) {
+  if (command.scene.json) {
+    fmt::print("{}\n", Json{{"preset", preset.name}, {"scenarios", result.rows}}.dump(2));
+    return;
+  }
+  const bool color = wants_color(command.scene.color, stdout);
+  const Table table = scenario_table(result.rows), seeds = seed_table(result.rows);
+  if (!table.rows.empty()) fmt::print("{}\n", plain_table(table, color));
+  if (!seeds.rows.empty()) fmt::print("mean ± scatter over seeds\n{}\n", plain_table(seeds, color));
+  if (table.rows.size() < result.rows.size())
+    fmt::print("{} of {} scenarios are not computed yet\n", result.rows.size() - table.rows.size(),
+               result.rows.size());
+  fmt::print("{} computed, {} found, {} in all; {}/  table.csv, report.html, charts\n", result.computed,
+             result.found, duration_text(result.wall_s), folder.string());
+}
+
+/// table.csv always; charts and report unless the user wants to be let go.
+ExitCode write_files(const Preset& preset, const StudyResult& result, const fs::path& folder) {
+  const std::string csv = study_csv(result.rows);
+  if (csv.empty()) return ExitCode::done;
+  results::write_whole_file(folder / "table.csv", csv);
+  if (result.outcome == Outcome::stopped) return ExitCode::done;
+  try {
+    write_study_report(preset, build_info(), result, folder);
+  } catch (const results::WorldError& error) {
+    fmt::print(stderr, "rift study: {}\n", error.what());
+    return ExitCode::world_failed;
+  }
+  return ExitCode::done;
+}
+
+ExitCode compute(const StudyCommand& command, const Preset& preset, const StudyOptions& options,
+                 std::optional<double> budget) {
+  const auto start = Clock::now();
+  const StopSignal stop;
+  ProgressLine line(progress_style(command.scene.quiet, command.scene.json));
+  Cache cache = cache_for(command.scene);
+  const auto in_time = [&] {
+    return !budget || Clock::now() - start < std::chrono::duration<double>(*budget);
+  };
+  StudyObserver observer;
+  observer.progress = [&](std::string_view stage, double done) {
+    line.tell("study", done, stage);
+    return stop.received() == 0 && in_time();
+  };
+  observer.finished = [&](const SummaryRow& row, int done, int of) {
+    tell_finished(command, line, row, done, of);
+  };
+  const StudyResult result = run_study(preset, options, cache, build_info(), observer);
+  line.clear();
+  for (const std::string& note : cache.notes) fmt::print(stderr, "note: {}\n", note);
+  const ExitCode files = write_files(preset, result, options.folder);
+  print_result(command, preset, result, options.folder);
+  if (result.outcome == Outcome::stopped) {
+    const bool by_signal = stop.received() != 0;
+    fmt::print(stderr, "rift study: {}; the same command goes on from here\n",
+               by_signal ? "stopped" : "the budget ran out");
+    return by_signal ? static_cast<ExitCode>(128 + stop.received()) : ExitCode::budget_ran_out;
+  }
+  if (files != ExitCode::done) return files;
+  return result.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+}
+
+ExitCode study(const StudyCommand& command) {
+  const Shard shard = read_shard(command.shard);
+  const std::optional<double> budget = read_budget(command.budget);
+  const Preset preset = read_scene(command.scene);
+  if (command.scene.print_config) {
+    fmt::print("{}", preset_text(preset));
+    return ExitCode::done;
+  }
+  check_holds_study(preset);
+  StudyOptions options;
+  options.folder = command.out.empty() ? fs::path("studies") / fs::path(command.scene.preset).stem()
+                                       : fs::path(command.out);
+  options.threads = command.scene.threads;
+  options.shard = shard.index;
+  options.shards = shard.of;
+  const double seconds = estimated_seconds(preset, options, build_info());
+  if (seconds > long_study_s && !command.yes && !budget)
+    refuse(
+        fmt::format("about {} for what is missing (at 100 M beam-steps/s): --yes starts it, --budget TIME "
+                    "does what fits",
+                    duration_text(seconds)));
+  return compute(command, preset, options, budget);
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "study", "The scenarios of a preset's [study]: table, charts, report; goes on where it was");
+  const auto options = std::make_shared<StudyCommand>();
+  add_scene_options(command, options->scene);
+  command.add_option(
+      "--out", options->out,
+      "Folder of the study (default: studies/NAME); one that holds the same study is continued");
+  command.add_option("--shard", options->shard,
+                     "i/n: compute the i-th part of n only; any call gathers all parts");
+  command.add_option("--budget", options->budget, "Stop after this time (\"10 min\"); the next call goes on");
+  command.add_flag("--yes", options->yes, "Start a study of more than 10 minutes without being asked");
+  command.callback([options, &exit_code] { exit_code = study(*options); });
+}
+
+}  // namespace rift::studio

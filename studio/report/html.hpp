@@ -1,0 +1,28 @@
+#pragma once
+
+#include "studio/report/table.hpp"
+
+#include <string>
+#include <string_view>
+
+/// Reports as one self-contained HTML page: no script, nothing loaded from elsewhere.
+namespace rift::studio {
+
+/// Text with &, <, > and quotes made harmless.
+std::string html_escape(std::string_view text);
+
+/// The whole page. @param body  HTML
+std::string html_page(std::string_view title, std::string_view body);
+
+/// A heading of the second rank and what belongs to it. @param body  HTML
+std::string html_section(std::string_view title, std::string_view body);
+
+std::string html_paragraph(std::string_view text);
+
+/// Cells are texts; columns of numbers are set to the right.
+std::string html_table(const Table& table);
+
+/// A picture under which stands a caption. @param svg  as it is; ids must be unique in the page
+std::string html_figure(std::string_view svg, std::string_view caption);
+
+}  // namespace rift::studio

@@ -1,0 +1,53 @@
+#include "studio/report/table.hpp"
+
+#include "studio/commands/common.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace rift::studio {
+namespace {
+
+/// A column is set to the right if all its cells are numbers.
+bool is_numeric_column(const Table& table, std::size_t column) {
+  return std::all_of(table.rows.begin(), table.rows.end(),
+                     [&](const auto& row) { return is_numeric(row[column]); });
+}
+
+std::string line_of(const std::vector<std::string>& cells, const std::vector<std::size_t>& width,
+                    const std::vector<char>& to_the_right) {
+  std::string line;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const std::string space(width[k] - width_of(cells[k]), ' ');
+    line += (k > 0 ? "  " : "") + (to_the_right[k] ? space + cells[k] : cells[k] + space);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+}  // namespace
+
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+bool is_numeric(const std::string& cell) {
+  constexpr std::string_view of_numbers = "0123456789.+-e \xC2\xB1";
+  return cell.find_first_not_of(of_numbers) == std::string::npos;
+}
+
+std::string plain_table(const Table& table, bool color) {
+  std::vector<std::size_t> width;
+  std::vector<char> to_the_right;
+  for (std::size_t k = 0; k < table.head.size(); ++k) {
+    width.push_back(width_of(table.head[k]));
+    for (const auto& row : table.rows) width[k] = std::max(width[k], width_of(row[k]));
+    to_the_right.push_back(is_numeric_column(table, k));
+  }
+  std::string out = heading(line_of(table.head, width, to_the_right), color) + "\n";
+  for (const auto& row : table.rows) out += line_of(row, width, to_the_right) + "\n";
+  return out;
+}
+
+}  // namespace rift::studio

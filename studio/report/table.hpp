@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+/// A table as it is read: texts, equally many in each row. Terminal and report show the same one.
+struct Table {
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// Columns two spaces apart under their heads, numbers (with their ±) to the right; the head bold where
+/// `color`.
+std::string plain_table(const Table& table, bool color);
+
+/// Letters that a UTF-8 text takes on a terminal.
+std::size_t width_of(const std::string& text);
+
+/// Whether a cell is set to the right: "0.5", "-0.012", "0.566 ± 0.088", "-".
+bool is_numeric(const std::string& cell);
+
+}  // namespace rift::studio
