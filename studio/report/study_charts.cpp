@@ -56,8 +56,10 @@ ChartSeries reference(const std::string& label, const SummaryRow& row, double la
 
 /// Mean over the rows of one velocity, velocities ascending; no bar where there is one row only.
 ChartSeries against_velocity(const RowFamily& family, int colour) {
-  ChartSeries series{
-      .label = axes_label(family.axes), .style = ChartSeries::Style::line_points, .colour = colour};
+  ChartSeries series;
+  series.label = axes_label(family.axes);
+  series.style = ChartSeries::Style::line_points;
+  series.colour = colour;
   std::vector<std::pair<double, std::vector<SummaryRow>>> by_velocity;
   for (const SummaryRow& row : family.rows) {
     if (!row.at("crack_velocity_over_cr").is_number()) continue;
@@ -148,7 +150,7 @@ std::vector<NamedChart> velocity_charts(const std::vector<SummaryRow>& rows) {
     chart.title = "Release rate against crack velocity";
     chart.x_label = "crack velocity [c_r]";
     chart.y_label = "G_{ID} / G_{I0} [-]";
-    chart.x_range = {0.0, 1.0};
+    chart.x_range = {0.0, {}};
     chart.y_range = {0.0, {}};
     chart.key_outside = measured.size() > 3;
     const auto to = std::min(measured.size(), from + most_series);

@@ -1,0 +1,315 @@
+#include "engine/results/files.hpp"
+#include "engine/results/run_folder.hpp"
+#include "engine/results/series.hpp"
+#include "engine/simulation/summary.hpp"
+#include "engine/study/plan.hpp"
+#include "engine/study/runner.hpp"
+#include "engine/study/store.hpp"
+#include "tests/studio/run_rift.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace rift {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using studio::read_text;
+using studio::TemporaryFolder;
+using studio::write_text;
+
+const BuildInfo build{"0.1.0", "a compiler"};
+
+/// Nine scenarios: two techniques with two zones, two velocities, damped and not, two steps, and a notch of
+/// their own.
+constexpr const char* study_text = R"(
+[specimen]
+length = "36 mm"
+height = "12 mm"
+layers = 2
+elements = 500
+coordination = 5.6
+[loading]
+displacement = "0.6 mm"
+[crack]
+end = "16 mm"
+[output]
+samples = 30
+[damping]
+region = "surface"
+[study]
+technique = ["simple", "progressive"]
+damage_zone_ratio = [0.4, 4]
+crack_velocity = ["0.3 c_r", "0.9 c_r"]
+damping_alpha = [0, 0.01, 0.02]
+)";
+
+Preset preset_from(const std::string& text) {
+  Preset preset = read_preset_text(text, "tiny.toml", {});
+  for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+  return preset;
+}
+
+Preset tiny_study() { return preset_from(study_text); }
+
+Cache& shared_cache() {
+  static const TemporaryFolder folder;
+  static Cache cache{folder.path(), {}};
+  return cache;
+}
+
+StudyOptions into(const fs::path& folder) {
+  StudyOptions options;
+  options.folder = folder;
+  options.threads = 1;
+  return options;
+}
+
+StudyResult compute(const StudyOptions& options, const StudyObserver& observer = {}) {
+  return run_study(tiny_study(), options, shared_cache(), build, observer);
+}
+
+/// A row without what depends on when and beside what it was computed.
+Json lasting(Json row) {
+  for (const char* name : {"lanes", "threads", "element_steps_per_s", "beam_steps_per_s", "memory_peak_bytes",
+                           "packing_from_cache", "prestress_from_cache", "axes", "row"})
+    row.erase(name);
+  Json kept = Json::object();
+  for (const auto& [name, value] : row.items())
+    if (!name.starts_with("wall_")) kept[name] = value;
+  return kept;
+}
+
+std::vector<Json> lasting(const std::vector<SummaryRow>& rows) {
+  std::vector<Json> all;
+  for (const SummaryRow& row : rows) all.push_back(row.is_null() ? row : lasting(row));
+  return all;
+}
+
+void expect_as_run_alone(const Preset& preset, const StudyResult& result, const fs::path& folder) {
+  const std::vector<Scene> scenes = scenes_of_study(preset);
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    Preset alone = preset;
+    alone.study.clear();
+    alone.scene = scenes[k];
+    const Prepared prepared = prepare(alone, shared_cache());
+    const RunResult run = march(prepared, {}, {.threads = 2});
+    const Rates rates = rates_of(prepared, run);
+    const Json summary = summary_of(prepared, run, {rates}, build, 0.0).at("scenarios")[0];
+    EXPECT_EQ(lasting(result.rows[k]), lasting(Json::parse(summary.dump()))) << k;
+    std::vector<results::Sample> fracture;
+    for (const results::Sample& row : run.lane[0].books)
+      if (row.phase == results::Phase::fracture) fracture.push_back(row);
+    const results::RateCurve curve{0, rates.curve};
+    const fs::path csv = result_file(folder, result_key(scenes[k], build.version)).replace_extension(".csv");
+    EXPECT_EQ(read_text(csv), results::series_csv(fracture, {&curve, 1})) << k;
+  }
+}
+
+TEST(Study, GivesEachScenarioBitForBitAsRunAlone) {
+  const TemporaryFolder folder;
+  const StudyResult result = compute(into(folder.path()));
+  EXPECT_EQ(result.outcome, Outcome::finished);
+  EXPECT_EQ(result.computed, static_cast<int>(tiny_study().study.size()));
+  std::set<double> steps;
+  for (const SummaryRow& row : result.rows) steps.insert(row.at("dt_s").get<double>());
+  EXPECT_GT(steps.size(), 1U);  // else this says nothing about steps of their own
+  expect_as_run_alone(tiny_study(), result, folder.path());
+}
+
+TEST(Study, WithARampGivesEachScenarioBitForBitAsRunAlone) {
+  std::string text = study_text;
+  text.replace(text.find("[crack]"), 7, "method = \"ramp\"\nramp_steps = 1500\nhold_steps = 500\n[crack]");
+  text.erase(text.find("damping_alpha"));
+  const TemporaryFolder folder;
+  const Preset preset = preset_from(text);
+  const StudyResult result = run_study(preset, into(folder.path()), shared_cache(), build, {});
+  expect_as_run_alone(preset, result, folder.path());
+}
+
+TEST(Study, RowsSayWhichScenarioTheyAre) {
+  const TemporaryFolder folder;
+  const Preset preset = tiny_study();
+  const StudyResult result = compute(into(folder.path()));
+  for (std::size_t k = 0; k < result.rows.size(); ++k) {
+    EXPECT_EQ(result.rows[k].at("row"), k);
+    for (const auto& [name, text] : preset.study[k].axes) EXPECT_EQ(result.rows[k].at("axes").at(name), text);
+  }
+}
+
+TEST(Study, FindsWhatIsThereAndComputesNothingAgain) {
+  const TemporaryFolder folder;
+  const StudyResult first = compute(into(folder.path()));
+  int told = 0;
+  StudyObserver observer;
+  observer.finished = [&](const SummaryRow&, int done, int of) {
+    EXPECT_EQ(done, ++told);
+    EXPECT_EQ(of, static_cast<int>(first.rows.size()));
+  };
+  const StudyResult again = compute(into(folder.path()), observer);
+  EXPECT_EQ(again.computed, 0);
+  EXPECT_EQ(again.found, first.computed);
+  EXPECT_EQ(told, again.found);
+  EXPECT_EQ(again.rows, first.rows);  // wall times too: they are those of the computation
+}
+
+TEST(Study, StoppedAgainAndAgainComesToTheSame) {
+  const TemporaryFolder folder, whole;
+  const std::vector<Json> expected = lasting(compute(into(whole.path())).rows);
+  StudyResult result;
+  int computed = 0, stops = 0;
+  do {
+    const int allowed = ++stops;
+    StudyObserver observer;
+    int seen = 0;
+    observer.finished = [&](const SummaryRow&, int, int) { ++seen; };
+    observer.progress = [&](std::string_view, double) { return seen <= allowed; };
+    result = compute(into(folder.path()), observer);
+    computed += result.computed;
+  } while (result.outcome == Outcome::stopped && stops < 50);
+  EXPECT_EQ(result.outcome, Outcome::finished);
+  EXPECT_EQ(computed, static_cast<int>(expected.size()));  // nothing twice
+  EXPECT_EQ(lasting(result.rows), expected);
+}
+
+TEST(Study, ProgressNeverGoesBackAndStaysWithinOne) {
+  const TemporaryFolder folder;
+  double last = 0.0;
+  StudyObserver observer;
+  observer.progress = [&](std::string_view, double done) {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1.0);
+    last = done;
+    return true;
+  };
+  compute(into(folder.path()), observer);
+  EXPECT_GT(last, 0.3);
+}
+
+TEST(StudyShards, AreGatheredByAnyCallAndShareOutAllScenarios) {
+  const TemporaryFolder folder, whole;
+  const std::vector<Json> expected = lasting(compute(into(whole.path())).rows);
+  StudyOptions options = into(folder.path());
+  options.shards = 3;
+  int computed = 0;
+  StudyResult last;
+  for (const int shard : {3, 1, 2}) {
+    options.shard = shard;
+    last = compute(options);
+    EXPECT_GT(last.computed, 0);
+    computed += last.computed;
+    EXPECT_EQ(last.computed + last.found, computed);
+  }
+  EXPECT_EQ(computed, static_cast<int>(expected.size()));
+  EXPECT_EQ(lasting(last.rows), expected);
+}
+
+TEST(StudyShards, KeepScenariosOfOneLatticeTogether) {
+  std::string text = study_text;
+  text += "seed = [1, 2, 3, 4]\n";
+  const std::vector<StudyItem> items = plan_study(preset_from(text), "0.1.0");
+  std::set<int> groups;
+  for (int shard = 1; shard <= 4; ++shard)
+    for (const StudyItem& item : part_of(items, shard, 4)) {
+      EXPECT_EQ(item.group, shard - 1);
+      groups.insert(item.group);
+    }
+  EXPECT_EQ(groups.size(), 4U);
+}
+
+class DamagedResult : public testing::TestWithParam<const char*> {};
+
+TEST_P(DamagedResult, IsNotedAndComputedAgain) {
+  const TemporaryFolder folder;
+  const StudyResult first = compute(into(folder.path()));
+  const Scene scene = scenes_of_study(tiny_study())[2];
+  const fs::path file =
+      result_file(folder.path(), result_key(scene, build.version)).replace_extension(GetParam());
+  const std::string sound = read_text(file);
+  std::string text = sound;
+  text[text.find("0.", text.size() / 2) + 2] ^= 1;  // one digit becomes another
+  for (const std::string& damaged : {text, sound.substr(0, sound.size() / 2), std::string()}) {
+    write_text(file, damaged);
+    Cache cache = shared_cache();
+    cache.notes.clear();
+    const StudyResult again = run_study(tiny_study(), into(folder.path()), cache, build, {});
+    EXPECT_EQ(again.computed, 1);
+    EXPECT_EQ(lasting(again.rows), lasting(first.rows));
+    ASSERT_EQ(cache.notes.size(), 1U);
+    EXPECT_EQ(cache.notes[0], file.string() + ": damaged, computed again");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEitherFile, DamagedResult, testing::Values(".json", ".csv"),
+                         [](const auto& ending) { return std::string(ending.param + 1); });
+
+std::string refusal(const fs::path& folder, const Preset& preset, const BuildInfo& by = build) {
+  try {
+    run_study(preset, into(folder), shared_cache(), by, {});
+  } catch (const results::FolderExists& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(StudyFolder, OfAnotherStudyVersionOrKindIsRefusedAndLeftAsItWas) {
+  const TemporaryFolder folder, other;
+  compute(into(folder.path()));
+  const std::string manifest = read_text(folder.path() / "study.json");
+  std::string text = study_text;
+  text.replace(text.find("0.9 c_r"), 7, "0.8 c_r");
+  EXPECT_EQ(refusal(folder.path(), preset_from(text)),
+            folder.path().string() + " holds another study (of tiny.toml, " +
+                std::to_string(tiny_study().study.size()) +
+                " scenarios); nothing was changed, choose another with --out");
+  EXPECT_EQ(
+      refusal(folder.path(), tiny_study(), {"0.2.0", "a compiler"}),
+      folder.path().string() +
+          " holds a study of rift 0.1.0, this is rift 0.2.0; nothing was changed, choose another with --out");
+  EXPECT_EQ(read_text(folder.path() / "study.json"), manifest);
+  write_text(other.path() / "thesis.tex", "years of work");
+  EXPECT_EQ(refusal(other.path(), tiny_study()),
+            other.path().string() + " is not empty and holds no study; choose another with --out");
+  EXPECT_EQ(std::distance(fs::directory_iterator(other.path()), fs::directory_iterator()), 1);
+}
+
+TEST(StudyFolder, WithADamagedManifestIsGoneOnWith) {
+  const TemporaryFolder folder;
+  compute(into(folder.path()));
+  const std::string manifest = read_text(folder.path() / "study.json");
+  write_text(folder.path() / "study.json", manifest.substr(0, 40));
+  const StudyResult again = compute(into(folder.path()));
+  EXPECT_EQ(again.computed, 0);
+  EXPECT_EQ(read_text(folder.path() / "study.json"), manifest);
+}
+
+TEST(StudyHash, IsOfTheScenariosAndNotOfTheirWording) {
+  const Preset preset = tiny_study();
+  std::string text = study_text;
+  text.replace(text.find("36 mm"), 5, "0.036 m");
+  EXPECT_EQ(study_hash(preset_from(text)), study_hash(preset));
+  text.replace(text.find("0.036 m"), 7, "37 mm");
+  EXPECT_NE(study_hash(preset_from(text)), study_hash(preset));
+}
+
+// The unsound scenario is said, and the sound ones are kept all the same.
+TEST(Study, TellsScenariosThatCannotRunAfterTheOthers) {
+  std::string text = study_text;
+  text.erase(text.find("damping_alpha"));
+  text += "layers = [2, 0.6]\n";
+  const TemporaryFolder folder;
+  const Preset preset = preset_from(text);
+  try {
+    run_study(preset, into(folder.path()), shared_cache(), build, {});
+    GTEST_SKIP() << "a plate of 0.6 layers can be packed";
+  } catch (const InputError& error) {
+    EXPECT_FALSE(error.issues.empty());
+  }
+  EXPECT_GT(std::distance(fs::directory_iterator(folder.path() / "runs"), fs::directory_iterator()), 2);
+}
+
+}  // namespace
+}  // namespace rift

@@ -1,0 +1,208 @@
+#include "tests/studio/commands/tiny_plate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <vector>
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// The tiny plate as a study of eight scenarios on two specimens.
+class TinyStudy : public TinyPlate {
+ public:
+  TinyStudy() {
+    std::string text = read_text(preset());
+    text.erase(text.find("velocity = "), std::string("velocity = \"0.5 c_r\"\n").size());
+    write_text(preset(), text +
+                             "[study]\ntechnique = [\"simple\", \"progressive\"]\n"
+                             "crack_velocity = [\"0.3 c_r\", \"0.5 c_r\"]\nseed = [1, 2]\n");
+  }
+  std::string command(const std::string& arguments, const fs::path& out) const {
+    return "study '" + preset().string() + "' --out '" + out.string() + "' " + arguments;
+  }
+  Ran study(const std::string& arguments = "") const {
+    return run_rift(command(arguments, out()), environment());
+  }
+  Ran study_under(const std::string& wrapper, const std::string& arguments, const fs::path& folder) const {
+    return run_shell("env " + environment() + " " + wrapper + " '" RIFT_EXE "' " +
+                     command(arguments, folder));
+  }
+};
+
+/// table.csv by row and name, without what depends on when and beside what it was computed.
+std::vector<std::map<std::string, std::string>> table_in(const fs::path& folder) {
+  const std::set<std::string> passing{"lanes",
+                                      "threads",
+                                      "element_steps_per_s",
+                                      "beam_steps_per_s",
+                                      "memory_peak_bytes",
+                                      "packing_from_cache",
+                                      "prestress_from_cache"};
+  std::vector<std::map<std::string, std::string>> rows;
+  std::vector<std::string> names;
+  std::istringstream lines(read_text(folder / "table.csv"));
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> fields;
+    std::istringstream parts(line);
+    for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
+    if (names.empty()) {
+      names = fields;
+      continue;
+    }
+    rows.emplace_back();
+    for (std::size_t k = 0; k < names.size() && k < fields.size(); ++k)
+      if (!names[k].starts_with("wall_") && !passing.contains(names[k])) rows.back()[names[k]] = fields[k];
+  }
+  return rows;
+}
+
+TEST(StudyCommand, LeavesTableChartsAndReport) {
+  const TinyStudy plate;
+  const Ran ran = plate.study();
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  for (const char* name : {"ratio_with_damping", "broberg", "error_broberg", "wall_fracture_s", "simple",
+                           "mean ± scatter over seeds", "8 computed, 0 found"})
+    EXPECT_TRUE(contains(ran.out, name));
+  EXPECT_TRUE(contains(ran.err, "[8/8]"));
+  EXPECT_EQ(table_in(plate.out()).size(), 8U);
+  for (const char* file : {"study.json", "charts/ratio_velocity.svg", "charts/ratio_velocity.png",
+                           "charts/ratio_tip.csv", "charts/ratio_tip.gp"})
+    EXPECT_GT(fs::file_size(plate.out() / file), 100U) << file;
+  const std::string report = read_text(plate.out() / "report.html");
+  for (const char* part : {"<svg", "Broberg", "Mean and scatter over seeds", "wall_fracture_s"})
+    EXPECT_TRUE(contains(report, part));
+  EXPECT_EQ(report.find("src="), std::string::npos);  // self-contained
+  const Ran again = plate.study();
+  EXPECT_TRUE(contains(again.out, "0 computed, 8 found"));
+}
+
+TEST(StudyCommand, AgreesWithTheRunOfOneOfItsScenarios) {
+  const TinyStudy plate;
+  ASSERT_EQ(plate.study().exit_code, 0);
+  const Json scenarios = Json::parse(plate.study("--json").out).at("scenarios");
+  const TinyPlate alone;
+  ASSERT_EQ(alone.run("--set crack.technique=simple --set specimen.seed=2").exit_code, 0);
+  const Json run = Json::parse(read_text(alone.out() / "summary.json")).at("scenarios")[0];
+  const Json& row = scenarios.at(3);
+  EXPECT_EQ(row.at("axes"), Json({{"technique", "simple"}, {"crack_velocity", "0.5 c_r"}, {"seed", "2"}}));
+  for (const char* name : {"ratio", "ratio_with_damping", "g_i0_j_m2", "energy_elastic_j", "ledger_residual"})
+    EXPECT_EQ(row.at(name), run.at(name)) << name;
+}
+
+// Some seconds of work, cut short at moments that fall into packing, pre-stress and crack.
+TEST(StudyCommand, KilledAtAnyMomentGivesTheSameTable) {
+  const TinyStudy plate;
+  const std::string slower = "--set solver.dt_fraction=0.05";
+  ASSERT_EQ(plate.study(slower + " --no-cache").exit_code, 0);
+  const fs::path folder = plate.path() / "killed";
+  int kills = 0;
+  for (const char* after : {"0.15", "0.4", "0.9", "1.3", "0.6"})
+    if (plate.study_under(std::string("timeout -s KILL ") + after, slower, folder).exit_code == 137) ++kills;
+  EXPECT_GT(kills, 1);
+  const Ran ran = plate.study_under("", slower, folder);
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(table_in(folder), table_in(plate.out()));
+}
+
+TEST(StudyCommand, StopsInGoodOrderAndGoesOn) {
+  const TinyStudy plate;
+  const Ran ran =
+      plate.study_under("timeout --preserve-status -s INT 1", "--set solver.dt_fraction=0.01", plate.out());
+  EXPECT_EQ(ran.exit_code, 130);
+  EXPECT_TRUE(contains(ran.err, "rift study: stopped; the same command goes on from here\n"));
+  const Ran late = plate.study("--set solver.dt_fraction=0.01 --budget '0.5 s'");
+  EXPECT_EQ(late.exit_code, 4);
+  EXPECT_TRUE(contains(late.err, "rift study: the budget ran out; the same command goes on from here\n"));
+  EXPECT_TRUE(contains(late.out, "not computed yet"));
+}
+
+TEST(StudyCommand, GathersShards) {
+  const TinyStudy plate;
+  const Ran first = plate.study("--shard 2/2");
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_TRUE(contains(first.out, "4 of 8 scenarios are not computed yet"));
+  const Ran second = plate.study("--shard 1/2");
+  EXPECT_TRUE(contains(second.out, "4 computed, 4 found"));
+  EXPECT_EQ(table_in(plate.out()).size(), 8U);
+}
+
+struct StudyMistake {
+  const char* arguments;
+  const char* message;
+};
+
+class StudyBadInput : public testing::TestWithParam<StudyMistake> {};
+
+TEST_P(StudyBadInput, IsRefusedWithAMessageAndNothingIsWritten) {
+  const TinyStudy plate;
+  const Ran ran = plate.study(GetParam().arguments);
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_TRUE(contains(ran.err, GetParam().message));
+  EXPECT_FALSE(fs::exists(plate.out()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfTheIssue, StudyBadInput,
+    testing::Values(
+        StudyMistake{"--shard 3/2", "rift study: --shard 3/2: the index must lie in 1 to 2\n"},
+        StudyMistake{"--shard 0/2", "rift study: --shard 0/2: the index must lie in 1 to 2\n"},
+        StudyMistake{"--shard 1/0", "rift study: --shard 1/0: there must be at least 1 part\n"},
+        StudyMistake{"--shard half", "rift study: --shard half: expected i/n, such as 2/8\n"},
+        StudyMistake{"--shard 1/2x", "rift study: --shard 1/2x: expected i/n, such as 2/8\n"},
+        StudyMistake{"--budget 10", "rift study: --budget 10: expected a time with its unit"},
+        StudyMistake{"--budget '-1 s'", "rift study: --budget -1 s: expected a time with its unit"},
+        StudyMistake{"--set solver.dt_fraction=1e-5", "--yes starts it, --budget TIME does what fits\n"},
+        StudyMistake{"--set specimen.seed=3", "varied by the study"}),
+    [](const auto& mistake) { return "Case" + std::to_string(mistake.index); });
+
+TEST(StudyBadInput, WithoutAStudySaysHowToWriteOne) {
+  const TinyPlate plate;
+  const Ran ran = run_rift("study '" + plate.preset().string() + "' --out '" + plate.out().string() + "'");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "no [study] in it: write a table [study] with a list of values per axis"));
+  EXPECT_FALSE(fs::exists(plate.out()));
+}
+
+TEST(StudyBadInput, OfAFolderWithSomethingElseIsRefused) {
+  const TinyStudy plate;
+  fs::create_directory(plate.out());
+  write_text(plate.out() / "thesis.tex", "years of work");
+  const Ran ran = plate.study();
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.err, "rift: " + plate.out().string() +
+                         " is not empty and holds no study; choose another with --out\n");
+}
+
+TEST(RunAndCheck, SendAStudyToItsCommand) {
+  const TinyStudy plate;
+  const std::string expected = plate.preset().string() + ": holds a study of 8 scenarios: 'rift study " +
+                               plate.preset().string() + "' computes it\n";
+  const Ran ran = plate.run(), checked = plate.check();
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.err, expected);
+  EXPECT_EQ(checked.exit_code, 2);
+  EXPECT_EQ(checked.err, expected);
+}
+
+TEST(RunLanes, GivesOneScenarioPerLane) {
+  const TinyPlate plate;
+  write_text(plate.preset(),
+             read_text(plate.preset()) +
+                 "[[lanes]]\ntechnique = \"simple\"\n[[lanes]]\ntechnique = \"progressive\"\n");
+  ASSERT_EQ(plate.run().exit_code, 0);
+  const Json scenarios = Json::parse(read_text(plate.out() / "summary.json")).at("scenarios");
+  ASSERT_EQ(scenarios.size(), 2U);
+  EXPECT_EQ(scenarios[0].at("technique"), "simple");
+  EXPECT_EQ(scenarios[1].at("technique"), "progressive");
+  EXPECT_TRUE(contains(plate.run("--print-config").out, "[[lanes]]"));
+}
+
+}  // namespace
+}  // namespace rift::studio
