@@ -117,7 +117,8 @@ std::optional<Json> read_result(const fs::path& folder, const std::string& key,
   const fs::path file = result_file(folder, key);
   if (!fs::exists(file)) return std::nullopt;
   const Json j = Json::parse(results::read_whole_file(file), nullptr, false);
-  const bool whole = j.is_object() && j.contains("scenario") && j.at("scenario").is_object() &&
+  const bool whole = j.is_object() && text_of(j, "key") == key && j.contains("scenario") &&
+                     j.at("scenario").is_object() &&
                      text_of(j, "check") == check_of(key, j.at("scenario"), text_of(j, "series_hash"));
   const fs::path series = series_file(file);
   if (whole && fs::exists(series) && hash_text(results::read_whole_file(series)) == text_of(j, "series_hash"))
