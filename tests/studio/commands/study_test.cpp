@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
         StudyMistake{"--set specimen.seed=3", "varied by the study"}),
     [](const auto& mistake) { return "Case" + std::to_string(mistake.index); });
 
-TEST(StudyBadInput, WithoutAStudySaysHowToWriteOne) {
+TEST(StudyBadInputOfThePreset, WithoutAStudySaysHowToWriteOne) {
   const TinyPlate plate;
   const Ran ran = run_rift("study '" + plate.preset().string() + "' --out '" + plate.out().string() + "'");
   EXPECT_EQ(ran.exit_code, 2);
@@ -170,7 +170,7 @@ TEST(StudyBadInput, WithoutAStudySaysHowToWriteOne) {
   EXPECT_FALSE(fs::exists(plate.out()));
 }
 
-TEST(StudyBadInput, OfAFolderWithSomethingElseIsRefused) {
+TEST(StudyOut, OfAFolderWithSomethingElseIsRefused) {
   const TinyStudy plate;
   fs::create_directory(plate.out());
   write_text(plate.out() / "thesis.tex", "years of work");
