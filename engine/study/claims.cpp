@@ -1,0 +1,191 @@
+#include "engine/study/claims.hpp"
+
+#include "engine/study/judges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift {
+namespace {
+
+std::vector<Claim> figures() {
+  return {
+      {"fig01",
+       "Fig. 1",
+       "The analytic correction factor falls quasi-linearly from 1 at 0 to 0 at c_r (Broberg).",
+       {},
+       judges::fig01},
+      {"fig02", "Fig. 2", "A discrete lattice: elements and their beams, drawn.", {}, {}, "a picture"},
+      {"fig03", "Fig. 3", "The plate's geometry with its boundary conditions, drawn.", {}, {}, "a picture"},
+      {"fig04",
+       "Fig. 4",
+       "Frames of the running crack, coloured by vertical displacement, the tip marked.",
+       {},
+       {},
+       "pictures"},
+      {"fig05",
+       "Fig. 5",
+       "Energy balance at 0.2 c_r: tension to 0.47 ms, stabilisation to 0.71 ms, fracture to 1.16 ms; "
+       "kinetic and "
+       "fracture energy rise as elastic energy falls; inertia of the loading below 1 % of the total.",
+       {"fig05_energy_balance"},
+       judges::fig05},
+      {"fig06",
+       "Fig. 6",
+       "S-NRT: the ratio is quasi-constant after 20 % of the length for most velocities and tends to 0 at "
+       "1.0 c_r.",
+       {"fig06_snrt_position"},
+       judges::fig06},
+      {"fig07",
+       "Fig. 7",
+       "S-NRT agrees with the analytic curve only in 0.6-1.0 c_r; below 0.4 at 0.01 c_r.",
+       {"fig07_snrt_velocity"},
+       judges::fig07},
+      {"fig08",
+       "Fig. 8",
+       "S-NRT damped at the crack surface (< 6 % of beams) or everywhere: closer than undamped; too low in "
+       "0.01-0.4 c_r, too high in 0.4-0.8 c_r; total damping better than surface damping in 0.01-0.4 c_r.",
+       {"fig07_snrt_velocity", "fig08_snrt_damping", "fig08_snrt_surface"},
+       judges::fig08},
+      {"fig09", "Fig. 9", "The damage zone, drawn.", {}, {}, "a drawing"},
+      {"fig10", "Fig. 10", "The three relaxation schemes (eqs. 9-11), drawn.", {}, {}, "a drawing"},
+      {"fig11",
+       "Fig. 11",
+       "P-NRT at r_l = 1: linear and quadratic are near the analytic curve; square root is too low in "
+       "0.05-0.4 c_r.",
+       {"fig11_relaxation"},
+       judges::fig11},
+      {"fig12",
+       "Fig. 12",
+       "Linear scheme: r_l = 1 is best; 1.5 too high in 0.2-0.8 c_r; 0.5 too low in 0.01-0.6 c_r.",
+       {"fig12_damage_zone"},
+       judges::fig12},
+      {"fig13",
+       "Fig. 13",
+       "P-NRT (linear, r_l = 1): tends to 1 at 0.01 c_r; constant from 10-20 % of the length, above 0.8 c_r "
+       "from "
+       "about 40 %.",
+       {"fig13_pnrt_position"},
+       judges::fig13},
+      {"fig14",
+       "Fig. 14",
+       "5,000, 20,000 and 80,000 elements: almost no influence; between the last two 0.002 at 0.05 c_r and "
+       "0.018 "
+       "at 1.0 c_r.",
+       {"fig14_elements"},
+       judges::fig14},
+      {"fig15",
+       "Fig. 15",
+       "P-NRT is best of all; too low below 0.4 c_r; at 1.0 c_r above 0 and tending to it with more "
+       "elements.",
+       {"fig15_all", "fig08_snrt_damping", "fig08_snrt_surface", "fig14_elements"},
+       judges::fig15},
+      {"fig16", "Fig. 16", "Cylinders of 500 to 35,000 elements, drawn.", {}, {}, "calibration"},
+      {"fig17",
+       "Fig. 17",
+       "E and nu converge, within 2.5 % above 15,000 elements; micro parameters scanned.",
+       {},
+       {},
+       "calibration"},
+  };
+}
+
+std::vector<Claim> tables() {
+  return {
+      {"table1",
+       "Table 1",
+       "The velocity Verlet scheme.",
+       {},
+       {},
+       "stands as tests of the scheme: its observed order, and books that close to rounding"},
+      {"table2",
+       "Table 2",
+       "E_M = 10.3 GPa, nu_M = 0.3 from E_mu = 356 GPa, nu_mu = 0.3, r_mu = 0.3.",
+       {},
+       {},
+       "calibration"},
+  };
+}
+
+std::vector<Claim> sections() {
+  return {
+      {"sec2_linear",
+       "Section 2.4",
+       "The fracture energy grows linearly with the crack over the window.",
+       {"sec2_linear"},
+       judges::sec2_linear},
+      {"sec3_specimens",
+       "Section 3",
+       "Three specimens differ negligibly.",
+       {"sec3_specimens"},
+       judges::sec3_specimens},
+      {"sec3_damping",
+       "Section 3.2",
+       "So small a damping changes the structure's behaviour almost nowhere: only frequencies near the "
+       "highest "
+       "are damped.",
+       {"sec3_damping"},
+       judges::sec3_damping},
+      {"sec4_time_step",
+       "Section 4.2",
+       "L_CZM = 0.49 mm = 0.0024 L; a beam takes about 100 steps to degrade at 0.1 c_r and 10 at 1.0 c_r; a "
+       "smaller time step changes nothing.",
+       {"sec4_time_step", "fig13_pnrt_position"},
+       judges::sec4_time_step},
+      {"sec4_longer",
+       "Section 4.2",
+       "A longer plate will not offer better results.",
+       {"sec4_longer", "fig13_pnrt_position"},
+       judges::sec4_longer},
+      {"sec5_paths",
+       "Section 5",
+       "One specimen serves many paths: at 0.4, 0.5, 0.6 H the ratio is the same "
+       "within scatter.",
+       {"sec5_paths"},
+       judges::sec5_paths},
+      {"sec5_residual",
+       "Section 5",
+       "Broken beams keep a minimum of energy.",
+       {"sec5_residual"},
+       judges::sec5_residual},
+      {"sec5_bending",
+       "Section 5",
+       "Slight out-of-plane bending at low velocity.",
+       {"sec5_bending"},
+       {},
+       "the motion along z is not yet among a scenario's numbers"},
+  };
+}
+
+std::vector<Claim> all_claims() {
+  std::vector<Claim> all = figures();
+  for (const auto part : {tables, sections})
+    for (Claim& claim : part()) all.push_back(std::move(claim));
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Claim>& claims() {
+  static const std::vector<Claim> table = all_claims();
+  return table;
+}
+
+const Claim* find_claim(std::string_view name) {
+  const auto found =
+      std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.name == name; });
+  return found == claims().end() ? nullptr : &*found;
+}
+
+Curve curve_in(const Evidence& evidence, Selection selection) {
+  if (selection.elements == 0) selection.elements = evidence.elements;
+  return curve_of(evidence.rows, selection);
+}
+
+Curve curve_of_elements(const Evidence& evidence, double factor) {
+  Selection selection;
+  selection.elements = static_cast<int>(std::lround(factor * evidence.elements));
+  return curve_of(evidence.rows, selection);
+}
+
+}  // namespace rift

@@ -1,0 +1,153 @@
+#include "engine/study/judges.hpp"
+#include "engine/theory/references.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift::judges {
+namespace {
+
+Selection scheme(double relaxation) {
+  Selection s;
+  s.relaxation = relaxation;
+  return s;
+}
+
+Selection zone(double ratio) {
+  Selection s;
+  s.damage_zone_ratio = ratio;
+  return s;
+}
+
+constexpr Span all_velocities{};
+
+/// "Less than 6 % of the beams are damped".
+Judgement few_beams_damped(const Evidence& evidence) {
+  std::vector<double> shares;
+  Selection surface = simple_release("surface");
+  surface.elements = evidence.elements;
+  for (const SummaryRow& row : evidence.rows)
+    if (selects(surface, row)) shares.push_back(number_in(row, "beams_damped") / number_in(row, "beams"));
+  if (shares.empty() || std::isnan(mean_of(shares))) return {Verdict::not_decidable, "no result"};
+  const double most = *std::max_element(shares.begin(), shares.end());
+  return {most < 0.06 ? Verdict::holds : Verdict::does_not_hold, fmt::format("{:.1f} %", 100.0 * most)};
+}
+
+}  // namespace
+
+Judgement fig01(const Evidence&) {
+  double farthest = 0.0, at = 0.0;
+  for (int k = 0; k <= 100; ++k) {
+    const double v = 0.01 * k, away = std::abs(theory::broberg(v, 0.3, Plane::stress).g - (1.0 - v));
+    if (away > farthest) farthest = away, at = v;
+  }
+  return {Verdict::not_decidable,
+          fmt::format("Broberg's factor departs from 1 - v/c_r by at most {:.3f} (at {:g} c_r); the paper's "
+                      "finite-element points are not in the text",
+                      farthest, at)};
+}
+
+Judgement fig06(const Evidence& evidence) {
+  const Curve simple = curve_in(evidence, simple_release());
+  return all_of({{"quasi-constant for most", is_mostly_constant(simple, all_velocities)},
+                 {"tends to 0 at 1.0", is_near_value(simple, 1.0, 0.0)}});
+}
+
+Judgement fig07(const Evidence& evidence) {
+  const Curve simple = curve_in(evidence, simple_release());
+  return all_of({{"agrees only in 0.6-1.0", agrees_only_in(simple, {0.6, 1.0})},
+                 {"below 0.4 at 0.01", is_below(simple, 0.01, 0.4)}});
+}
+
+Judgement fig08(const Evidence& evidence) {
+  const Curve bare = curve_in(evidence, simple_release()),
+              surface = curve_in(evidence, simple_release("surface")),
+              total = curve_in(evidence, simple_release("all"));
+  return all_of({{"surface closer than undamped", is_better(surface, bare, all_velocities)},
+                 {"total closer than undamped", is_better(total, bare, all_velocities)},
+                 {"surface too low", is_too_low(surface, {0.01, 0.4})},
+                 {"total too low", is_too_low(total, {0.01, 0.4})},
+                 {"surface too high", is_too_high(surface, {0.4, 0.8})},
+                 {"total too high", is_too_high(total, {0.4, 0.8})},
+                 {"total better than surface", is_better(total, surface, {0.01, 0.4})},
+                 {"less than 6 % of beams damped at the surface", few_beams_damped(evidence)}});
+}
+
+Judgement fig11(const Evidence& evidence) {
+  return all_of({{"linear near", is_near(curve_in(evidence, scheme(1.0)), all_velocities)},
+                 {"quadratic near", is_near(curve_in(evidence, scheme(2.0)), all_velocities)},
+                 {"square root too low", is_too_low(curve_in(evidence, scheme(0.5)), {0.05, 0.4})}});
+}
+
+Judgement fig12(const Evidence& evidence) {
+  const Curve one = curve_in(evidence, zone(1.0)), longer = curve_in(evidence, zone(1.5)),
+              shorter = curve_in(evidence, zone(0.5));
+  return all_of({{"1 better than 1.5", is_better(one, longer, all_velocities)},
+                 {"1 better than 0.5", is_better(one, shorter, all_velocities)},
+                 {"1.5 too high", is_too_high(longer, {0.2, 0.8})},
+                 {"0.5 too low", is_too_low(shorter, {0.01, 0.6})}});
+}
+
+Judgement fig13(const Evidence& evidence) {
+  const Curve progressive = curve_in(evidence, {});
+  std::vector<Part> parts{
+      {"tends to 1 at 0.01", is_near_value(progressive, 0.01, 1.0)},
+      {"constant from 20 % of the length for most", is_mostly_constant(progressive, {0.01, 0.8})}};
+  for (double v : {0.9, 1.0}) {
+    const Curve at = within(progressive, v, v);
+    parts.push_back(
+        {fmt::format("constant from 40 % at {:.1f}", v),
+         at.empty() ? Judgement{Verdict::not_decidable, "no result"} : is_quasi_constant(at.front())});
+  }
+  return all_of(parts);
+}
+
+Judgement fig14(const Evidence& evidence) {
+  const Curve few = curve_of_elements(evidence, 0.25), paper = curve_of_elements(evidence, 1.0),
+              many = curve_of_elements(evidence, 4.0);
+  const Span span{0.05, 1.0};
+  return all_of({{"a quarter of the elements", has_no_influence(few, paper, span)},
+                 {"four times the elements", has_no_influence(many, paper, span)},
+                 {"four times, at 0.05 (paper 0.002)", has_no_influence(many, paper, {0.05, 0.05})},
+                 {"four times, at 1.0 (paper 0.018)", has_no_influence(many, paper, {1.0, 1.0})}});
+}
+
+namespace {
+
+/// "Above 0, and tending to it with more elements", at 1.0 c_r.
+Judgement tends_to_zero(const Evidence& evidence) {
+  std::vector<double> ratio, scatter;
+  std::string list;
+  for (double factor : {0.25, 1.0, 4.0}) {
+    const Curve at = within(curve_of_elements(evidence, factor), 1.0, 1.0);
+    if (at.empty())
+      return {Verdict::not_decidable, fmt::format("no result at {:g} times the elements", factor)};
+    ratio.push_back(mean_of(at.front().ratio));
+    scatter.push_back(specimen_scatter(at));
+    list += fmt::format("{}{:.3f} at {:.0f} elements", list.empty() ? "" : ", ", ratio.back(),
+                        factor * evidence.elements);
+  }
+  const double noise = mean_of(scatter);
+  const bool falls = ratio[0] > ratio[1] && ratio[1] > ratio[2] && ratio[2] > 0.0;
+  const Verdict verdict = noise > std::abs(ratio[0] - ratio[2]) ? Verdict::not_decidable
+                          : falls                               ? Verdict::holds
+                                                                : Verdict::does_not_hold;
+  return {verdict, fmt::format("{}, scatter {:.3f}", list, noise)};
+}
+
+}  // namespace
+
+Judgement fig15(const Evidence& evidence) {
+  const Curve progressive = curve_in(evidence, {});
+  std::vector<Part> parts;
+  for (const std::string region : {"none", "surface", "all"})
+    parts.push_back({fmt::format("better than simple release, damping {}", region),
+                     is_better(progressive, curve_in(evidence, simple_release(region)), all_velocities)});
+  parts.push_back({"too low below 0.4", is_too_low(progressive, {0.01, 0.3})});
+  parts.push_back({"at 1.0 above 0 and tending to it", tends_to_zero(evidence)});
+  return all_of(parts);
+}
+
+}  // namespace rift::judges

@@ -1,0 +1,243 @@
+#include "engine/study/judges.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rift::judges {
+namespace {
+
+constexpr double paper_step_s = 2.35e-8;
+/// "About 100 steps": claims.md gives the word no margin; a tenth is ours.
+constexpr double about_margin = 0.1;
+/// "Linearly": what a straight line leaves unexplained, the margin of "quasi-constant".
+constexpr double least_r_squared = 1.0 - constant_margin;
+
+Verdict yes_or_no(bool yes) { return yes ? Verdict::holds : Verdict::does_not_hold; }
+
+Selection with_elements(const Evidence& evidence, Selection s) {
+  s.elements = evidence.elements;
+  return s;
+}
+
+/// Fracture energy against tip position over the row's window.
+Line line_over_window(const SeriesTable& series, const SummaryRow& row) {
+  const double length = number_in(row, "length_m"), slack = 0.005 * length;
+  const double from = row.at("window_over_length")[0].get<double>() * length - slack,
+               to = row.at("window_over_length")[1].get<double>() * length + slack;
+  std::vector<double> x, y;
+  for (std::size_t k = 0; k < series.phase.size(); ++k) {
+    const double tip = series.at("tip_m")[k];
+    if (series.phase[k] != "fracture" || tip < from || tip > to) continue;
+    x.push_back(tip);
+    y.push_back(series.at("energy_fracture_j")[k]);
+  }
+  return line_through(x, y);
+}
+
+Judgement linear_growth(const Evidence& evidence, const Selection& selection) {
+  double least = 1.0, at = 0.0, slope = 0.0;
+  int lines = 0;
+  for (const SummaryRow& row : evidence.rows) {
+    if (!selects(selection, row) || !evidence.series) continue;
+    const SeriesTable series = evidence.series(row);
+    const Line line = series.empty() ? Line{0.0, NAN} : line_over_window(series, row);
+    if (std::isnan(line.r_squared)) continue;
+    ++lines;
+    if (lines > 1 && line.r_squared >= least) continue;
+    least = line.r_squared, at = number_in(row, "crack_velocity_over_cr"), slope = line.slope;
+  }
+  if (lines == 0) return {Verdict::not_decidable, "no series"};
+  return {yes_or_no(least >= least_r_squared),
+          fmt::format("R^2 at least {:.4f} over {} lines (the worst at {:g}, slope {:.3g} J/m)", least, lines,
+                      at, slope)};
+}
+
+/// Share of its energy that a mode of damping ratio zeta loses in a time.
+double lost(double zeta, double omega, double time) { return 1.0 - std::exp(-2.0 * zeta * omega * time); }
+
+struct Times {
+  double loading = 0, hold = 0, end = 0;  // [s]
+  double stored = 0, change_elastic = 0, change_other = 0, most_kinetic = 0;
+};
+
+Times times_of(const SeriesTable& s) {
+  Times t;
+  std::size_t start = 0;
+  for (std::size_t k = 0; k < s.phase.size(); ++k) {
+    const double kinetic = s.at("energy_kinetic_translation_j")[k] + s.at("energy_kinetic_rotation_j")[k];
+    const double time = s.at("time_s")[k];
+    if (s.phase[k] != "fracture") t.most_kinetic = std::max(t.most_kinetic, kinetic), start = k;
+    (s.phase[k] == "loading" ? t.loading : s.phase[k] == "hold" ? t.hold : t.end) = time;
+  }
+  const auto other = [&](std::size_t k) {
+    return s.at("energy_kinetic_translation_j")[k] + s.at("energy_kinetic_rotation_j")[k] +
+           s.at("energy_fracture_j")[k];
+  };
+  const std::size_t last = s.phase.size() - 1;
+  t.stored = s.at("energy_elastic_j")[start];
+  t.change_elastic = s.at("energy_elastic_j")[last] - t.stored;
+  t.change_other = other(last) - other(start);
+  return t;
+}
+
+}  // namespace
+
+Judgement fig05(const Evidence& evidence) {
+  for (const SummaryRow& row : evidence.rows) {
+    if (!row.is_object() || text_in(row, "prestress_method") != "ramp" || !evidence.series) continue;
+    const SeriesTable series = evidence.series(row);
+    if (series.empty()) continue;
+    const Times t = times_of(series);
+    const auto near_ms = [](double s, double ms) { return std::abs(1e3 * s - ms) < 0.0101; };
+    const double inertia = t.most_kinetic / t.stored;
+    return all_of({{"times",
+                    {yes_or_no(near_ms(t.loading, 0.47) && near_ms(t.hold, 0.71) && near_ms(t.end, 1.16)),
+                     fmt::format("tension to {:.3f} ms, stabilisation to {:.3f} ms, fracture to {:.3f} ms",
+                                 1e3 * t.loading, 1e3 * t.hold, 1e3 * t.end)}},
+                   {"kinetic and fracture energy rise as elastic falls",
+                    {yes_or_no(t.change_elastic < 0.0 && t.change_other > 0.0),
+                     fmt::format("{:+.2f} J against {:+.2f} J", t.change_other, t.change_elastic)}},
+                   {"inertia of the loading below 1 %",
+                    {yes_or_no(inertia < 0.01),
+                     fmt::format("at most {:.2f} % of the stored energy, {:.3g} % when the crack starts",
+                                 100.0 * inertia, 100.0 * number_in(row, "prestress_kinetic_fraction"))}}});
+  }
+  return {Verdict::not_decidable, "no series"};
+}
+
+Judgement sec2_linear(const Evidence& evidence) {
+  return all_of({{"simple", linear_growth(evidence, with_elements(evidence, simple_release()))},
+                 {"progressive", linear_growth(evidence, with_elements(evidence, {}))}});
+}
+
+Judgement sec3_specimens(const Evidence& evidence) {
+  std::vector<Part> parts;
+  for (const Selection& s : {simple_release(), Selection{}}) {
+    const Curve curve = curve_in(evidence, s);
+    const bool several =
+        std::any_of(curve.begin(), curve.end(), [](const CurvePoint& p) { return p.ratio.size() > 2; });
+    const double scatter = specimen_scatter(curve);
+    parts.push_back(
+        {s.technique,
+         {several ? yes_or_no(scatter <= influence_margin) : Verdict::not_decidable,
+          fmt::format("standard deviation {:.3f}, mean over {} velocities", scatter, curve.size())}});
+  }
+  return all_of(parts);
+}
+
+Judgement sec3_damping(const Evidence& evidence) {
+  for (const SummaryRow& row : evidence.rows) {
+    if (!selects(with_elements(evidence, simple_release("all")), row)) continue;
+    if (std::abs(number_in(row, "crack_velocity_over_cr") - 0.1) > 1e-9) continue;
+    const double dt = number_in(row, "dt_critical_s"), damped = number_in(row, "dt_critical_damped_s");
+    const double zeta_top = 0.5 * (dt / damped - damped / dt);  // damped = dt (sqrt(1 + zeta^2) - zeta)
+    const double omega_top = 2.0 / dt;
+    const double shear_speed =
+        std::sqrt(number_in(row, "young_modulus_pa") / (2.0 * (1.0 + number_in(row, "poisson_ratio"))) /
+                  number_in(row, "density_kg_m3"));
+    const double omega_first = std::numbers::pi * shear_speed / number_in(row, "height_m");
+    const double zeta_first = zeta_top * omega_first / omega_top;
+    const double time = number_in(row, "steps") * number_in(row, "dt_s");
+    const double top = lost(zeta_top, omega_top, time), first = lost(zeta_first, omega_first, time);
+    return {
+        yes_or_no(first <= influence_margin && top > influence_margin),
+        fmt::format("at 0.1 c_r, in {:.2f} ms: the highest mode loses {:.1f} % of its energy (damping ratio "
+                    "{:.2g}, from the damped critical step), the plate's first shear mode {:.2g} % (in "
+                    "proportion to the frequencies, {:.3g} and {:.3g} rad/s)",
+                    1e3 * time, 100.0 * top, zeta_top, 100.0 * first, omega_top, omega_first)};
+  }
+  return {Verdict::not_decidable, "no result"};
+}
+
+Judgement sec4_time_step(const Evidence& evidence) {
+  Selection paper = with_elements(evidence, {}), half = paper;
+  paper.dt_fraction = "0.17", half.dt_fraction = "0.085";
+  const auto row = std::find_if(evidence.rows.begin(), evidence.rows.end(),
+                                [&](const SummaryRow& r) { return selects(paper, r); });
+  if (row == evidence.rows.end()) return {Verdict::not_decidable, "no result"};
+  const double zone = number_in(*row, "mean_radius_m"), over_length = zone / number_in(*row, "length_m");
+  const double steps =
+      zone / (number_in(*row, "rayleigh_speed_m_s") * paper_step_s);  // for a beam at 1.0 c_r
+  const bool about = std::abs(steps / 10.0 - 1.0) <= about_margin;
+  const auto of_paper = [&](bool yes) {  // lengths are those of 20,000 elements
+    return evidence.elements == paper_elements ? yes_or_no(yes) : Verdict::not_decidable;
+  };
+  return all_of(
+      {{"L_CZM",
+        {of_paper(std::abs(1e3 * zone - 0.49) <= 0.005 && std::abs(over_length - 0.0024) <= 0.00005 * 1.001),
+         fmt::format("{:.4f} mm, {:.5f} L", 1e3 * zone, over_length)}},
+       {"about 100 steps at 0.1, 10 at 1.0",
+        {of_paper(about), fmt::format("{:.0f} and {:.1f} with the paper's 2.35e-8 s", 10.0 * steps, steps)}},
+       {"half the paper's step", has_no_influence(curve_in(evidence, half), curve_in(evidence, paper), {})},
+       {"the paper's step against the default",
+        has_no_influence(curve_in(evidence, paper), curve_in(evidence, {}), {})}});
+}
+
+Judgement sec4_longer(const Evidence& evidence) {
+  Selection selection;
+  selection.length_m = 0.4;
+  selection.elements = 2 * evidence.elements;
+  const Curve all = curve_in(evidence, {}), longer = curve_of(evidence.rows, selection);
+  Curve shorter;
+  for (const CurvePoint& p : longer)
+    for (const CurvePoint& same : within(all, p.v, p.v)) shorter.push_back(same);
+  if (longer.empty() || shorter.size() != longer.size()) return {Verdict::not_decidable, "no result"};
+  const double near = mean_distance(shorter), far = mean_distance(longer), scatter = specimen_scatter(longer);
+  const Verdict verdict =
+      scatter > influence_margin ? Verdict::not_decidable : yes_or_no(far >= near - influence_margin);
+  return {verdict,
+          fmt::format("mean |delta| {:.3f} at 400 mm against {:.3f} at 200 mm, {} velocities, scatter "
+                      "{:.3f}",
+                      far, near, longer.size(), scatter)};
+}
+
+Judgement sec5_paths(const Evidence& evidence) {
+  const Curve middle = curve_in(evidence, {});
+  std::vector<Part> parts;
+  for (const std::string path : {"0.4 H", "0.6 H"}) {
+    Selection selection;
+    selection.path = path;
+    const Curve curve = curve_in(evidence, selection);
+    std::vector<double> distances;
+    double scatter = specimen_scatter(curve);
+    for (const CurvePoint& p : curve)
+      for (const CurvePoint& same : within(middle, p.v, p.v))
+        distances.push_back(std::abs(mean_of(p.ratio) - mean_of(same.ratio)));
+    if (distances.empty()) return {Verdict::not_decidable, "no result"};
+    const double distance = mean_of(distances), allowed = std::max(scatter, influence_margin);
+    parts.push_back({path,
+                     {yes_or_no(distance <= allowed),
+                      fmt::format("mean |difference| {:.3f} over {} velocities, scatter {:.3f}", distance,
+                                  distances.size(), scatter)}});
+  }
+  return all_of(parts);
+}
+
+Judgement sec5_residual(const Evidence& evidence) {
+  std::vector<Part> parts;
+  for (const Selection& s : {simple_release(), Selection{}}) {
+    std::string list;
+    std::vector<double> at_one;
+    for (double v : {0.1, 0.5, 1.0}) {
+      std::vector<double> energies;  // per released beam [J]
+      for (const SummaryRow& row : evidence.rows) {
+        if (!selects(with_elements(evidence, s), row)) continue;
+        if (std::abs(number_in(row, "crack_velocity_over_cr") - v) > 1e-9) continue;
+        energies.push_back(release_energy_per_beam(row));
+      }
+      if (energies.empty()) return {Verdict::not_decidable, fmt::format("no result at {:g} c_r", v)};
+      list += fmt::format("{}{:.3g} mJ at {:.1f}", list.empty() ? "" : ", ", 1e3 * mean_of(energies), v);
+      at_one = energies;
+    }
+    const double least = mean_of(at_one), scatter = deviation_of(at_one);
+    parts.push_back({s.technique,
+                     {scatter > std::abs(least) ? Verdict::not_decidable : yes_or_no(least > 0.0),
+                      fmt::format("a beam's release takes {}, scatter {:.2g} mJ", list, 1e3 * scatter)}});
+  }
+  return all_of(parts);
+}
+
+}  // namespace rift::judges

@@ -1,0 +1,76 @@
+#include "engine/study/paper_study.hpp"
+
+#include "engine/scene/axes.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/study/curve.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace rift {
+namespace {
+
+constexpr int coarser = 4;  // fewer elements in quick; the step of a scene that gives one grows as much
+constexpr int most_quick_elements = 10000;
+constexpr double slowest = 0.011;  // [c_r]
+
+/// The scenes that a preset asks for.
+std::vector<Scene> scenes_of(const Preset& preset) {
+  std::vector<Scene> scenes;
+  for (const StudyRow& row : preset.study) scenes.push_back(row.scene);
+  if (!scenes.empty()) return scenes;
+  for (const StiffnessChoice stiffness : {StiffnessChoice::bulk, StiffnessChoice::in_situ}) {
+    scenes.push_back(preset.scene);
+    scenes.back().material.stiffness = stiffness;
+    scenes.back().solver.precision = Precision::single_precision;
+    scenes.back().output.frames = 0;
+  }
+  return scenes;
+}
+
+/// The scene as --quick computes it; nothing where it leaves it out.
+std::optional<Scene> quick_scene(Scene scene) {
+  scene.specimen.elements /= coarser;
+  if (scene.specimen.elements > most_quick_elements) return std::nullopt;
+  if (highest_velocity(scene) < slowest && scene.specimen.seed != 1) return std::nullopt;
+  if (scene.solver.dt) {
+    *scene.solver.dt *= coarser;
+    scene.loading.ramp_steps /= coarser;
+    scene.loading.hold_steps /= coarser;
+  }
+  return scene;
+}
+
+StudyRow row_of(const Scene& scene) {
+  StudyRow row{scene, {}};
+  for (const Axis& axis : axes()) row.axes.emplace_back(axis.name, axis_text(scene, axis));
+  return row;
+}
+
+}  // namespace
+
+int plate_elements(Effort effort) {
+  return effort == Effort::quick ? paper_elements / coarser : paper_elements;
+}
+
+PaperStudy merge_presets(const std::vector<std::pair<std::string, Preset>>& presets, Effort effort) {
+  PaperStudy merged;
+  if (!presets.empty()) merged.preset.scene = presets.front().second.scene;
+  merged.preset.name = "reproduction";
+  std::map<std::string, int> row_of_scene;  // by the scene as text
+  for (const auto& [name, preset] : presets) {
+    std::vector<int>& rows = merged.of[name];
+    for (const Scene& scene : scenes_of(preset)) {
+      const std::optional<Scene> wanted =
+          effort == Effort::quick ? quick_scene(scene) : std::optional<Scene>(scene);
+      if (!wanted) continue;
+      const auto [known, fresh] =
+          row_of_scene.emplace(preset_text(*wanted), static_cast<int>(merged.preset.study.size()));
+      if (fresh) merged.preset.study.push_back(row_of(*wanted));
+      if (std::find(rows.begin(), rows.end(), known->second) == rows.end()) rows.push_back(known->second);
+    }
+  }
+  return merged;
+}
+
+}  // namespace rift

@@ -1,0 +1,261 @@
+#include "engine/study/claims.hpp"
+
+#include "engine/scene/preset.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <set>
+
+namespace rift {
+namespace {
+
+/// A made-up row: Broberg 0.5 everywhere, so that a ratio of 0.5 + delta is off by delta.
+SummaryRow row_at(double v, long seed, double ratio) {
+  return {{"crack_velocity_over_cr", v},
+          {"technique", "progressive"},
+          {"relaxation", 1.0},
+          {"damage_zone_ratio", 1.0},
+          {"damping_region", "none"},
+          {"stiffness", "in-situ"},
+          {"seed", seed},
+          {"elements", 20000},
+          {"length_m", 0.2},
+          {"ratio_with_damping", ratio},
+          {"ratio_scatter", 0.01},
+          {"broberg", 0.5},
+          {"freund", 0.5},
+          {"strip", 1.0},
+          {"wall_fracture_s", 1.0}};
+}
+
+using OfVelocity = std::function<double(double v)>;
+
+/// Three specimens at all velocities: 0.5 + delta(v), and plus and minus `half` about it, a standard
+/// deviation of `half`.
+std::vector<SummaryRow> rows_of(const OfVelocity& delta, double half = 0.0) {
+  std::vector<SummaryRow> rows;
+  for (double v : claimed_velocities())
+    for (long seed : {1, 2, 3})
+      rows.push_back(row_at(v, seed, 0.5 + delta(v) + half * static_cast<double>(seed - 2)));
+  return rows;
+}
+Curve curve_with(const OfVelocity& delta, double half = 0.0) { return curve_of(rows_of(delta, half), {}); }
+Curve off_by(double delta, double half = 0.0) {
+  return curve_with([=](double) { return delta; }, half);
+}
+
+constexpr double bit = 1e-6;  // on this or that side of a margin
+
+TEST(Margins, AreThoseOfTheRules) {
+  EXPECT_EQ(near_margin, 0.05);
+  EXPECT_EQ(offset_margin, 0.03);
+  EXPECT_EQ(influence_margin, 0.02);
+  EXPECT_EQ(constant_margin, 0.05);
+}
+
+TEST(Near, HoldsUpToTheMargin) {
+  EXPECT_EQ(is_near(off_by(near_margin - bit), {}).verdict, Verdict::holds);
+  EXPECT_EQ(is_near(off_by(-near_margin + bit), {}).verdict, Verdict::holds);
+  EXPECT_EQ(is_near(off_by(near_margin + bit), {}).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(is_near(off_by(-near_margin - bit), {}).verdict, Verdict::does_not_hold);
+}
+
+TEST(Near, TakesTheDistanceWithoutItsSign) {
+  const Curve both_ways = curve_with([](double v) { return v < 0.45 ? 0.2 : -0.2; });
+  EXPECT_EQ(is_near(both_ways, {}).verdict, Verdict::does_not_hold);
+}
+
+TEST(Near, LooksAtItsVelocitiesOnlyEndsIncluded) {
+  const Curve curve = curve_with([](double v) { return v < 0.59 ? 1.0 : 0.0; });
+  EXPECT_EQ(is_near(curve, {0.6, 1.0}).verdict, Verdict::holds);
+  EXPECT_EQ(is_near(curve, {0.5, 1.0}).verdict, Verdict::does_not_hold);
+}
+
+TEST(Near, TellsWhatWasMeasured) {
+  EXPECT_EQ(is_near(off_by(0.04, 0.01), {0.6, 1.0}).measured, "0.6-1: mean |delta| 0.040, scatter 0.010");
+}
+
+TEST(Near, IsNotDecidableWhereSpecimensScatterBeyondTheMargin) {
+  EXPECT_EQ(is_near(off_by(0.0, near_margin - bit), {}).verdict, Verdict::holds);
+  EXPECT_EQ(is_near(off_by(0.0, near_margin + bit), {}).verdict, Verdict::not_decidable);
+  EXPECT_EQ(is_near(off_by(1.0, near_margin + bit), {}).verdict, Verdict::not_decidable);
+}
+
+TEST(Near, IsNotDecidableWhereAVelocityIsMissing) {
+  std::vector<SummaryRow> rows = rows_of([](double) { return 0.0; });
+  std::erase_if(rows, [](const SummaryRow& r) { return r.at("crack_velocity_over_cr") == 0.7; });
+  const Judgement j = is_near(curve_of(rows, {}), {0.6, 1.0});
+  EXPECT_EQ(j.verdict, Verdict::not_decidable);
+  EXPECT_EQ(j.measured, "no result at 0.7 c_r");
+  EXPECT_EQ(is_near(curve_of(rows, {}), {0.1, 0.6}).verdict, Verdict::holds);
+}
+
+TEST(TooLow, HoldsBelowTheMargin) {
+  EXPECT_EQ(is_too_low(off_by(-offset_margin - bit), {}).verdict, Verdict::holds);
+  EXPECT_EQ(is_too_low(off_by(-offset_margin + bit), {}).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(is_too_low(off_by(offset_margin + bit), {}).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(is_too_low(off_by(-1.0, offset_margin + bit), {}).verdict, Verdict::not_decidable);
+}
+
+TEST(TooHigh, HoldsAboveTheMargin) {
+  EXPECT_EQ(is_too_high(off_by(offset_margin + bit), {}).verdict, Verdict::holds);
+  EXPECT_EQ(is_too_high(off_by(offset_margin - bit), {}).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(is_too_high(off_by(-offset_margin - bit), {}).verdict, Verdict::does_not_hold);
+}
+
+TEST(TooHigh, TakesTheDistanceWithItsSign) {
+  // 0.4 to 0.8: five velocities, +0.2 and -0.2 nearly cancel
+  const Curve curve = curve_with([](double v) { return v < 0.55 ? -0.2 : v < 0.65 ? 0.0 : 0.2; });
+  EXPECT_EQ(is_too_high(curve, {0.4, 0.8}).verdict, Verdict::does_not_hold);
+}
+
+TEST(AgreesOnlyIn, WantsItNearInsideAndNotElsewhere) {
+  const auto inside_and_out = [](double in, double out) {
+    return agrees_only_in(curve_with([=](double v) { return v > 0.59 ? in : out; }), {0.6, 1.0});
+  };
+  EXPECT_EQ(inside_and_out(0.04, 0.06).verdict, Verdict::holds);
+  EXPECT_EQ(inside_and_out(0.04, 0.04).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(inside_and_out(0.06, 0.06).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(inside_and_out(0.04, 0.21).measured,
+            "mean |delta| 0.040 over 0.6-1, 0.210 elsewhere, scatter 0.000");
+}
+
+TEST(BetterThan, IsTheSmallerMeanDistance) {
+  EXPECT_EQ(is_better(off_by(0.10), off_by(-0.11), {}).verdict, Verdict::holds);
+  EXPECT_EQ(is_better(off_by(-0.11), off_by(0.10), {}).verdict, Verdict::does_not_hold);
+}
+
+TEST(BetterThan, ComparesSpecimenBySpecimen) {
+  // Specimens scatter by 0.02, twice the gain, but each of them gains the same.
+  EXPECT_EQ(is_better(off_by(0.10, 0.02), off_by(0.11, 0.02), {}).verdict, Verdict::holds);
+  // Here the gain is 0.03, 0.01 and -0.01: a scatter of 0.02 about 0.01.
+  EXPECT_EQ(is_better(off_by(0.10, 0.02), off_by(0.11), {}).verdict, Verdict::not_decidable);
+}
+
+TEST(NoInfluence, HoldsUpToTheMargin) {
+  const Curve reference = off_by(0.2);
+  EXPECT_EQ(has_no_influence(off_by(0.2 + influence_margin - bit), reference, {}).verdict, Verdict::holds);
+  EXPECT_EQ(has_no_influence(off_by(0.2 - influence_margin - bit), reference, {}).verdict,
+            Verdict::does_not_hold);
+  EXPECT_EQ(has_no_influence(off_by(0.2, influence_margin + bit), reference, {}).verdict,
+            Verdict::not_decidable);
+  EXPECT_EQ(has_no_influence(off_by(0.2), {}, {}).verdict, Verdict::not_decidable);
+}
+
+TEST(QuasiConstant, LooksAtTheScatterAlongTheWindow) {
+  CurvePoint point = off_by(0.0).front();
+  point.plateau_scatter.assign(3, constant_margin);
+  EXPECT_EQ(is_quasi_constant(point).verdict, Verdict::holds);
+  point.plateau_scatter.assign(3, constant_margin + bit);
+  EXPECT_EQ(is_quasi_constant(point).verdict, Verdict::does_not_hold);
+  point.plateau_scatter = {0.0, 0.0, 0.15};
+  EXPECT_EQ(is_quasi_constant(point).verdict, Verdict::not_decidable);
+}
+
+TEST(QuasiConstant, ForMostIsMoreThanHalf) {
+  const auto constant_up_to = [](int count) {
+    Curve curve = off_by(0.0);  // twelve velocities
+    for (std::size_t k = count; k < curve.size(); ++k) curve[k].plateau_scatter.assign(3, 0.1);
+    return is_mostly_constant(curve, {}).verdict;
+  };
+  EXPECT_EQ(constant_up_to(7), Verdict::holds);
+  EXPECT_EQ(constant_up_to(6), Verdict::does_not_hold);
+}
+
+TEST(ValueAtAVelocity, IsNearOrBelow) {
+  EXPECT_EQ(is_near_value(off_by(0.45 + bit), 1.0, 1.0).verdict, Verdict::holds);
+  EXPECT_EQ(is_near_value(off_by(0.45 - bit), 1.0, 1.0).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(is_below(off_by(-0.1 - bit), 0.01, 0.4).verdict, Verdict::holds);
+  EXPECT_EQ(is_below(off_by(-0.1 + bit), 0.01, 0.4).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(is_below({}, 0.01, 0.4).verdict, Verdict::not_decidable);
+}
+
+TEST(SeveralParts, HoldTogetherAndFailForOne) {
+  const Part yes{"a", {Verdict::holds, "1"}}, no{"b", {Verdict::does_not_hold, "2"}},
+      unknown{"c", {Verdict::not_decidable, "3"}};
+  EXPECT_EQ(all_of({yes, yes}).verdict, Verdict::holds);
+  EXPECT_EQ(all_of({yes, unknown}).verdict, Verdict::not_decidable);
+  EXPECT_EQ(all_of({unknown, no, yes}).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(all_of({no, unknown}).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(all_of({}).verdict, Verdict::not_decidable);
+  EXPECT_EQ(all_of({yes, no}).measured, "a (holds): 1; b (does not hold): 2");
+}
+
+TEST(Curve, TakesTheRowsOfItsSelectionOnly) {
+  std::vector<SummaryRow> rows = {row_at(0.5, 1, 0.6), row_at(0.5, 2, 0.7), nullptr};
+  const auto add = [&](const char* name, const SummaryRow& value) {
+    rows.push_back(row_at(0.5, 3, 9.0));
+    rows.back()[name] = value;
+  };
+  add("technique", "simple");
+  add("relaxation", 2.0);
+  add("damage_zone_ratio", 1.5);
+  add("damping_region", "all");
+  add("elements", 5000);
+  add("length_m", 0.4);
+  add("prestress_method", "ramp");
+  add("axes", {{"path", "0.4 H"}});
+  add("axes", {{"dt_fraction", "0.17"}});
+  add("ratio_with_damping", nullptr);
+  add("crack_velocity_over_cr", nullptr);
+  const Curve curve = curve_of(rows, {});
+  ASSERT_EQ(curve.size(), 1u);
+  EXPECT_EQ(curve[0].ratio, (std::vector<double>{0.6, 0.7}));
+  EXPECT_EQ(curve[0].seed, (std::vector<long>{1, 2}));
+}
+
+TEST(LineThroughPoints, ExplainsAll) {
+  const Line line = line_through({1, 2, 3, 4}, {2, 4, 6, 8});
+  EXPECT_NEAR(line.slope, 2.0, 1e-14);
+  EXPECT_NEAR(line.r_squared, 1.0, 1e-14);
+  EXPECT_NEAR(line_through({1, 2, 3, 4}, {1, -1, -1, 1}).r_squared, 0.0, 1e-14);
+}
+
+TEST(Claims, AreThoseOfThePaperEachOnce) {
+  std::set<std::string> names;
+  for (const Claim& claim : claims()) EXPECT_TRUE(names.insert(claim.name).second) << claim.name;
+  for (int k = 1; k <= 17; ++k)
+    EXPECT_TRUE(names.contains("fig" + std::string(k < 10 ? "0" : "") + std::to_string(k)));
+  for (const char* name : {"table1", "table2", "sec2_linear", "sec3_specimens", "sec3_damping",
+                           "sec4_time_step", "sec4_longer", "sec5_paths", "sec5_residual", "sec5_bending"})
+    EXPECT_TRUE(names.contains(name)) << name;
+  EXPECT_EQ(names.size(), 27u);
+}
+
+TEST(Claims, AreJudgedOrSayWhyNot) {
+  for (const Claim& claim : claims())
+    EXPECT_NE(static_cast<bool>(claim.judge), !claim.standing.empty()) << claim.name;
+}
+
+TEST(Claims, WithoutAnyResultAreNotDecidable) {
+  for (const Claim& claim : claims())
+    if (claim.judge) EXPECT_EQ(claim.judge(Evidence{}).verdict, Verdict::not_decidable) << claim.name;
+}
+
+TEST(Claims, NeedPresetsThatAreThere) {
+  for (const Claim& claim : claims())
+    for (const std::string& name : claim.needs)
+      EXPECT_TRUE(std::filesystem::exists(std::string(RIFT_SOURCE_DIR "/presets/") + name + ".toml")) << name;
+}
+
+// What fig11 sees in rows that are as the paper says, and in rows whose linear scheme is off.
+TEST(Claims, FollowTheRowsTheyAreGiven) {
+  const auto rows_with = [](double linear) {
+    std::vector<SummaryRow> all;
+    for (double p : {0.5, 1.0, 2.0})
+      for (SummaryRow row : rows_of([=](double) { return p == 0.5 ? -0.1 : p == 1.0 ? linear : 0.0; })) {
+        row["relaxation"] = p;
+        all.push_back(row);
+      }
+    return all;
+  };
+  const Claim* claim = find_claim("fig11");
+  ASSERT_NE(claim, nullptr);
+  EXPECT_EQ(claim->judge({.rows = rows_with(0.01)}).verdict, Verdict::holds);
+  EXPECT_EQ(claim->judge({.rows = rows_with(0.1)}).verdict, Verdict::does_not_hold);
+}
+
+}  // namespace
+}  // namespace rift
