@@ -1,0 +1,212 @@
+#include "engine/results/files.hpp"
+#include "engine/scene/issue.hpp"
+#include "engine/scene/wording.hpp"
+#include "engine/study/claims.hpp"
+#include "engine/study/paper_study.hpp"
+#include "engine/study/runner.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/scene_options.hpp"
+#include "studio/report/reproduction.hpp"
+#include "studio/report/reproduction_charts.hpp"
+#include "studio/report/stored_series.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct ReproduceOptions {
+  std::vector<std::string> names;
+  std::string out = "reproduction";
+  bool quick = false, quiet = false, json = false, no_cache = false;
+  int threads = 0;
+  std::string color;
+};
+
+Issue issue(std::string text) { return {.file = "rift reproduce", .key = {}, .text = std::move(text)}; }
+
+/// The claims of the names, in the table's order; all of them for none or "all".
+std::vector<const Claim*> chosen_claims(const std::vector<std::string>& names) {
+  std::set<std::string> wanted(names.begin(), names.end());
+  std::vector<std::string> known{"all"};
+  for (const Claim& claim : claims()) known.push_back(claim.name);
+  std::vector<Issue> issues;
+  for (const std::string& name : wanted) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string nearest = nearest_name(name, known);
+    issues.push_back(
+        issue(nearest.empty()
+                  ? fmt::format("unknown name '{}': the names are {}", printable(name), listed(known, "and"))
+                  : fmt::format("unknown name '{}', did you mean '{}'?", printable(name), nearest)));
+  }
+  if (!issues.empty()) throw InputError(issues);
+  std::vector<const Claim*> chosen;
+  for (const Claim& claim : claims())
+    if (wanted.empty() || wanted.contains("all") || wanted.contains(claim.name)) chosen.push_back(&claim);
+  return chosen;
+}
+
+/// A folder of something else is left alone.
+void check_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored) ||
+      fs::is_directory(folder / "runs", ignored) || fs::exists(folder / "reproduction.md", ignored))
+    return;
+  throw InputError({issue(fmt::format("'{}' is there and holds something else: choose another --out",
+                                      printable(folder.string())))});
+}
+
+PaperStudy study_of(const std::vector<const Claim*>& chosen, Effort effort) {
+  std::vector<std::string> names;
+  for (const Claim* claim : chosen)
+    for (const std::string& name : claim->needs)
+      if (claim->judge && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  std::vector<std::pair<std::string, Preset>> presets;
+  std::vector<Issue> issues;
+  for (const std::string& name : names) {
+    presets.emplace_back(name, read_preset(resolve_preset(name)));
+    const std::vector<Issue>& found = presets.back().second.issues;
+    issues.insert(issues.end(), found.begin(), found.end());
+  }
+  if (!issues.empty()) throw InputError(issues);
+  return merge_presets(presets, effort);
+}
+
+/// The rows a claim looks at, of any stiffness.
+std::vector<SummaryRow> rows_for(const Claim& claim, const PaperStudy& study, const StudyResult& result) {
+  std::set<int> places;
+  for (const std::string& name : claim.needs)
+    if (const auto rows = study.of.find(name); rows != study.of.end())
+      places.insert(rows->second.begin(), rows->second.end());
+  std::vector<SummaryRow> rows;
+  for (int place : places)
+    if (result.rows.at(place).is_object()) rows.push_back(result.rows[place]);
+  return rows;
+}
+
+double computing_time(const SummaryRow& row) {
+  const bool ramp = text_in(row, "prestress_method") == "ramp";
+  return number_in(row, "wall_fracture_s") + (ramp ? number_in(row, "wall_prestress_s") : 0.0);
+}
+
+JudgedClaim judged(const Claim& claim, const PaperStudy& study, const StudyResult& result, int elements,
+                   const StoredSeries& series, const fs::path& charts) {
+  JudgedClaim out;
+  out.claim = &claim;
+  if (!claim.judge) return out;
+  Evidence bulk{
+      .rows = {}, .elements = elements, .series = [&](const SummaryRow& row) { return series.of(row); }};
+  Evidence in_situ = bulk;
+  for (SummaryRow& row : rows_for(claim, study, result)) {
+    ++out.scenarios;
+    out.wall_s += computing_time(row);
+    (text_in(row, "stiffness") == "bulk" ? bulk : in_situ).rows.push_back(std::move(row));
+  }
+  out.bulk = claim.judge(bulk);
+  out.in_situ = claim.judge(in_situ);
+  out.figures = draw_figures(claim, bulk, "bulk", charts);
+  for (Figure& figure : draw_figures(claim, in_situ, "in-situ", charts))
+    out.figures.push_back(std::move(figure));
+  return out;
+}
+
+std::string command_text(const ReproduceOptions& options) {
+  std::string text = "rift reproduce";
+  for (const std::string& name : options.names) text += " " + name;
+  return text + (options.names.empty() ? " all" : "") + (options.quick ? " --quick" : "");
+}
+
+StudyResult compute(const ReproduceOptions& options, const PaperStudy& study, const StopSignal& stop) {
+  if (study.preset.study.empty()) return {};
+  ProgressLine line(progress_style(options.quiet, options.json));
+  Cache cache = options.no_cache ? Cache{} : user_cache();
+  const StudyObserver observer{.progress =
+                                   [&](std::string_view stage, double done) {
+                                     line.tell(stage, done);
+                                     return stop.received() == 0;
+                                   },
+                               .finished = {}};
+  StudyResult result = run_study(study.preset, {.folder = options.out, .threads = options.threads}, cache,
+                                 build_info(), observer);
+  line.clear();
+  print_notes(cache);
+  return result;
+}
+
+void write_report(const Reproduction& report, const ReproduceOptions& options) {
+  const fs::path folder = options.out;
+  fs::create_directories(folder);
+  results::write_whole_file(folder / "report.html", reproduction_html(report));
+  results::write_whole_file(folder / "reproduction.md", reproduction_markdown(report));
+  if (options.json) {
+    fmt::print("{}\n", reproduction_json(report).dump(2));
+    return;
+  }
+  fmt::print("{}\n{}/  report.html, reproduction.md, charts, runs\n",
+             reproduction_text(report, wants_color(options.color, stdout)), folder.string());
+}
+
+ExitCode reproduce(const ReproduceOptions& options) {
+  const auto start = Clock::now();
+  const std::vector<const Claim*> chosen = chosen_claims(options.names);
+  const Effort effort = options.quick ? Effort::quick : Effort::full;
+  const PaperStudy study = study_of(chosen, effort);
+  check_folder(options.out);
+  const StopSignal stop;
+  const StudyResult result = compute(options, study, stop);
+  if (result.outcome == Outcome::stopped) {
+    fmt::print(stderr, "rift reproduce: stopped; {} of {} scenarios are kept in {}: the same call goes on\n",
+               result.computed + result.found, study.preset.study.size(), options.out);
+    return static_cast<ExitCode>(128 + stop.received());
+  }
+  Reproduction report{.build = build_info(),
+                      .command = command_text(options),
+                      .elements = plate_elements(effort),
+                      .scenarios = static_cast<int>(study.preset.study.size()),
+                      .computed = result.computed,
+                      .found = result.found,
+                      .wall_s = 0,
+                      .claims = {}};
+  const StoredSeries series(options.out);
+  for (const Claim* claim : chosen)
+    report.claims.push_back(
+        judged(*claim, study, result, report.elements, series, fs::path(options.out) / "charts"));
+  report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  write_report(report, options);
+  return result.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+}
+
+}  // namespace
+
+void add_reproduce(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "reproduce", "The paper's figures and claims, each judged by what is measured here");
+  const auto options = std::make_shared<ReproduceOptions>();
+  command.add_option("names", options->names, "fig07, sec4_longer, ...: the claims to judge (default: all)");
+  command.add_flag("--quick", options->quick, "The same plate with 5,000 elements, a minute or two");
+  command.add_option("--out", options->out, "Folder of runs, charts and report; continued if it is there")
+      ->capture_default_str();
+  command
+      .add_option("--threads", options->threads,
+                  "Threads (default: one per core); the results do not depend on it")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--no-cache", options->no_cache,
+                   "Neither read nor write the cache of packings and pre-stresses");
+  command.add_flag("--quiet", options->quiet, "No progress on stderr");
+  command.add_flag("--json", options->json,
+                   "Progress as JSON lines on stderr, the verdicts as JSON on stdout");
+  add_color_option(command, options->color);
+  command.callback([options, &exit_code] { exit_code = reproduce(*options); });
+}
+
+}  // namespace rift::studio

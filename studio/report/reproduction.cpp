@@ -1,0 +1,167 @@
+#include "studio/report/reproduction.hpp"
+
+#include "studio/commands/common.hpp"
+#include "studio/report/html.hpp"
+#include "studio/report/progress.hpp"
+
+#include <fmt/format.h>
+
+namespace rift::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* title = "The paper's claims, judged";
+
+/// How the numbers are to be read, and where they come from.
+std::string preamble(const Reproduction& r) {
+  return fmt::format(
+      "Made by `{}`, rift {}, in {}: {} scenarios, {} computed now, {} found. The plate has {} elements; "
+      "\"ratio\" "
+      "is G_ID/G_I0 with damping counted in, the mean of three specimens, and delta its distance to Broberg. "
+      "\"Near\" is a mean |delta| of at most {:g}, \"too low\" and \"too high\" a mean delta beyond {:g}, "
+      "\"no "
+      "influence\" at most {:g}, \"quasi-constant\" a scatter along the window of at most {:g}; not "
+      "decidable is "
+      "what the three specimens scatter about more than that. Every claim is judged with the paper's "
+      "calibrated "
+      "beams (bulk) and with beams scaled to the plate's own modulus (in-situ).",
+      r.command, r.build.version, duration_text(r.wall_s), r.scenarios, r.computed, r.found, r.elements,
+      near_margin, offset_margin, influence_margin, constant_margin);
+}
+
+std::string time_text(const JudgedClaim& c) { return c.scenarios == 0 ? "-" : duration_text(c.wall_s); }
+
+struct Line {
+  std::string stiffness, verdict, measured;
+};
+
+/// One line per stiffness; one line alone where the claim is not yet there.
+std::vector<Line> lines_of(const JudgedClaim& c) {
+  if (!c.claim->judge) return {{"", "not yet there", c.claim->standing}};
+  return {{"bulk", name_of(c.bulk.verdict), c.bulk.measured},
+          {"in-situ", name_of(c.in_situ.verdict), c.in_situ.measured}};
+}
+
+std::vector<std::string> overview_row(const JudgedClaim& c) {
+  return {c.claim->name,
+          c.claim->artefact,
+          c.claim->text,
+          verdict_text(*c.claim, c.bulk),
+          verdict_text(*c.claim, c.in_situ),
+          time_text(c)};
+}
+
+const std::vector<std::string> overview_head{"name", "in the paper", "claim", "bulk", "in-situ", "time"};
+
+std::string section_html(const JudgedClaim& c) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Line& line : lines_of(c)) rows.push_back({line.stiffness, line.verdict, line.measured});
+  std::string body = fmt::format("<p>{}</p>\n", html_escape(c.claim->text));
+  body += html_table({"stiffness", "verdict", "measured"}, rows);
+  if (c.scenarios > 0)
+    body += fmt::format("<p>{} scenarios, {} of computing.</p>\n", c.scenarios, html_escape(time_text(c)));
+  for (const Figure& figure : c.figures)
+    body += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption></figure>\n", figure.chart.svg_text,
+                        html_escape(figure.caption));
+  return html_section(fmt::format("{} ({})", c.claim->artefact, c.claim->name), body);
+}
+
+/// A cell of a Markdown table: no bars, no line breaks.
+std::string cell(std::string text) {
+  std::string out;
+  for (char c : text) out += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
+  return out;
+}
+
+std::string markdown_row(const std::vector<std::string>& cells) {
+  std::string row = "|";
+  for (const std::string& text : cells) row += " " + cell(text) + " |";
+  return row + "\n";
+}
+
+std::string markdown_table(const std::vector<std::string>& head,
+                           const std::vector<std::vector<std::string>>& rows) {
+  std::string table = markdown_row(head) + markdown_row(std::vector<std::string>(head.size(), "---"));
+  for (const auto& row : rows) table += markdown_row(row);
+  return table;
+}
+
+std::string section_markdown(const JudgedClaim& c) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Line& line : lines_of(c)) rows.push_back({line.stiffness, line.verdict, line.measured});
+  std::string text = fmt::format("\n## {} ({})\n\n{}\n\n", c.claim->artefact, c.claim->name, c.claim->text);
+  text += markdown_table({"stiffness", "verdict", "measured"}, rows);
+  if (c.scenarios > 0) text += fmt::format("\n{} scenarios, {} of computing.\n", c.scenarios, time_text(c));
+  for (const Figure& figure : c.figures)
+    text += fmt::format("\n![{}](charts/{})\n", figure.caption, figure.chart.svg.filename().string());
+  return text;
+}
+
+std::string colored(const std::string& verdict, bool color) {
+  const std::string padded = fmt::format("{:<14}", verdict);
+  if (!color) return padded;
+  const char* code = verdict == "holds" ? "32" : verdict == "does not hold" ? "31" : "33";
+  return fmt::format("\x1b[{}m{}\x1b[0m", code, padded);
+}
+
+Json judgement_json(const Judgement& j) {
+  return {{"verdict", name_of(j.verdict)}, {"measured", j.measured}};
+}
+
+}  // namespace
+
+std::string verdict_text(const Claim& claim, const Judgement& judgement) {
+  return claim.judge ? name_of(judgement.verdict) : "not yet there";
+}
+
+std::string reproduction_html(const Reproduction& r) {
+  std::vector<std::vector<std::string>> overview;
+  for (const JudgedClaim& c : r.claims) overview.push_back(overview_row(c));
+  std::string body = fmt::format("<p>{}</p>\n", html_escape(preamble(r)));
+  body += html_section("Verdicts", html_table(overview_head, overview));
+  for (const JudgedClaim& c : r.claims) body += section_html(c);
+  return html_page(title, body);
+}
+
+std::string reproduction_markdown(const Reproduction& r) {
+  std::vector<std::vector<std::string>> overview;
+  for (const JudgedClaim& c : r.claims) overview.push_back(overview_row(c));
+  std::string text =
+      fmt::format("# {}\n\n{}\n\n", title, preamble(r)) + markdown_table(overview_head, overview);
+  for (const JudgedClaim& c : r.claims) text += section_markdown(c);
+  return text;
+}
+
+std::string reproduction_text(const Reproduction& r, bool color) {
+  std::string text;
+  for (const JudgedClaim& c : r.claims) {
+    text += heading(fmt::format("{:<14} {}", c.claim->name, c.claim->artefact), color);
+    text += c.scenarios == 0 ? "\n" : fmt::format("  {} scenarios, {}\n", c.scenarios, time_text(c));
+    text += fmt::format("  {}\n", c.claim->text);
+    for (const Line& line : lines_of(c))
+      text += fmt::format("  {:<8} {} {}\n", line.stiffness, colored(line.verdict, color), line.measured);
+  }
+  return text;
+}
+
+Json reproduction_json(const Reproduction& r) {
+  Json all = Json::array();
+  for (const JudgedClaim& c : r.claims) {
+    Json claim{{"name", c.claim->name}, {"artefact", c.claim->artefact}, {"claim", c.claim->text}};
+    if (c.claim->judge) {
+      claim["bulk"] = judgement_json(c.bulk);
+      claim["in-situ"] = judgement_json(c.in_situ);
+    } else {
+      claim["not_yet_there"] = c.claim->standing;
+    }
+    claim["scenarios"] = c.scenarios;
+    claim["wall_s"] = c.wall_s;
+    all.push_back(std::move(claim));
+  }
+  return {{"version", r.build.version}, {"command", r.command},   {"elements", r.elements},
+          {"scenarios", r.scenarios},   {"computed", r.computed}, {"found", r.found},
+          {"wall_s", r.wall_s},         {"claims", all}};
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "engine/simulation/build_info.hpp"
+#include "engine/study/claims.hpp"
+#include "studio/report/chart.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+/// A chart of the report, and what it shows of whom.
+struct Figure {
+  DrawnChart chart;
+  std::string caption;
+};
+
+/// A claim with its verdicts; those of a claim that is not yet there mean nothing.
+struct JudgedClaim {
+  const Claim* claim = nullptr;
+  Judgement bulk, in_situ;
+  int scenarios = 0;
+  double wall_s = 0;  // computing time of its scenarios, shared ones counted for each claim
+  std::vector<Figure> figures;
+};
+
+/// All that the report tells.
+struct Reproduction {
+  BuildInfo build;
+  std::string command;  // "rift reproduce all --quick"
+  int elements = 20000;
+  int scenarios = 0, computed = 0, found = 0;
+  double wall_s = 0;
+  std::vector<JudgedClaim> claims;
+};
+
+/// "holds", "does not hold", "not decidable", or "not yet there".
+std::string verdict_text(const Claim& claim, const Judgement& judgement);
+
+/// One self-contained page: the verdicts in one table, then a section per claim with its charts as inline
+/// SVG.
+std::string reproduction_html(const Reproduction& reproduction);
+
+/// The same as Markdown, charts linked as they lie below the report's folder (charts/NAME.svg).
+std::string reproduction_markdown(const Reproduction& reproduction);
+
+/// The same without charts, for a terminal.
+std::string reproduction_text(const Reproduction& reproduction, bool color);
+
+/// The same for programs: version, elements, times, and the claims with verdict and measured of each
+/// stiffness.
+nlohmann::ordered_json reproduction_json(const Reproduction& reproduction);
+
+}  // namespace rift::studio

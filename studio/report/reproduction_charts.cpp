@@ -1,0 +1,232 @@
+#include "studio/report/reproduction_charts.hpp"
+
+#include "engine/theory/references.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using Style = ChartSeries::Style;
+
+struct NamedSelection {
+  std::string label;
+  Selection selection;
+};
+
+Selection progressive(double relaxation, double zone) {
+  Selection s;
+  s.relaxation = relaxation, s.damage_zone_ratio = zone;
+  return s;
+}
+
+Selection with_elements(int elements, double length_m = 0.2) {
+  Selection s;
+  s.elements = elements, s.length_m = length_m;
+  return s;
+}
+
+Selection with_path(const std::string& path) {
+  Selection s;
+  s.path = path;
+  return s;
+}
+
+Selection with_step(const std::string& fraction) {
+  Selection s;
+  s.dt_fraction = fraction;
+  return s;
+}
+
+/// The curves of a chart against velocity, by claim.
+std::vector<NamedSelection> curves_for(const std::string& claim, int elements) {
+  const NamedSelection simple{"simple release", simple_release()},
+      surface{"simple, damped at the surface", simple_release("surface")},
+      total{"simple, damped everywhere", simple_release("all")}, linear{"progressive, linear, r_l = 1", {}};
+  const std::map<std::string, std::vector<NamedSelection>> table{
+      {"fig07", {simple}},
+      {"fig08", {simple, surface, total}},
+      {"fig11",
+       {{"linear", progressive(1.0, 1.0)},
+        {"square root", progressive(0.5, 1.0)},
+        {"quadratic", progressive(2.0, 1.0)}}},
+      {"fig12",
+       {{"r_l = 0.5", progressive(1.0, 0.5)},
+        {"r_l = 1", progressive(1.0, 1.0)},
+        {"r_l = 1.5", progressive(1.0, 1.5)}}},
+      {"fig14",
+       {{fmt::format("{} elements", elements / 4), with_elements(elements / 4)},
+        {fmt::format("{} elements", elements), with_elements(elements)},
+        {fmt::format("{} elements", 4 * elements), with_elements(4 * elements)}}},
+      {"fig15", {simple, surface, total, linear}},
+      {"sec3_specimens", {simple, linear}},
+      {"sec4_time_step",
+       {{"default step", {}},
+        {"0.17 of critical", with_step("0.17")},
+        {"0.085 of critical", with_step("0.085")}}},
+      {"sec4_longer", {{"200 mm", {}}, {"400 mm", with_elements(2 * elements, 0.4)}}},
+      {"sec5_paths", {{"0.4 H", with_path("0.4 H")}, {"0.5 H", {}}, {"0.6 H", with_path("0.6 H")}}},
+  };
+  const auto found = table.find(claim);
+  return found == table.end() ? std::vector<NamedSelection>{} : found->second;
+}
+
+ChartSeries reference(const std::string& label, theory::Factor (*of)(double, double, Plane)) {
+  ChartSeries series{label, {}, {}, {}, Style::dashed, -1};
+  for (int k = 0; k <= 100; ++k) {
+    series.x.push_back(0.01 * k);
+    series.y.push_back(of(0.01 * k, 0.3, Plane::stress).g);
+  }
+  return series;
+}
+
+Chart chart_of_references(const std::string& title) {
+  Chart chart;
+  chart.title = title;
+  chart.x_label = "crack velocity v / c_r [-]";
+  chart.y_label = "G_{ID} / G_{I0} [-]";
+  chart.x_range = {0.0, 1.05};
+  chart.y_range = {0.0, {}};
+  chart.key_outside = true;
+  chart.series = {reference("Broberg", theory::broberg), reference("Freund", theory::freund),
+                  reference("strip", theory::strip)};
+  return chart;
+}
+
+ChartSeries series_of(const std::string& label, const Curve& curve, int colour) {
+  ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
+  for (const CurvePoint& p : curve) {
+    series.x.push_back(p.v);
+    series.y.push_back(mean_of(p.ratio));
+    series.error.push_back(p.ratio.size() > 1 ? deviation_of(p.ratio)
+                                              : std::numeric_limits<double>::quiet_NaN());
+  }
+  return series;
+}
+
+bool against_velocity(Chart& chart, const Claim& claim, const Evidence& evidence) {
+  int colour = 0;
+  for (const NamedSelection& named : curves_for(claim.name, evidence.elements)) {
+    const Curve curve = curve_in(evidence, named.selection);
+    if (!curve.empty()) chart.series.push_back(series_of(named.label, curve, colour));
+    ++colour;
+  }
+  return colour > 0 && chart.series.size() > 3;
+}
+
+/// Rows of a selection and of the first specimen there is, velocities ascending.
+std::vector<SummaryRow> first_specimen(const Evidence& evidence, Selection selection) {
+  selection.elements = evidence.elements;
+  std::map<double, SummaryRow> rows;
+  for (const SummaryRow& row : evidence.rows) {
+    if (!selects(selection, row)) continue;
+    const auto [known, fresh] = rows.emplace(number_in(row, "crack_velocity_over_cr"), row);
+    if (!fresh && row.at("seed") < known->second.at("seed")) known->second = row;
+  }
+  std::vector<SummaryRow> list;
+  for (const auto& [v, row] : rows) list.push_back(row);
+  return list;
+}
+
+/// One column of the series against tip position, a curve per velocity.
+bool against_position(Chart& chart, const Evidence& evidence, const Selection& selection,
+                      const char* column) {
+  chart.x_label = "tip position / length [-]";
+  chart.key_outside = true;
+  int colour = 0;
+  for (const SummaryRow& row : first_specimen(evidence, selection)) {
+    const SeriesTable table = evidence.series(row);
+    ChartSeries series{
+        fmt::format("{:g} c_r", number_in(row, "crack_velocity_over_cr")), {}, {}, {}, Style::line, colour++};
+    for (std::size_t k = 0; k < table.phase.size(); ++k) {
+      if (table.phase[k] != "fracture") continue;
+      series.x.push_back(table.at("tip_m")[k] / number_in(row, "length_m"));
+      series.y.push_back(table.at(column)[k]);
+    }
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  return !chart.series.empty();
+}
+
+bool energies(Chart& chart, const Evidence& evidence) {
+  for (const SummaryRow& row : evidence.rows) {
+    if (!row.is_object() || text_in(row, "prestress_method") != "ramp") continue;
+    const SeriesTable table = evidence.series(row);
+    if (table.empty()) continue;
+    chart.x_label = "time [ms]";
+    chart.y_label = "energy [J]";
+    chart.series = {{"elastic", {}, {}, {}, Style::line, 0},
+                    {"kinetic", {}, {}, {}, Style::line, 1},
+                    {"fracture", {}, {}, {}, Style::line, 2},
+                    {"work of the grips", {}, {}, {}, Style::line, 3}};
+    for (std::size_t k = 0; k < table.phase.size(); ++k) {
+      const double kinetic =
+          table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_rotation_j")[k];
+      const double y[] = {table.at("energy_elastic_j")[k], kinetic, table.at("energy_fracture_j")[k],
+                          table.at("work_external_j")[k]};
+      for (std::size_t n = 0; n < chart.series.size(); ++n) {
+        chart.series[n].x.push_back(1e3 * table.at("time_s")[k]);
+        chart.series[n].y.push_back(y[n]);
+      }
+    }
+    return true;
+  }
+  return false;
+}
+
+bool release_energies(Chart& chart, const Evidence& evidence) {
+  chart.x_label = "crack velocity v / c_r [-]";
+  chart.y_label = "energy at release, per beam [mJ]";
+  chart.y_range = {0.0, {}};
+  int colour = 0;
+  for (const NamedSelection& named : {NamedSelection{"simple release", simple_release()},
+                                      NamedSelection{"progressive, linear, r_l = 1", {}}}) {
+    ChartSeries series{named.label, {}, {}, {}, Style::line_points, colour++};
+    for (const SummaryRow& row : first_specimen(evidence, named.selection)) {
+      series.x.push_back(number_in(row, "crack_velocity_over_cr"));
+      series.y.push_back(1e3 * release_energy_per_beam(row));
+    }
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  return !chart.series.empty();
+}
+
+/// Fills the chart which the claim asks for; false where there is none, or nothing in it.
+bool fill(Chart& chart, const Claim& claim, const Evidence& evidence) {
+  if (claim.name == "fig05") return energies(chart, evidence);
+  if (claim.name == "sec5_residual") return release_energies(chart, evidence);
+  if (claim.name == "fig06" || claim.name == "fig13") {
+    chart.y_label = "G_{ID} / G_{I0} [-]";
+    return against_position(chart, evidence, claim.name == "fig06" ? simple_release() : Selection{},
+                            "ratio_with_damping");
+  }
+  if (claim.name == "sec2_linear") {
+    chart.y_label = "fracture energy [J]";
+    return against_position(chart, evidence, {}, "energy_fracture_j");
+  }
+  const std::string title = chart.title;
+  chart = chart_of_references(title);
+  return claim.name == "fig01" || against_velocity(chart, claim, evidence);
+}
+
+}  // namespace
+
+std::vector<Figure> draw_figures(const Claim& claim, const Evidence& evidence, const std::string& stiffness,
+                                 const fs::path& folder) {
+  const bool of_theory = claim.name == "fig01";
+  if (of_theory && stiffness != "bulk") return {};
+  Chart chart;
+  chart.title = of_theory ? claim.artefact : fmt::format("{}, {} stiffness", claim.artefact, stiffness);
+  if (!claim.judge || !fill(chart, claim, evidence)) return {};
+  std::string name = of_theory ? claim.name : fmt::format("{}_{}", claim.name, stiffness);
+  std::replace(name.begin(), name.end(), '-', '_');  // gnuplot's svg takes no hyphen in a name
+  return {{draw_chart(chart, folder, name), chart.title}};
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "studio/report/reproduction.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace rift::studio {
+
+/// Draws a claim's charts for one stiffness into `folder`, none where there is nothing to draw: ratio against
+/// velocity with error bars over the specimens and Broberg's, Freund's and the strip's curves, ratio against
+/// tip position of the first specimen, energies against time.
+/// @param stiffness  "bulk" or "in-situ", in titles and file names
+std::vector<Figure> draw_figures(const Claim& claim, const Evidence& evidence, const std::string& stiffness,
+                                 const std::filesystem::path& folder);
+
+}  // namespace rift::studio

@@ -1,0 +1,73 @@
+#include "tests/studio/run_rift.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace rift::studio {
+namespace {
+
+TEST(Reproduce, AnUnknownNameIsBadInputAndNamesTheNearest) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const Ran ran = run_rift("reproduce fig7 sec4_longr --out '" + out + "'");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_TRUE(contains(ran.err, "rift reproduce: unknown name 'fig7', did you mean 'fig07'?"));
+  EXPECT_TRUE(contains(ran.err, "rift reproduce: unknown name 'sec4_longr', did you mean 'sec4_longer'?"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(Reproduce, ANameThatResemblesNothingGetsTheList) {
+  const Ran ran = run_rift("reproduce nonsense_of_a_name");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "unknown name 'nonsense_of_a_name': the names are all, fig01, fig02"));
+  EXPECT_TRUE(contains(ran.err, "and sec5_bending"));
+}
+
+TEST(Reproduce, LeavesAFolderOfSomethingElseAlone) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "thesis.tex", "precious");
+  const Ran ran = run_rift("reproduce fig02 --out '" + folder.path().string() + "'");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.err, "rift reproduce: '" + folder.path().string() +
+                         "' is there and holds something else: choose another --out\n");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "report.html"));
+}
+
+TEST(Reproduce, SaysWhatIsNotYetThere) {
+  const TemporaryFolder folder;
+  const std::filesystem::path out = folder.path() / "out";
+  const Ran ran = run_rift("reproduce fig17 table1 --out '" + out.string() + "'");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.out, "fig17"));
+  EXPECT_TRUE(contains(ran.out, "not yet there"));
+  EXPECT_FALSE(contains(ran.out, "fig07"));
+  EXPECT_TRUE(contains(read_text(out / "report.html"), "not yet there"));
+  EXPECT_TRUE(contains(read_text(out / "reproduction.md"), "## Fig. 17 (fig17)"));
+}
+
+TEST(Reproduce, GivesVerdictsAsJson) {
+  const TemporaryFolder folder;
+  const Ran ran = run_rift("reproduce fig01 table2 --json --out '" + (folder.path() / "out").string() + "'");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const auto report = nlohmann::json::parse(ran.out);
+  ASSERT_EQ(report.at("claims").size(), 2u);
+  EXPECT_EQ(report.at("claims")[0].at("name"), "fig01");
+  EXPECT_EQ(report.at("claims")[0].at("bulk").at("verdict"), "not decidable");
+  EXPECT_EQ(report.at("claims")[1].at("not_yet_there"), "calibration");
+}
+
+TEST(Reproduce, DrawsChartsIntoTheReport) {
+  const TemporaryFolder folder;
+  const std::filesystem::path out = folder.path() / "out";
+  ASSERT_EQ(run_rift("reproduce fig01 --out '" + out.string() + "'").exit_code, 0);
+  for (const char* ending : {"svg", "png", "csv", "gp"})
+    EXPECT_TRUE(std::filesystem::exists(out / "charts" / (std::string("fig01.") + ending))) << ending;
+  EXPECT_TRUE(contains(read_text(out / "report.html"), "<svg"));
+  EXPECT_TRUE(contains(read_text(out / "reproduction.md"), "(charts/fig01.svg)"));
+}
+
+}  // namespace
+}  // namespace rift::studio
