@@ -70,6 +70,7 @@ void take(Study& study, const StudyItem& item, Json scenario) {
   row = std::move(scenario);
   row["axes"] = axes_of(study.preset.study[item.row]);
   row["row"] = item.row;
+  row["series"] = result_file("", item.key).replace_extension(".csv").string();
   if (row.at("outcome") == name_of(Outcome::diverged)) study.result.outcome = Outcome::diverged;
   ++study.there;
   if (study.observer.finished)
@@ -218,7 +219,11 @@ StudyResult run_study(const Preset& preset, const StudyOptions& options, Cache& 
   Study study{preset, options, cache, build, observer};
   const std::vector<StudyItem> items = plan_study(preset, build.version);
   study.result.rows.resize(preset.study.size());
-  open_study(options.folder, manifest_of(preset, items, build), cache.notes);
+  if (options.shared) {
+    open_shared(options.folder);
+  } else {
+    open_study(options.folder, manifest_of(preset, items, build), cache.notes);
+  }
   gather(study, items);
   compute(study, missing(study, part_of(items, options.shard, options.shards)));
   if (!study.issues.empty()) throw InputError(study.issues);

@@ -108,6 +108,11 @@ void open_study(const fs::path& folder, const StudyManifest& manifest, std::vect
   make_folder(folder / "runs");
 }
 
+void open_shared(const fs::path& folder) {
+  make_folder(folder);
+  make_folder(folder / "runs");
+}
+
 fs::path result_file(const fs::path& folder, const std::string& key) {
   return folder / "runs" / (hash_text(key) + ".json");
 }

@@ -25,6 +25,9 @@ struct StudyManifest {
 void open_study(const std::filesystem::path& folder, const StudyManifest& manifest,
                 std::vector<std::string>& notes);
 
+/// Makes the folder for results of any study; they are known by what they are of.
+void open_shared(const std::filesystem::path& folder);
+
 /// The file of a scenario's result, beside it the same name with ".csv".
 std::filesystem::path result_file(const std::filesystem::path& folder, const std::string& key);
 

@@ -8,7 +8,6 @@
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/reproduction.hpp"
 #include "studio/report/reproduction_charts.hpp"
-#include "studio/report/stored_series.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -100,18 +99,21 @@ double computing_time(const SummaryRow& row) {
 }
 
 JudgedClaim judged(const Claim& claim, const PaperStudy& study, const StudyResult& result, int elements,
-                   const StoredSeries& series, const fs::path& charts) {
+                   const fs::path& folder) {
   JudgedClaim out;
   out.claim = &claim;
   if (!claim.judge) return out;
   Evidence bulk{
-      .rows = {}, .elements = elements, .series = [&](const SummaryRow& row) { return series.of(row); }};
+      .rows = {}, .elements = elements, .series = [&](const SummaryRow& row) {
+                  return read_series(folder / text_in(row, "series"));
+                }};
   Evidence in_situ = bulk;
   for (SummaryRow& row : rows_for(claim, study, result)) {
     ++out.scenarios;
     out.wall_s += computing_time(row);
     (text_in(row, "stiffness") == "bulk" ? bulk : in_situ).rows.push_back(std::move(row));
   }
+  const fs::path charts = folder / "charts";
   out.bulk = claim.judge(bulk);
   out.in_situ = claim.judge(in_situ);
   out.figures = draw_figures(claim, bulk, "bulk", charts);
@@ -136,7 +138,7 @@ StudyResult compute(const ReproduceOptions& options, const PaperStudy& study, co
                                      return stop.received() == 0;
                                    },
                                .finished = {}};
-  StudyResult result = run_study(study.preset, {.folder = options.out, .threads = options.threads}, cache,
+  StudyResult result = run_study(study.preset, {.folder = options.out, .threads = options.threads, .shared = true}, cache,
                                  build_info(), observer);
   line.clear();
   print_notes(cache);
@@ -177,10 +179,9 @@ ExitCode reproduce(const ReproduceOptions& options) {
                       .found = result.found,
                       .wall_s = 0,
                       .claims = {}};
-  const StoredSeries series(options.out);
   for (const Claim* claim : chosen)
     report.claims.push_back(
-        judged(*claim, study, result, report.elements, series, fs::path(options.out) / "charts"));
+        judged(*claim, study, result, report.elements, options.out));
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   write_report(report, options);
   return result.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;

@@ -58,7 +58,7 @@ std::string section_html(const JudgedClaim& c) {
   std::vector<std::vector<std::string>> rows;
   for (const Line& line : lines_of(c)) rows.push_back({line.stiffness, line.verdict, line.measured});
   std::string body = fmt::format("<p>{}</p>\n", html_escape(c.claim->text));
-  body += html_table({"stiffness", "verdict", "measured"}, rows);
+  body += html_table({.head = {"stiffness", "verdict", "measured"}, .rows = rows});
   if (c.scenarios > 0)
     body += fmt::format("<p>{} scenarios, {} of computing.</p>\n", c.scenarios, html_escape(time_text(c)));
   for (const Figure& figure : c.figures)
@@ -119,7 +119,7 @@ std::string reproduction_html(const Reproduction& r) {
   std::vector<std::vector<std::string>> overview;
   for (const JudgedClaim& c : r.claims) overview.push_back(overview_row(c));
   std::string body = fmt::format("<p>{}</p>\n", html_escape(preamble(r)));
-  body += html_section("Verdicts", html_table(overview_head, overview));
+  body += html_section("Verdicts", html_table({.head = overview_head, .rows = overview}));
   for (const JudgedClaim& c : r.claims) body += section_html(c);
   return html_page(title, body);
 }

@@ -83,7 +83,7 @@ StudyResult compute(const StudyOptions& options, const StudyObserver& observer =
 /// A row without what depends on when and beside what it was computed.
 Json lasting(Json row) {
   for (const char* name : {"lanes", "threads", "element_steps_per_s", "beam_steps_per_s", "memory_peak_bytes",
-                           "packing_from_cache", "prestress_from_cache", "axes", "row"})
+                           "packing_from_cache", "prestress_from_cache", "axes", "row", "series"})
     row.erase(name);
   Json kept = Json::object();
   for (const auto& [name, value] : row.items())
