@@ -1,4 +1,5 @@
 #include "engine/ensemble/benchmark.hpp"
+#include "engine/simulation/summary.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/report/progress.hpp"
 
@@ -149,6 +150,45 @@ const BenchResult& base_of(const std::vector<BenchResult>& all, const BenchResul
   });
 }
 
+/// What single precision costs in accuracy: one scene marched in both, the quickstart's plate and crack.
+struct PrecisionError {
+  std::string kinematics;
+  double ratio_double = 0, ratio_single = 0, residual_double = 0, residual_single = 0;
+};
+
+PrecisionError precision_error(const std::string& kinematics, int threads) {
+  PrecisionError error{.kinematics = kinematics};
+  for (const std::string precision : {"double", "single"}) {
+    const Preset preset = read_preset_text(
+        "", "bench",
+        {"specimen.elements=5000", "specimen.length=0.1", "specimen.height=0.04", "output.frames=0",
+         "output.samples=100", "solver.kinematics=" + kinematics, "solver.precision=" + precision});
+    Cache cache = user_cache();
+    const Prepared prepared = prepare(preset, cache);
+    const RunResult result = march(prepared, {}, {.threads = threads});
+    const bool single = precision == "single";
+    (single ? error.ratio_single : error.ratio_double) = rates_of(prepared, result).plateau.mean.ratio;
+    (single ? error.residual_single : error.residual_double) = result.lane[0].worst_residual;
+  }
+  return error;
+}
+
+Json json_of(const PrecisionError& e) {
+  return {{"kinematics", e.kinematics},
+          {"ratio_double", e.ratio_double},
+          {"ratio_single", e.ratio_single},
+          {"error_single", e.ratio_single - e.ratio_double},
+          {"ledger_residual_double", e.residual_double},
+          {"ledger_residual_single", e.residual_single}};
+}
+
+void print_precision(const PrecisionError& e) {
+  fmt::print(
+      "  single against double, {}: ratio {:.5f} against {:.5f} ({:+.1e}), books to {:.1e} against {:.1e}\n",
+      e.kinematics, e.ratio_single, e.ratio_double, e.ratio_single - e.ratio_double, e.residual_single,
+      e.residual_double);
+}
+
 ExitCode bench(const BenchOptions& options) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   const int threads = options.threads > 0 ? options.threads : std::max(1, cores);
@@ -157,7 +197,13 @@ ExitCode bench(const BenchOptions& options) {
   const auto peaks_of = [&](const BenchResult& r) { return r.of.threads == 1 ? alone : together; };
   const std::vector<BenchResult> results =
       time_all(options.needs ? needs_cases(options, threads) : kernel_cases(options, threads), options);
+  std::vector<PrecisionError> errors;
+  if (!options.needs)
+    for (const char* kinematics : {"linear", "corotational"})
+      errors.push_back(precision_error(kinematics, threads));
   if (options.json) {
+    Json precision = Json::array();
+    for (const PrecisionError& e : errors) precision.push_back(json_of(e));
     Json rows = Json::array();
     for (const BenchResult& r : results)
       rows.push_back(json_of(r, base_of(results, r, options.needs), peaks_of(r)));
@@ -166,7 +212,7 @@ ExitCode bench(const BenchOptions& options) {
                        {"flops_double", together.flops_double},
                        {"flops_single", together.flops_single},
                        {"simd", name_of(instruction_set())}};
-    fmt::print("{}\n", Json{{"machine", machine}, {"rows", rows}}.dump(2));
+    fmt::print("{}\n", Json{{"machine", machine}, {"rows", rows}, {"precision", precision}}.dump(2));
     return ExitCode::done;
   }
   fmt::print("{}\n", heading(version_text(), wants_color(options.color, stdout)));
@@ -181,6 +227,7 @@ ExitCode bench(const BenchOptions& options) {
       "  A beam: compulsory traffic a beam and scenario; mem., flops: share of what this machine was "
       "measured to do.\n",
       options.runs, options.seconds);
+  for (const PrecisionError& e : errors) print_precision(e);
   return ExitCode::done;
 }
 

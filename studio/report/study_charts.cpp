@@ -17,7 +17,7 @@ namespace rift::studio {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::size_t most_series = 12;
+constexpr std::size_t most_series = 12, most_curves = 6;  // in a chart against velocity, against position
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// How an axis' value reads in a label; others speak for themselves: "progressive", "0.5 c_r".
@@ -169,7 +169,7 @@ std::vector<NamedChart> tip_charts(const std::vector<SummaryRow>& rows,
   std::vector<NamedChart> charts;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].is_null()) continue;
-    if (charts.empty() || charts.back().chart.series.size() == most_series) {
+    if (charts.empty() || charts.back().chart.series.size() == most_curves) {
       Chart chart;
       chart.title = "Release rate against tip position";
       chart.x_label = "tip position [mm]";
