@@ -26,7 +26,7 @@ Ensemble<Real>::Ensemble(const Lattice& lattice, const CrackPath& path, double n
       energy_(scenario_.size()),
       spent_(scenario_.size()),
       pending_(scenario_.size()) {
-  assert(!scenario_.empty() && scenarios() <= lanes_);
+  assert(!scenario_.empty() && static_cast<int>(scenario_.size()) <= lanes_);
   for (const Crossing& c : met_) notched_.push_back(c.position <= notch_end);
   booked_.assign(met_.size() * lanes_, 0.0);
   factor_.resize(booked_.size());

@@ -99,12 +99,12 @@ Preset preset_of(const Study& study, const StudyItem& item) {
   return preset;
 }
 
-/// The books of the fracture phase and the rate curve, as series.csv of a run has them.
+/// The books, those of a ramp among them, and the rate curve, as series.csv of a run has them.
 std::string series_of(const LaneResult& lane, const Rates& rates) {
   std::vector<results::Sample> rows;
   for (results::Sample row : lane.books) {
     row.lane = 0;
-    if (row.phase == results::Phase::fracture) rows.push_back(row);
+    rows.push_back(row);
   }
   const results::RateCurve curve{0, rates.curve};
   return results::series_csv(rows, {&curve, 1});

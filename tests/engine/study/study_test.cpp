@@ -108,12 +108,9 @@ void expect_as_run_alone(const Preset& preset, const StudyResult& result, const 
     const Rates rates = rates_of(prepared, run);
     const Json summary = summary_of(prepared, run, {rates}, build, 0.0).at("scenarios")[0];
     EXPECT_EQ(lasting(result.rows[k]), lasting(Json::parse(summary.dump()))) << k;
-    std::vector<results::Sample> fracture;
-    for (const results::Sample& row : run.lane[0].books)
-      if (row.phase == results::Phase::fracture) fracture.push_back(row);
     const results::RateCurve curve{0, rates.curve};
     const fs::path csv = result_file(folder, result_key(scenes[k], build.version)).replace_extension(".csv");
-    EXPECT_EQ(read_text(csv), results::series_csv(fracture, {&curve, 1})) << k;
+    EXPECT_EQ(read_text(csv), results::series_csv(run.lane[0].books, {&curve, 1})) << k;
   }
 }
 
