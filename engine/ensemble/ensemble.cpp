@@ -183,7 +183,7 @@ void Ensemble<Real>::refill(int lane, const LaneScenario& scenario) {
   alpha_at_surface_[lane] = static_cast<Real>(scenario.alpha_at_surface);
   alpha_elsewhere_[lane] = static_cast<Real>(scenario.alpha_elsewhere);
   put_to_rest(lane);
-  for (PartRows<Real>& rows : part_) {
+  for (PartRows<Real>& rows : part_) {  // a lane that diverged has left no numbers there
     for (std::size_t k = lane; k < rows.damping_before.size(); k += lanes_) rows.damping_before[k] = 0;
     for (std::size_t k = lane; k < rows.account.size(); k += lanes_) rows.account[k] = 0.0;
   }
