@@ -57,7 +57,7 @@ class Run {
     for (Seat& seat : seat_) {
       if (seat.scenario < 0) continue;
       seat.since = crack_started_;
-      lane_of(seat).energy_at_crack_start = ensemble_.energy(index(seat)).elastic;
+      lane_of(seat).energy_at_crack_start = elastic_energy(seat);
       if (ramp() == 0) observe(seat);
     }
     while (busy()) {
@@ -88,6 +88,9 @@ class Run {
   int index(const Seat& seat) const { return static_cast<int>(&seat - seat_.data()); }
   const LanePlan& plan(const Seat& seat) const { return prepared_.lane[seat.scenario]; }
   LaneResult& lane_of(const Seat& seat) { return result_.lane[seat.scenario]; }
+  double elastic_energy(const Seat& seat) {
+    return plan(seat).units.energy * ensemble_.energy(index(seat)).elastic;
+  }
   std::int64_t steps(const Seat& seat) const { return ensemble_.steps_done(index(seat)); }
   bool busy() const {
     return std::any_of(seat_.begin(), seat_.end(), [](const Seat& seat) { return seat.scenario >= 0; });
@@ -117,12 +120,13 @@ class Run {
     lane.steps = steps(seat);
     lane.wall_s = seconds_since(seat.since) / static_cast<double>(seat_.size());
     result_.wall_fracture_s = seconds_since(crack_started_);
+    if (lane.outcome == Outcome::finished) lane.wake = wake(seat);
     tell_end(seat);
     seat.scenario = -1;
     if (stopped_ || ramp() > 0 || next_scenario_ >= static_cast<int>(prepared_.lane.size())) return;
     seat = {.scenario = next_scenario_++};
     ensemble_.refill(index(seat), plan(seat).scenario);
-    lane_of(seat).energy_at_crack_start = ensemble_.energy(index(seat)).elastic;
+    lane_of(seat).energy_at_crack_start = elastic_energy(seat);
     observe(seat);
   }
 
@@ -145,7 +149,8 @@ class Run {
 
   void read_books(Seat& seat) {
     LaneResult& lane = lane_of(seat);
-    results::Sample row = ensemble_.sample(index(seat), phase_at(steps(seat)));
+    results::Sample row =
+        plan(seat).units.of_lane(ensemble_.sample(index(seat), phase_at(steps(seat))));
     row.lane = seat.scenario;
     lane.books.push_back(row);
     if (observer_.sample) observer_.sample(row);
@@ -166,11 +171,26 @@ class Run {
     return "";
   }
 
+  /// What the crack has left, in the scenario's units.
+  Wake wake(const Seat& seat) {
+    const int lane = index(seat);
+    const LaneUnits& units = plan(seat).units;
+    const double tip = ensemble_.tip(lane);
+    std::vector<Vector6> velocity(prepared_.lattice.centre.size());
+    std::vector<double> moved(velocity.size());
+    for (int i = 0; i < static_cast<int>(velocity.size()); ++i) {
+      velocity[i] = ensemble_.velocity(i, lane) / units.time;
+      moved[i] = ensemble_.motion(i, lane).z() - prepared_.displacement[i].z();
+    }
+    return wake_of(prepared_.lattice, {tip - 2.0 * prepared_.lattice.box.height, tip}, velocity, moved);
+  }
+
   results::Frame frame_of(const Seat& seat) {
     const int lane = index(seat), n = static_cast<int>(prepared_.lattice.centre.size());
     results::Frame frame;
     frame.step = steps(seat);
-    frame.time_s = ensemble_.time(lane);
+    const double time_unit = plan(seat).units.time;
+    frame.time_s = ensemble_.time(lane) * time_unit;
     frame.lane = seat.scenario;
     frame.tip_m =
         ensemble_.cracking() ? ensemble_.tip(lane) : plan(seat).scenario.history.stretch.front().position;
@@ -178,7 +198,7 @@ class Run {
       if (field == "displacement")
         for (int i = 0; i < n; ++i) frame.displacement.push_back(narrow(ensemble_.motion(i, lane)));
       if (field == "velocity")
-        for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(ensemble_.velocity(i, lane)));
+        for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(ensemble_.velocity(i, lane) / time_unit));
       if (field == "damage") frame.damage_factor = damage_by_beam(lane);
     }
     return frame;
@@ -196,13 +216,15 @@ class Run {
 
   void report_released() {
     if (!observer_.event) return;
-    for (const Softening& c : ensemble_.softening())
-      if (c.after == 0.0 && seat_[c.lane].scenario >= 0)
-        observer_.event({.beam = ensemble_.met()[c.crossing].beam,
-                         .lane = seat_[c.lane].scenario,
-                         .time_s = ensemble_.time(c.lane),
-                         .position_m = ensemble_.met()[c.crossing].position,
-                         .energy_j = ensemble_.booked(c.crossing, c.lane)});
+    for (const Softening& c : ensemble_.softening()) {
+      if (c.after != 0.0 || seat_[c.lane].scenario < 0) continue;
+      const LaneUnits& units = plan(seat_[c.lane]).units;
+      observer_.event({.beam = ensemble_.met()[c.crossing].beam,
+                       .lane = seat_[c.lane].scenario,
+                       .time_s = ensemble_.time(c.lane) * units.time,
+                       .position_m = ensemble_.met()[c.crossing].position,
+                       .energy_j = ensemble_.booked(c.crossing, c.lane) * units.energy});
+    }
   }
 
   /// Whether to go on; if not, every lane stops where it is.

@@ -167,7 +167,7 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
                               p.micro.radius_ratio)};
   std::vector<char> present(p.lattice.beam.size(), 1);
   const std::vector<Vector6> unit = statics.unit(present, "");
-  if (scene.material.stiffness == StiffnessChoice::in_situ) {
+  if (scene.material.stiffness != StiffnessChoice::explicit_values) {
     p.micro.young_modulus *= continuum_strip_modulus(scene) / strip_modulus(p.lattice, unit, 1.0);
     p.lattice = make_lattice(p.specimen, p.micro, p.density);
   }
@@ -215,6 +215,8 @@ std::vector<DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan
 LanePlan plan_lane(const Prepared& p, const Scene& scene) {
   LanePlan lane;
   lane.scene = scene;
+  if (scene.material.stiffness == StiffnessChoice::bulk)
+    lane.units = units_of(bulk_micro_material.young_modulus / p.micro.young_modulus);
   lane.crack_end = crack_end(scene);
   const double length = scene.specimen.length;
   const auto window = window_over_length(scene);
@@ -226,7 +228,7 @@ LanePlan plan_lane(const Prepared& p, const Scene& scene) {
     law.zone_length = scene.crack.damage_zone_ratio * p.lattice.mean_radius;
   std::vector<SpeedUntil> pieces;
   for (const VelocityPiece& piece : scene.crack.velocity)
-    pieces.push_back({speed_m_s(piece.speed, p.rayleigh_speed),
+    pieces.push_back({speed_m_s(piece.speed, p.rayleigh_speed) * lane.units.time,
                       piece.until.value_or(std::numeric_limits<double>::infinity())});
   // The history begins a zone's length behind the notch, so that nothing is damaged in one jump.
   lane.scenario.history = history_of(scene.crack.start - law.zone_length, pieces);
@@ -238,7 +240,7 @@ LanePlan plan_lane(const Prepared& p, const Scene& scene) {
 
 StepWish step_wish(const LanePlan& lane, double rayleigh_speed) {
   return {.zone_length = lane.scenario.law.zone_length,
-          .speed = highest_velocity(lane.scene) * rayleigh_speed,
+          .speed = highest_velocity(lane.scene) * rayleigh_speed * lane.units.time,
           .alpha_at_surface = lane.scenario.alpha_at_surface,
           .alpha_elsewhere = lane.scenario.alpha_elsewhere};
 }
@@ -251,7 +253,8 @@ std::vector<LanePlan> planned(const Prepared& p, const std::vector<Scene>& scene
     LanePlan lane = plan_lane(p, scene);
     const std::vector<DampedBeam> damped = damped_beams(p, {&lane, 1});
     lane.beams_damped = damped.size();
-    lane.step = choose_step(p.preset, p.lattice, p.stable, damped, {step_wish(lane, p.rayleigh_speed)});
+    lane.step = choose_step(p.preset, p.lattice, p.stable, damped, {step_wish(lane, p.rayleigh_speed)},
+                            lane.units.time);
     lanes.push_back(std::move(lane));
   }
   return lanes;
@@ -269,6 +272,12 @@ void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
   }
   for (LanePlan& lane : p.lane)
     lane.schedule = make_schedule(lane.scene, lane.scenario.history, p.step.dt, lane.crack_end, lane.window);
+}
+
+RateScale scale_of(const Prepared& prepared, const LanePlan& lane) {
+  RateScale scale = prepared.scale;
+  scale.g_i0 *= lane.units.energy;
+  return scale;
 }
 
 Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& cache,

@@ -4,6 +4,7 @@
 #include "engine/fracture/release_rate.hpp"
 #include "engine/fracture/scenario.hpp"
 #include "engine/simulation/cache.hpp"
+#include "engine/simulation/lane_units.hpp"
 #include "engine/simulation/schedule.hpp"
 #include "engine/simulation/time_step.hpp"
 
@@ -16,9 +17,10 @@ namespace rift {
 /// Told what is being done and the fraction of it done; answers false to stop (Interrupted is thrown then).
 using StageProgress = std::function<bool(std::string_view stage, double done)>;
 
-/// One scenario of a run: what it releases, and when it is looked at.
+/// One scenario of a run: what it releases, and when it is looked at, in the lattice's time.
 struct LanePlan {
   Scene scene;
+  LaneUnits units;
   LaneScenario scenario;
   double crack_end = 0;            // [m]
   std::array<double, 2> window{};  // [m]
@@ -33,7 +35,7 @@ struct Prepared {
   Preset preset;
   double density = 0, rayleigh_speed = 0;  // [kg/m3], [m/s]
   Specimen specimen;
-  MicroMaterial micro;
+  MicroMaterial micro;  // of the lattice: scaled in situ, whose units serve "bulk" too, or explicit
   Lattice lattice;
   double strip_modulus = 0;           // of this specimen with these beams, by linear kinematics [Pa]
   double static_energy = 0;           // of the plate at rest, notch cut, pulled [J]
@@ -54,12 +56,15 @@ struct Prepared {
 Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progress = {});
 
 /// The same for scenarios other than the preset's own, one lane each; they differ in what lanes may differ
-/// in.
+/// in, or by being in-situ and bulk.
 Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& cache,
                  const StageProgress& progress = {});
 
 /// Goes on with other lanes over the same lattice and pre-stress, such as some of its own: damped beams, step
 /// and schedules are theirs again. Cheap: the step that each asks for is in its plan.
 void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
+
+/// What a lane's release rate is measured against, in its own units.
+RateScale scale_of(const Prepared& prepared, const LanePlan& lane);
 
 }  // namespace rift

@@ -77,23 +77,24 @@ void add_specimen(Json& j, const Prepared& p, const LanePlan& lane) {
   j["poisson_ratio"] = scene.material.poisson_ratio;
   j["density_kg_m3"] = p.density;
   j["rayleigh_speed_m_s"] = p.rayleigh_speed;
-  j["micro_young_modulus_pa"] = p.micro.young_modulus;
+  j["micro_young_modulus_pa"] = p.micro.young_modulus * lane.units.energy;
   j["micro_poisson_ratio"] = p.micro.poisson_ratio;
   j["micro_radius_ratio"] = p.micro.radius_ratio;
-  j["strip_modulus_pa"] = p.strip_modulus;
+  j["strip_modulus_pa"] = p.strip_modulus * lane.units.energy;
 }
 
 void add_step(Json& j, const Prepared& p, const LanePlan& lane, const RunResult& r, const LaneResult& result,
               const BuildInfo& build) {
-  j["dt_s"] = p.step.dt;
-  j["dt_critical_s"] = p.step.critical;
-  j["dt_critical_damped_s"] = lane.step.critical_damped;
-  j["dt_element_bound_s"] = p.step.element_bound;
+  const double dt = p.step.dt * lane.units.time;
+  j["dt_s"] = dt;
+  j["dt_critical_s"] = p.step.critical * lane.units.time;
+  j["dt_critical_damped_s"] = lane.step.critical_damped * lane.units.time;
+  j["dt_element_bound_s"] = p.step.element_bound * lane.units.time;
   j["dt_fraction"] = p.step.dt / p.step.critical;
   j["steps"] = result.steps;
   const double fastest = highest_velocity(lane.scene) * p.rayleigh_speed;
   const double zone = lane.scenario.law.zone_length;
-  j["steps_per_beam"] = zone > 0.0 ? Json(zone / (fastest * p.step.dt)) : Json(nullptr);
+  j["steps_per_beam"] = zone > 0.0 ? Json(zone / (fastest * dt)) : Json(nullptr);
   j["threads"] = r.threads;
   j["simd"] = r.instructions;
   j["lanes"] = r.lanes;
@@ -108,8 +109,9 @@ void add_rates(Json& j, const Prepared& p, const LanePlan& lane, const Rates& ra
   const auto reference = [&](theory::Factor (*of)(double, double, Plane)) {
     return v > 0.0 && v <= 1.0 ? of(v, m.poisson_ratio, m.plane).g : undefined;
   };
-  j["g_i0_j_m2"] = p.scale.g_i0;
-  j["g_id_j_m2"] = rate(ratio * p.scale.g_i0);
+  const double g_i0 = scale_of(p, lane).g_i0;
+  j["g_i0_j_m2"] = g_i0;
+  j["g_id_j_m2"] = rate(ratio * g_i0);
   j["ratio"] = rate(plateau.mean.ratio);
   j["ratio_release"] = rate(plateau.mean.ratio_release);
   j["ratio_with_damping"] = rate(ratio);
@@ -138,10 +140,18 @@ void add_books(Json& j, const Prepared& p, const LanePlan& lane, const LaneResul
   j["ledger_residual"] = r.worst_residual;
   j["ledger_closes"] =
       r.worst_residual <= ledger_limit(lane.scene.solver.kinematics, lane.scene.solver.precision);
-  j["prestress_energy_over_static"] = ramped ? Json(r.energy_at_crack_start / p.static_energy) : Json(1.0);
+  j["prestress_energy_over_static"] = ramped ? Json(r.energy_at_crack_start / (p.static_energy * lane.units.energy)) : Json(1.0);
   j["prestress_kinetic_fraction"] = ramped ? Json(r.prestress_kinetic) : Json(0.0);
   j["outcome"] = name_of(r.outcome);
   j["outcome_where"] = r.where.empty() ? Json(nullptr) : Json(r.where);
+}
+
+/// What the crack has left behind; empty where it did not come to its end.
+void add_wake(Json& j, const Wake& wake) {
+  j["wake_cell_m"] = wake.cell_m;
+  j["wake_kinetic_j"] = wake.kinetic_j;
+  j["wake_rotation_j"] = wake.cell_m.empty() ? Json(nullptr) : Json(wake.rotation_j);
+  j["out_of_plane_m"] = wake.cell_m.empty() ? Json(nullptr) : Json(wake.out_of_plane_m);
 }
 
 void add_costs(Json& j, const Prepared& p, const RunResult& r, const LaneResult& lane, double wall_total_s) {
@@ -169,11 +179,14 @@ Rates rates_of(const Prepared& prepared, const RunResult& result, int lane) {
   for (const results::Sample& row : result.lane[lane].books)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
   if (rows.size() < 2) return {};
-  return {plateau_of(rows, prepared.lane[lane].window, prepared.scale), rate_curve(rows, prepared.scale)};
+  const LanePlan& plan = prepared.lane[lane];
+  const RateScale scale = scale_of(prepared, plan);
+  return {plateau_of(rows, plan.window, scale), rate_curve(rows, scale)};
 }
 
 Json header_of(const Prepared& prepared, const BuildInfo& build) {
   const Scene& scene = prepared.preset.scene;
+  const LanePlan& first = prepared.lane.front();
   std::int64_t most_steps = 0;
   for (const LanePlan& lane : prepared.lane) most_steps = std::max(most_steps, lane.schedule.total());
   return {{"preset_name", prepared.preset.name},
@@ -183,12 +196,12 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"instruction_set", name_of(instruction_set())},
           {"seed", scene.specimen.seed},
           {"lanes", prepared.lane.size()},
-          {"dt_s", prepared.step.dt},
+          {"dt_s", prepared.step.dt * first.units.time},
           {"steps", most_steps},
           {"length_m", prepared.lattice.box.length},
           {"height_m", prepared.lattice.box.height},
           {"thickness_m", prepared.lattice.box.thickness},
-          {"g_i0_j_m2", prepared.scale.g_i0},
+          {"g_i0_j_m2", scale_of(prepared, first).g_i0},
           {"rayleigh_speed_m_s", prepared.rayleigh_speed}};
 }
 
@@ -201,6 +214,7 @@ Json lane_summary(const Prepared& prepared, const RunResult& result, int k, cons
   add_step(scenario, prepared, lane, result, result.lane[k], build);
   add_rates(scenario, prepared, lane, rates);
   add_books(scenario, prepared, lane, result.lane[k]);
+  add_wake(scenario, result.lane[k].wake);
   add_costs(scenario, prepared, result, result.lane[k], wall_total_s);
   return scenario;
 }

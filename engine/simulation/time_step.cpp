@@ -19,7 +19,8 @@ TimeStep choose_step(const Preset& preset, const Lattice& lattice, const std::ve
 }
 
 TimeStep choose_step(const Preset& preset, const Lattice& lattice, const StableStep& stable,
-                     const std::vector<DampedBeam>& damped, const std::vector<StepWish>& wishes) {
+                     const std::vector<DampedBeam>& damped, const std::vector<StepWish>& wishes,
+                     double time_unit) {
   const Scene& scene = preset.scene;
   ViscousDamping damping(damped);
   double wished = stable.critical;
@@ -32,19 +33,19 @@ TimeStep choose_step(const Preset& preset, const Lattice& lattice, const StableS
                 .critical = stable.critical,
                 .critical_damped = damped_critical_step(lattice, damping, stable.critical),
                 .element_bound = stable.element_bound};
-  if (scene.solver.dt) step.dt = *scene.solver.dt;
+  if (scene.solver.dt) step.dt = *scene.solver.dt / time_unit;
   if (scene.solver.dt_fraction) step.dt = *scene.solver.dt_fraction * stable.critical;
   if (step.dt < step.critical_damped) return step;
   const char* key = scene.solver.dt            ? "solver.dt"
                     : scene.solver.dt_fraction ? "solver.dt_fraction"
                                                : "damping.alpha";
   const std::string limit = damping.beam.empty()
-                                ? fmt::format("the critical step of this lattice is {:.4g} s", step.critical)
+                                ? fmt::format("the critical step of this lattice is {:.4g} s", step.critical * time_unit)
                                 : fmt::format(
                                       "the critical step of this lattice with this damping is "
                                       "{:.4g} s ({:.4g} s undamped)",
-                                      step.critical_damped, step.critical);
-  throw InputError({issue_at(preset, key, fmt::format("makes a step of {:.4g} s, and {}", step.dt, limit))});
+                                      step.critical_damped * time_unit, step.critical * time_unit);
+  throw InputError({issue_at(preset, key, fmt::format("makes a step of {:.4g} s, and {}", step.dt * time_unit, limit))});
 }
 
 }  // namespace rift

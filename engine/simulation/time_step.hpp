@@ -30,7 +30,9 @@ TimeStep choose_step(const Preset& preset, const Lattice& lattice, const std::ve
                      const std::vector<StepWish>& wishes);
 
 /// The same where the lattice's own limits are known already; cheap without damping.
+/// @param[in] time_unit  a second of the lattice, in seconds of the preset   [LaneUnits]
 TimeStep choose_step(const Preset& preset, const Lattice& lattice, const StableStep& stable,
-                     const std::vector<DampedBeam>& damped, const std::vector<StepWish>& wishes);
+                     const std::vector<DampedBeam>& damped, const std::vector<StepWish>& wishes,
+                     double time_unit = 1.0);
 
 }  // namespace rift

@@ -18,8 +18,10 @@ bool may_differ_in_lanes(const Parameter& row) {
                      [&](const Axis& axis) { return axis.per_lane && axis.key == row.key; });
 }
 
-/// Equal for scenes that differ at most in what lanes may differ in.
-std::string shared_text(const Scene& scene) {
+/// Equal for scenes that differ at most in what lanes may differ in, or by being in-situ and bulk: time and
+/// energy tell these apart, on one lattice.
+std::string shared_text(Scene scene) {
+  if (scene.material.stiffness == StiffnessChoice::bulk) scene.material.stiffness = StiffnessChoice::in_situ;
   std::string text;
   for (const Parameter& row : parameters())
     if (!may_differ_in_lanes(row)) text += std::string(row.key) + " = " + toml_value(scene, row) + "\n";

@@ -6,6 +6,7 @@
 #include "engine/scene/axes.hpp"
 #include "engine/simulation/summary.hpp"
 #include "engine/study/cost.hpp"
+#include "engine/study/passes.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/store.hpp"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <tuple>
 
 namespace rift {
 namespace {
@@ -110,34 +110,6 @@ std::string series_of(const LaneResult& lane, const Rates& rates) {
   return results::series_csv(rows, {&curve, 1});
 }
 
-int lanes_side_by_side(const Scene& scene) {
-  return scene.solver.precision == Precision::single_precision ? lanes_in_register<float>(instruction_set())
-                                                               : lanes_in_register<double>(instruction_set());
-}
-
-/// Positions in a group of the scenarios that march together: those of equal step whose damping reaches
-/// equally far. After a ramp no lane can be filled again, so that a pass holds no more than march together.
-std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lanes) {
-  const auto kind = [&](std::size_t k) {
-    return std::tuple(lanes[k].step.dt, lanes[k].scene.damping.region);
-  };
-  const auto side_by_side = static_cast<std::size_t>(lanes_side_by_side(lanes.front().scene));
-  const bool ramp = lanes.front().scene.loading.method == LoadingMethod::ramp;
-  std::vector<std::vector<std::size_t>> passes;
-  for (std::size_t k = 0; k < lanes.size(); ++k) {
-    const auto fits = [&](const std::vector<std::size_t>& pass) {
-      return kind(pass.front()) == kind(k) && !(ramp && pass.size() >= side_by_side);
-    };
-    const auto pass = std::find_if(passes.begin(), passes.end(), fits);
-    if (pass == passes.end()) {
-      passes.push_back({k});
-    } else {
-      pass->push_back(k);
-    }
-  }
-  return passes;
-}
-
 /// Marches what `prepared` holds now and keeps each scenario as it ends.
 void march_pass(Study& study, const Prepared& prepared, const std::vector<StudyItem>& items,
                 Clock::time_point started) {
@@ -155,9 +127,11 @@ void march_pass(Study& study, const Prepared& prepared, const std::vector<StudyI
   observer.go_on = [&](const Progress& p) {
     return study.tell("crack", static_cast<double>(p.step) / static_cast<double>(p.total), cost);
   };
-  const int lanes = lanes_side_by_side(prepared.preset.scene);
-  const bool refill = static_cast<int>(items.size()) > lanes;
-  march(prepared, observer, {.threads = study.options.threads, .lanes = refill ? lanes : 0});
+  std::vector<std::int64_t> steps;
+  for (const LanePlan& lane : prepared.lane) steps.push_back(lane.schedule.total());
+  const bool ramp = prepared.lane.front().schedule.ramp > 0;
+  const int lanes = ramp ? 0 : lanes_for_queue(steps, prepared.preset.scene.solver.precision);
+  march(prepared, observer, {.threads = study.options.threads, .lanes = lanes});
   study.cost_done += cost;
 }
 

@@ -1,0 +1,78 @@
+#include "engine/study/passes.hpp"
+
+#include "engine/ensemble/instruction_set.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+
+namespace rift {
+namespace {
+
+/// Lanes as a part of most_lanes, and what a step of so many takes, in steps of a half   [rift bench, AVX-512,
+/// 20,000 elements]. One lane gathers its neighbours, so that it is hardly cheaper.
+struct Width {
+  int part;
+  double step;
+};
+
+template <class Real>
+std::vector<Width> widths() {
+  std::vector<Width> usable{{most_lanes<Real>, 0.75}};
+  for (const Width& width : {Width{4, 0.85}, Width{2, 1.0}, Width{1, 2.1}})
+    if (most_lanes<Real> / width.part <= lanes_in_register<Real>(instruction_set())) usable.push_back(width);
+  return usable;
+}
+
+template <class Real>
+int fastest(const std::vector<std::int64_t>& steps) {
+  const auto longest = static_cast<double>(*std::max_element(steps.begin(), steps.end()));
+  const auto all = static_cast<double>(std::accumulate(steps.begin(), steps.end(), std::int64_t{0}));
+  int best = 1;
+  double least = 0.0;
+  for (const Width& width : widths<Real>()) {
+    const int lanes = most_lanes<Real> / width.part;
+    const double time = width.step * std::max(longest, all / lanes);
+    if (least > 0.0 && time >= least) continue;
+    least = time;
+    best = lanes;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lanes) {
+  const auto kind = [&](std::size_t k) {
+    return std::tuple(lanes[k].step.dt, lanes[k].scene.damping.region == DampingRegion::none);
+  };
+  const auto length = [&](std::size_t k) {
+    return time_of_arrival(lanes[k].scenario.history, lanes[k].crack_end);
+  };
+  std::vector<std::size_t> order(lanes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return length(a) > length(b); });
+  const Precision precision = lanes.front().scene.solver.precision;
+  const auto most = static_cast<std::size_t>(lanes_for_queue(std::vector<std::int64_t>(100, 1), precision));
+  const bool ramp = lanes.front().scene.loading.method == LoadingMethod::ramp;
+  std::vector<std::vector<std::size_t>> passes;
+  for (const std::size_t k : order) {
+    const auto fits = [&](const std::vector<std::size_t>& pass) {
+      return kind(pass.front()) == kind(k) && !(ramp && pass.size() >= most);
+    };
+    const auto pass = std::find_if(passes.begin(), passes.end(), fits);
+    if (pass == passes.end()) {
+      passes.push_back({k});
+    } else {
+      pass->push_back(k);
+    }
+  }
+  return passes;
+}
+
+int lanes_for_queue(const std::vector<std::int64_t>& steps, Precision precision) {
+  return precision == Precision::single_precision ? fastest<float>(steps) : fastest<double>(steps);
+}
+
+}  // namespace rift
