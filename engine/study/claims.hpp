@@ -26,9 +26,10 @@ struct Claim {
   /// The verdict for one stiffness; empty for a claim that is not yet there.
   std::function<Judgement(const Evidence&)> judge = {};
   std::string standing = {};  // why it is not yet there, or what stands for it
+  bool beyond = false;        // not the paper's but a finding of our own, with in-situ beams only
 };
 
-/// All claims, in the order of the paper's artefacts and then of its sections.
+/// All claims, in the order of the paper's artefacts and then of its sections, and what goes beyond it.
 const std::vector<Claim>& claims();
 
 /// The claim of a name, or null.

@@ -22,5 +22,9 @@ Judgement sec4_time_step(const Evidence& evidence);
 Judgement sec4_longer(const Evidence& evidence);
 Judgement sec5_paths(const Evidence& evidence);
 Judgement sec5_residual(const Evidence& evidence);
+Judgement sec5_bending(const Evidence& evidence);
+Judgement beyond_map(const Evidence& evidence);
+Judgement beyond_efficiency(const Evidence& evidence);
+Judgement beyond_broberg(const Evidence& evidence);
 
 }  // namespace rift::judges

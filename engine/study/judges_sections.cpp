@@ -240,4 +240,24 @@ Judgement sec5_residual(const Evidence& evidence) {
   return all_of(parts);
 }
 
+Judgement sec5_bending(const Evidence& evidence) {
+  constexpr double slight = 0.05;  // of the thickness
+  std::vector<double> slow, fast;
+  for (const SummaryRow& row : evidence.rows) {
+    const double moved = number_in(row, "out_of_plane_m") / number_in(row, "thickness_m");
+    const double v = number_in(row, "crack_velocity_over_cr");
+    if (!selects(with_elements(evidence, {}), row) || std::isnan(moved)) continue;
+    if (v < 0.1 + 1e-9) slow.push_back(moved);
+    if (v > 0.5 - 1e-9) fast.push_back(moved);
+  }
+  if (slow.empty() || fast.empty()) return {Verdict::not_decidable, "no result"};
+  const double low = mean_of(slow), high = mean_of(fast), scatter = deviation_of(slow);
+  const std::string text = fmt::format(
+      "largest motion along z of a region 8 radii wide: {:.2f} % of the thickness at 0.1 c_r and below (scatter "
+      "{:.2f} %), {:.2f} % at 0.5 c_r and above",
+      100.0 * low, 100.0 * scatter, 100.0 * high);
+  if (scatter > std::abs(low - high)) return {Verdict::not_decidable, text};
+  return {yes_or_no(low <= slight && low > high), text};
+}
+
 }  // namespace rift::judges

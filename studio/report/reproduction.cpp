@@ -6,12 +6,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rift::studio {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* title = "The paper's claims, judged";
+const char* title_of(const Reproduction& r) {
+  const bool beyond = std::all_of(r.claims.begin(), r.claims.end(), [](const auto& c) { return c.claim->beyond; });
+  return beyond ? "Beyond the paper" : "The paper's claims, judged";
+}
 
 /// How the numbers are to be read, and where they come from.
 std::string preamble(const Reproduction& r) {
@@ -36,18 +41,19 @@ struct Line {
   std::string stiffness, verdict, measured;
 };
 
-/// One line per stiffness; one line alone where the claim is not yet there.
+/// One line per stiffness; one line alone where the claim is not yet there, or beyond the paper.
 std::vector<Line> lines_of(const JudgedClaim& c) {
   if (!c.claim->judge) return {{"", "not yet there", c.claim->standing}};
-  return {{"bulk", name_of(c.bulk.verdict), c.bulk.measured},
-          {"in-situ", name_of(c.in_situ.verdict), c.in_situ.measured}};
+  const Line in_situ{"in-situ", name_of(c.in_situ.verdict), c.in_situ.measured};
+  if (c.claim->beyond) return {in_situ};
+  return {{"bulk", name_of(c.bulk.verdict), c.bulk.measured}, in_situ};
 }
 
 std::vector<std::string> overview_row(const JudgedClaim& c) {
   return {c.claim->name,
           c.claim->artefact,
           c.claim->text,
-          verdict_text(*c.claim, c.bulk),
+          c.claim->beyond ? "-" : verdict_text(*c.claim, c.bulk),
           verdict_text(*c.claim, c.in_situ),
           time_text(c)};
 }
@@ -121,14 +127,14 @@ std::string reproduction_html(const Reproduction& r) {
   std::string body = fmt::format("<p>{}</p>\n", html_escape(preamble(r)));
   body += html_section("Verdicts", html_table({.head = overview_head, .rows = overview}));
   for (const JudgedClaim& c : r.claims) body += section_html(c);
-  return html_page(title, body);
+  return html_page(title_of(r), body);
 }
 
 std::string reproduction_markdown(const Reproduction& r) {
   std::vector<std::vector<std::string>> overview;
   for (const JudgedClaim& c : r.claims) overview.push_back(overview_row(c));
   std::string text =
-      fmt::format("# {}\n\n{}\n\n", title, preamble(r)) + markdown_table(overview_head, overview);
+      fmt::format("# {}\n\n{}\n\n", title_of(r), preamble(r)) + markdown_table(overview_head, overview);
   for (const JudgedClaim& c : r.claims) text += section_markdown(c);
   return text;
 }
@@ -150,7 +156,7 @@ Json reproduction_json(const Reproduction& r) {
   for (const JudgedClaim& c : r.claims) {
     Json claim{{"name", c.claim->name}, {"artefact", c.claim->artefact}, {"claim", c.claim->text}};
     if (c.claim->judge) {
-      claim["bulk"] = judgement_json(c.bulk);
+      if (!c.claim->beyond) claim["bulk"] = judgement_json(c.bulk);
       claim["in-situ"] = judgement_json(c.in_situ);
     } else {
       claim["not_yet_there"] = c.claim->standing;

@@ -1,6 +1,6 @@
 #include "studio/report/reproduction_charts.hpp"
 
-#include "engine/theory/references.hpp"
+#include "studio/report/velocity_chart.hpp"
 
 #include <fmt/format.h>
 
@@ -77,28 +77,6 @@ std::vector<NamedSelection> curves_for(const std::string& claim, int elements) {
   return found == table.end() ? std::vector<NamedSelection>{} : found->second;
 }
 
-ChartSeries reference(const std::string& label, theory::Factor (*of)(double, double, Plane)) {
-  ChartSeries series{label, {}, {}, {}, Style::dashed, -1};
-  for (int k = 0; k <= 100; ++k) {
-    series.x.push_back(0.01 * k);
-    series.y.push_back(of(0.01 * k, 0.3, Plane::stress).g);
-  }
-  return series;
-}
-
-Chart chart_of_references(const std::string& title) {
-  Chart chart;
-  chart.title = title;
-  chart.x_label = "crack velocity v / c_r [-]";
-  chart.y_label = "G_{ID} / G_{I0} [-]";
-  chart.x_range = {0.0, 1.05};
-  chart.y_range = {0.0, {}};
-  chart.key_outside = true;
-  chart.series = {reference("Broberg", theory::broberg), reference("Freund", theory::freund),
-                  reference("strip", theory::strip)};
-  return chart;
-}
-
 ChartSeries series_of(const std::string& label, const Curve& curve, int colour) {
   ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
   for (const CurvePoint& p : curve) {
@@ -134,12 +112,23 @@ std::vector<SummaryRow> first_specimen(const Evidence& evidence, Selection selec
   return list;
 }
 
-/// One column of the series against tip position, a curve per velocity.
+/// Where on its curve the first echo of the start is back at the tip, if that is on the curve.
+void mark_echo(ChartSeries& marks, const ChartSeries& curve, const SummaryRow& row) {
+  const double at = number_in(row, "echo_free_over_length");
+  const auto after = std::lower_bound(curve.x.begin(), curve.x.end(), at);
+  if (std::isnan(at) || after == curve.x.end()) return;
+  marks.x.push_back(at);
+  marks.y.push_back(curve.y[static_cast<std::size_t>(after - curve.x.begin())]);
+}
+
+/// One column of the series against tip position, a curve per velocity, each marked where a boundary's echo is
+/// back.
 bool against_position(Chart& chart, const Evidence& evidence, const Selection& selection,
                       const char* column) {
   chart.x_label = "tip position / length [-]";
   chart.key_outside = true;
   int colour = 0;
+  ChartSeries echo{"first echo back from a boundary", {}, {}, {}, Style::points, -1};
   for (const SummaryRow& row : first_specimen(evidence, selection)) {
     const SeriesTable table = evidence.series(row);
     ChartSeries series{
@@ -149,8 +138,11 @@ bool against_position(Chart& chart, const Evidence& evidence, const Selection& s
       series.x.push_back(table.at("tip_m")[k] / number_in(row, "length_m"));
       series.y.push_back(table.at(column)[k]);
     }
-    if (!series.x.empty()) chart.series.push_back(std::move(series));
+    if (series.x.empty()) continue;
+    mark_echo(echo, series, row);
+    chart.series.push_back(std::move(series));
   }
+  if (!echo.x.empty()) chart.series.push_back(std::move(echo));
   return !chart.series.empty();
 }
 

@@ -221,7 +221,8 @@ TEST(Claims, AreThoseOfThePaperEachOnce) {
   for (const char* name : {"table1", "table2", "sec2_linear", "sec3_specimens", "sec3_damping",
                            "sec4_time_step", "sec4_longer", "sec5_paths", "sec5_residual", "sec5_bending"})
     EXPECT_TRUE(names.contains(name)) << name;
-  EXPECT_EQ(names.size(), 27u);
+  const auto beyond = std::count_if(claims().begin(), claims().end(), [](const Claim& c) { return c.beyond; });
+  EXPECT_EQ(names.size(), 27u + static_cast<unsigned>(beyond));
 }
 
 TEST(Claims, AreJudgedOrSayWhyNot) {

@@ -1,0 +1,224 @@
+#include "engine/study/beyond.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace rift {
+namespace {
+
+constexpr double paper_relaxation = 1.0, paper_zone = 1.0;
+constexpr double broberg_goal = 0.02;  // of G_ID / eta, relative
+
+long key_of(double number) { return std::lround(1e6 * number); }
+
+bool of_strip(const SummaryRow& row) {
+  return row.is_object() && text_in(row, "technique") == "progressive" && !(number_in(row, "tips") > 1.5);
+}
+
+/// "0.97 at 0.1, 0.62 at 0.5"
+std::string listed_at(const std::vector<EfficiencyPoint>& points) {
+  std::string list;
+  for (const EfficiencyPoint& p : points)
+    list += fmt::format("{}{:.3f} at {:g}", list.empty() ? "" : ", ", mean_of(p.ratio), p.v);
+  return list;
+}
+
+const EfficiencyPoint* find_point(const std::vector<EfficiencyPoint>& points, double v) {
+  const auto found = std::find_if(points.begin(), points.end(),
+                                  [&](const EfficiencyPoint& p) { return key_of(p.v) == key_of(v); });
+  return found == points.end() ? nullptr : &*found;
+}
+
+/// Efficiency of the strip by the zone's length, linear relaxation.
+std::map<long, std::vector<EfficiencyPoint>> by_zone(const Evidence& evidence) {
+  std::map<long, std::vector<EfficiencyPoint>> zones;
+  for (const double zone : zones_of(evidence)) zones[key_of(zone)] = efficiency(evidence, 1.0, zone);
+  return zones;
+}
+
+}  // namespace
+
+std::vector<MapCell> map_of(const Evidence& evidence) {
+  std::map<std::pair<long, long>, MapCell> cells;
+  for (const SummaryRow& row : evidence.rows) {
+    if (!of_strip(row) || std::isnan(number_in(row, "ratio_with_damping"))) continue;
+    const double power = number_in(row, "relaxation"), zone = number_in(row, "damage_zone_ratio");
+    MapCell& cell = cells[{key_of(power), key_of(zone)}];
+    cell.relaxation = power, cell.zone = zone;
+    cell.v.push_back(number_in(row, "crack_velocity_over_cr"));
+    cell.ratio.push_back(number_in(row, "ratio_with_damping"));
+    cell.distance.push_back(std::abs(number_in(row, "error_broberg")));
+    cell.wall_s += number_in(row, "wall_fracture_s");
+  }
+  std::vector<MapCell> list;
+  for (auto& [place, cell] : cells) list.push_back(std::move(cell));
+  return list;
+}
+
+std::vector<double> zones_of(const Evidence& evidence) {
+  std::map<long, double> zones;
+  for (const SummaryRow& row : evidence.rows)
+    if (of_strip(row)) zones[key_of(number_in(row, "damage_zone_ratio"))] = number_in(row, "damage_zone_ratio");
+  std::vector<double> list;
+  for (const auto& [key, zone] : zones) list.push_back(zone);
+  return list;
+}
+
+std::vector<EfficiencyPoint> efficiency(const Evidence& evidence, double relaxation, double zone) {
+  std::map<long, EfficiencyPoint> points;
+  for (const SummaryRow& row : evidence.rows) {
+    if (!of_strip(row) || std::isnan(number_in(row, "ratio_with_damping"))) continue;
+    if (key_of(number_in(row, "relaxation")) != key_of(relaxation) ||
+        key_of(number_in(row, "damage_zone_ratio")) != key_of(zone))
+      continue;
+    const double v = number_in(row, "crack_velocity_over_cr");
+    EfficiencyPoint& point = points[key_of(v)];
+    point.v = v;
+    point.ratio.push_back(number_in(row, "ratio_with_damping"));
+    point.along.push_back(number_in(row, "ratio_scatter"));
+  }
+  std::vector<EfficiencyPoint> list;
+  for (auto& [key, point] : points) list.push_back(std::move(point));
+  return list;
+}
+
+std::vector<WakeBand> wake_bands(const SummaryRow& row) {
+  std::vector<WakeBand> bands;
+  if (!row.contains("wake_kinetic_j") || row.at("wake_kinetic_j").empty()) return bands;
+  const auto energy = row.at("wake_kinetic_j").get<std::vector<double>>();
+  const auto cell = row.at("wake_cell_m").get<std::vector<double>>();
+  double all = number_in(row, "wake_rotation_j");
+  for (double e : energy) all += e;
+  const double radius = number_in(row, "mean_radius_m");
+  for (std::size_t k = 0; k + 1 < energy.size(); ++k) bands.push_back({cell[k] / radius, energy[k] / all});
+  bands.push_back({2.0 * cell.back() / radius, energy.back() / all});
+  return bands;
+}
+
+std::vector<OwnProblem> own_problem(const Evidence& evidence) {
+  const auto zones = by_zone(evidence);
+  std::vector<OwnProblem> points;
+  for (const SummaryRow& row : evidence.rows) {
+    if (!(number_in(row, "tips") > 1.5) || std::isnan(number_in(row, "ratio_with_damping"))) continue;
+    OwnProblem p{.v = number_in(row, "crack_velocity_over_cr"),
+                 .zone = number_in(row, "damage_zone_ratio"),
+                 .radius_m = number_in(row, "mean_radius_m"),
+                 .ratio = number_in(row, "ratio_with_damping"),
+                 .broberg = number_in(row, "broberg")};
+    const double length = number_in(row, "length_m");
+    p.half_length_m = 0.5 * length *
+                      (row.at("window_over_length")[0].get<double>() + row.at("window_over_length")[1].get<double>());
+    const auto zone = zones.find(key_of(p.zone));
+    const EfficiencyPoint* eta = zone == zones.end() ? nullptr : find_point(zone->second, p.v);
+    if (eta) p.efficiency = mean_of(eta->ratio), p.scatter = deviation_of(eta->ratio);
+    points.push_back(p);
+  }
+  std::sort(points.begin(), points.end(), [](const OwnProblem& a, const OwnProblem& b) {
+    return std::tuple(a.v, a.zone, b.radius_m) < std::tuple(b.v, b.zone, a.radius_m);
+  });
+  return points;
+}
+
+std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points) {
+  std::vector<Extrapolated> list;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const OwnProblem &coarse = points[k], &fine = points[k + 1];
+    if (key_of(coarse.v) != key_of(fine.v) || key_of(coarse.zone) != key_of(fine.zone)) continue;
+    const double x = coarse.radius_m / coarse.half_length_m, y = fine.radius_m / fine.half_length_m;
+    const double of_coarse = coarse.ratio / coarse.efficiency, of_fine = fine.ratio / fine.efficiency;
+    const double limit = of_fine + (of_fine - of_coarse) * y / (x - y);
+    if (std::isfinite(limit)) list.push_back({fine.v, fine.zone, limit, fine.broberg, fine.scatter / fine.efficiency});
+  }
+  return list;
+}
+
+namespace judges {
+
+Judgement beyond_map(const Evidence& evidence) {
+  const std::vector<MapCell> cells = map_of(evidence);
+  const MapCell *best = nullptr, *paper = nullptr;
+  for (const MapCell& cell : cells) {
+    if (!best || mean_of(cell.distance) < mean_of(best->distance)) best = &cell;
+    if (key_of(cell.relaxation) == key_of(paper_relaxation) && key_of(cell.zone) == key_of(paper_zone)) paper = &cell;
+  }
+  if (!best || !paper) return {Verdict::not_decidable, "no result"};
+  std::string each;
+  for (std::size_t k = 0; k < best->v.size(); ++k)
+    each += fmt::format("{}{:.3f} at {:g}", k == 0 ? "" : ", ", best->distance[k], best->v[k]);
+  const auto per_scenario = [](const MapCell& cell) { return cell.wall_s / static_cast<double>(cell.v.size()); };
+  return {mean_of(best->distance) <= near_margin ? Verdict::holds : Verdict::does_not_hold,
+          fmt::format("best of {}: p = {:g}, r_l = {:g}, mean |delta| {:.3f} ({}), {:.2f} s a scenario; the "
+                      "paper's p = 1, r_l = 1: {:.3f}, {:.2f} s",
+                      cells.size(), best->relaxation, best->zone, mean_of(best->distance), each,
+                      per_scenario(*best), mean_of(paper->distance), per_scenario(*paper))};
+}
+
+Judgement beyond_efficiency(const Evidence& evidence) {
+  const auto zones = by_zone(evidence);
+  if (zones.empty()) return {Verdict::not_decidable, "no result"};
+  std::string text;
+  for (const auto& [key, points] : zones)
+    text += fmt::format("{}r_l = {:g}: {}", text.empty() ? "" : "; ", 1e-6 * static_cast<double>(key), listed_at(points));
+  double farthest = 0.0, scatter = 0.0;
+  for (const EfficiencyPoint& p : zones.rbegin()->second) {
+    farthest = std::max(farthest, std::abs(mean_of(p.ratio) - 1.0));
+    scatter = std::max(scatter, std::max(deviation_of(p.ratio), mean_of(p.along)));
+  }
+  if (zones.rbegin()->second.empty()) return {Verdict::not_decidable, "no result"};
+  return {farthest <= near_margin ? Verdict::holds : Verdict::does_not_hold,
+          fmt::format("{}; the longest zone is within {:.3f} of 1, scatter at most {:.3f}", text, farthest, scatter)};
+}
+
+Judgement beyond_broberg(const Evidence& evidence) {
+  const std::vector<Extrapolated> limits = extrapolated(own_problem(evidence));
+  if (limits.empty()) return {Verdict::not_decidable, "no result"};
+  std::vector<double> away, scatter;
+  std::string text;
+  for (const Extrapolated& e : limits) {
+    away.push_back(std::abs(e.limit / e.broberg - 1.0));
+    scatter.push_back(e.scatter);
+    text += fmt::format("{}{:.3f} ({:+.1f} %) at {:g}, r_l = {:g}", text.empty() ? "" : ", ", e.limit,
+                        100.0 * (e.limit / e.broberg - 1.0), e.v, e.zone);
+  }
+  const Verdict verdict = mean_of(scatter) > broberg_goal ? Verdict::not_decidable
+                          : mean_of(away) <= broberg_goal ? Verdict::holds
+                                                          : Verdict::does_not_hold;
+  return {verdict, fmt::format("G_ID / eta for R to 0: {}; mean {:.1f} % off Broberg, eta scatters by {:.1f} %", text,
+                               100.0 * mean_of(away), 100.0 * mean_of(scatter))};
+}
+
+}  // namespace judges
+
+std::vector<Claim> beyond_the_paper() {
+  return {
+      {.name = "beyond_map",
+       .artefact = "Relaxation and damage zone",
+       .text = "Some power p of the relaxation and length r_l of the damage zone is near Broberg (mean |delta| at "
+               "most 0.05) at 0.1 to 0.9 c_r in the paper's plate. It says nothing about the physics: there the strip "
+               "limit is due.",
+       .needs = {"beyond_map"},
+       .judge = judges::beyond_map,
+       .beyond = true},
+      {.name = "beyond_efficiency",
+       .artefact = "Lattice efficiency",
+       .text = "In a steady strip all stored energy arrives at the tip, so that the ratio is the lattice efficiency "
+               "eta(v, r_l, p). It tends to 1 (within 0.05 at every velocity) as the damage zone grows; what is "
+               "missing moves in short waves behind the tip.",
+       .needs = {"beyond_efficiency", "beyond_relaxation"},
+       .judge = judges::beyond_efficiency,
+       .beyond = true},
+      {.name = "beyond_broberg",
+       .artefact = "Broberg's own problem",
+       .text = "A crack that opens from zero in the middle of a large plate, before any echo: G_ID is eta times "
+               "Broberg's factor, and G_ID / eta tends to Broberg (within 2 %) as the elements grow small.",
+       .needs = {"beyond_broberg", "beyond_efficiency"},
+       .judge = judges::beyond_broberg,
+       .beyond = true},
+  };
+}
+
+}  // namespace rift

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/study/claims.hpp"
+
+#include <cmath>
+#include <vector>
+
+/// What goes beyond the paper: which damage zone agrees best, what the lattice itself takes, and Broberg's own
+/// problem   [physics.md §9].
+namespace rift {
+
+/// One relaxation and damage zone in the paper's plate, at several velocities.
+struct MapCell {
+  double relaxation = 0, zone = 0;          // p and r_l
+  std::vector<double> v, ratio, distance;   // |ratio - Broberg|
+  double wall_s = 0;                        // of all its scenarios
+};
+std::vector<MapCell> map_of(const Evidence& evidence);
+
+/// Ratio of the steady strip at a velocity, one entry per specimen.
+struct EfficiencyPoint {
+  double v = 0;
+  std::vector<double> ratio, along;  // and its scatter along the window
+};
+std::vector<EfficiencyPoint> efficiency(const Evidence& evidence, double relaxation, double zone);
+
+/// Lengths of the damage zones of the strip, ascending [mean radii].
+std::vector<double> zones_of(const Evidence& evidence);
+
+/// Share of the wake's kinetic energy, rotation counted in, in motion of one size: within cells of this side
+/// [mean radii], but of smaller ones as wholes   [Wake]. The last is all larger motion.
+struct WakeBand {
+  double cell = 0, share = 0;
+};
+std::vector<WakeBand> wake_bands(const SummaryRow& row);
+
+/// Broberg's own problem at one velocity, zone and size, beside the efficiency of the strip there (NaN: none).
+struct OwnProblem {
+  double v = 0, zone = 0, radius_m = 0, half_length_m = 0;  // in the middle of the window
+  double ratio = 0, broberg = 0;
+  double efficiency = NAN, scatter = NAN;  // of the specimens
+};
+std::vector<OwnProblem> own_problem(const Evidence& evidence);
+
+/// Ratio over efficiency, from two sizes straight on to R / a = 0.
+struct Extrapolated {
+  double v = 0, zone = 0, limit = 0, broberg = 0, scatter = 0;  // of the efficiency, relative
+};
+std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points);
+
+/// The findings, told like claims.
+std::vector<Claim> beyond_the_paper();
+
+}  // namespace rift

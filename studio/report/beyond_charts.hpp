@@ -1,0 +1,14 @@
+#pragma once
+
+#include "studio/report/reproduction.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace rift::studio {
+
+/// Draws the figures of a finding beyond the paper; none where there is nothing to draw.
+std::vector<Figure> draw_beyond(const Claim& claim, const Evidence& evidence,
+                                const std::filesystem::path& folder);
+
+}  // namespace rift::studio
