@@ -1,10 +1,12 @@
 #include "engine/scene/derived.hpp"
 
+#include "engine/theory/echo.hpp"
 #include "engine/theory/wave_speeds.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace rift {
@@ -67,6 +69,18 @@ std::array<double, 2> window_over_length(const Scene& scene) {
 double crack_end(const Scene& scene) {
   if (scene.crack.end) return *scene.crack.end;
   return window_over_length(scene)[1] * scene.specimen.length;
+}
+
+double echo_free_tip_m(const Scene& scene) {
+  if (scene.crack.velocity.size() != 1) return std::numeric_limits<double>::quiet_NaN();
+  const Scene::Material& m = scene.material;
+  const theory::WaveSpeeds speeds =
+      theory::wave_speeds(m.young_modulus, m.poisson_ratio, density(scene), m.plane);
+  const double path = path_height_m(scene), start = scene.crack.start;
+  const double to_grip = std::min(path, scene.specimen.height - path);
+  const double way = scene.specimen.length / scene.crack.tips;  // of a tip, from the plate's edge or middle
+  return start + theory::echo_free_advance(speed_m_s(scene.crack.velocity.front().speed, speeds.rayleigh),
+                                           2.0 * to_grip, way - start, speeds.dilatational);
 }
 
 }  // namespace rift

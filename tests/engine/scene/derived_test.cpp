@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,30 @@ TEST(CrackEnd, IsTheEndOfTheWindowUnlessGiven) {
   EXPECT_NEAR(crack_end(scene_of({})), 0.08, 1e-15);
   EXPECT_NEAR(crack_end(scene_of({"crack.velocity=0.9 c_r"})), 0.12, 1e-15);
   EXPECT_EQ(crack_end(scene_of({"crack.end=150 mm"})), 0.15);
+}
+
+TEST(EchoFreeTip, IsTheAdvanceFromTheStart) {
+  EXPECT_NEAR(echo_free_tip_m(scene_of({})), 11.3e-3, 0.05e-3);  // physics.md §9.4 gives three digits
+  EXPECT_NEAR(echo_free_tip_m(scene_of({"crack.velocity=1 c_r"})), 25.8e-3, 0.05e-3);
+  const double advance = echo_free_tip_m(scene_of({}));
+  EXPECT_NEAR(echo_free_tip_m(scene_of({"crack.velocity=1100 m/s"})), advance, 1e-12);
+  EXPECT_NEAR(echo_free_tip_m(scene_of({"crack.start=30 mm"})), 0.03 + advance, 1e-12);
+  // In linear elasticity time scales with c_r: the advance does not depend on it.
+  EXPECT_NEAR(echo_free_tip_m(scene_of({"material.density=1000"})), advance, 1e-12);
+}
+
+TEST(EchoFreeTip, ComesFromTheNearerGripOrTheEndOfThePlate) {
+  const double advance = echo_free_tip_m(scene_of({}));
+  for (const char* path : {"crack.path=0.1 H", "crack.path=0.9 H"})
+    EXPECT_NEAR(echo_free_tip_m(scene_of({path})), 0.2 * advance, 1e-12);
+  // 2 W v / (c_d + v) with W = 2 mm, v = 0.2710 c_d
+  EXPECT_NEAR(echo_free_tip_m(scene_of({"crack.start=198 mm", "output.window=[0.992, 1]"})),
+              0.198 + 4e-3 * 0.2710 / 1.2710, 1e-7);
+}
+
+TEST(EchoFreeTip, IsUnknownWhereTheCrackChangesItsVelocity) {
+  EXPECT_TRUE(std::isnan(echo_free_tip_m(scene_of({"crack.velocity=0.2 c_r until 20 mm, 1 c_r"}))));
+  EXPECT_TRUE(std::isinf(echo_free_tip_m(scene_of({"crack.velocity=1.9 c_r"}))));  // c_d = 1.845 c_r
 }
 
 }  // namespace
