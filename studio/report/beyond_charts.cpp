@@ -23,6 +23,9 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// The cells' values over r_l (columns) and p (rows).
 HeatMap map_chart(const std::vector<MapCell>& cells, const std::string& title,
                   const std::function<double(const MapCell&)>& value) {
+  double farthest = 0.0;  // of any cell and velocity, so that all maps have the same colours
+  for (const MapCell& cell : cells)
+    farthest = std::max(farthest, *std::max_element(cell.distance.begin(), cell.distance.end()));
   std::set<double> zones, powers;
   for (const MapCell& cell : cells) zones.insert(cell.zone), powers.insert(cell.relaxation);
   HeatMap map{.title = title,
@@ -33,7 +36,7 @@ HeatMap map_chart(const std::vector<MapCell>& cells, const std::string& title,
               .y = {powers.begin(), powers.end()},
               .value = std::vector<double>(zones.size() * powers.size(), nothing),
               .text = std::vector<std::string>(zones.size() * powers.size()),
-              .value_range = {0.0, 0.4}};
+              .value_range = {0.0, farthest}};
   for (const MapCell& cell : cells) {
     const auto column = std::distance(zones.begin(), zones.find(cell.zone));
     const auto row = std::distance(powers.begin(), powers.find(cell.relaxation));
@@ -149,7 +152,8 @@ void add_wakes(std::vector<Figure>& figures, const Evidence& evidence, const fs:
   }
   const auto add = [&](const std::string& name, const std::string& title, const auto& rows) {
     const Chart chart = wake_chart(title, rows);
-    if (!chart.series.empty()) figures.push_back({draw_chart(chart, folder, name), title + "."});
+    if (!chart.series.empty())
+      figures.push_back({draw_chart(chart, folder, name), title + "; what the bands lack of 1 is rotation."});
   };
   add("beyond_wake_zone", "Kinetic energy behind the tip by size, 0.5 c_r", zones);
   add("beyond_wake_velocity", "Kinetic energy behind the tip by size, r_l = 1", velocities);

@@ -1,5 +1,6 @@
 #include "studio/report/reproduction_charts.hpp"
 
+#include "studio/report/echo_mark.hpp"
 #include "studio/report/velocity_chart.hpp"
 
 #include <fmt/format.h>
@@ -112,15 +113,6 @@ std::vector<SummaryRow> first_specimen(const Evidence& evidence, Selection selec
   return list;
 }
 
-/// Where on its curve the first echo of the start is back at the tip, if that is on the curve.
-void mark_echo(ChartSeries& marks, const ChartSeries& curve, const SummaryRow& row) {
-  const double at = number_in(row, "echo_free_over_length");
-  const auto after = std::lower_bound(curve.x.begin(), curve.x.end(), at);
-  if (std::isnan(at) || after == curve.x.end()) return;
-  marks.x.push_back(at);
-  marks.y.push_back(curve.y[static_cast<std::size_t>(after - curve.x.begin())]);
-}
-
 /// One column of the series against tip position, a curve per velocity, each marked where a boundary's echo is
 /// back.
 bool against_position(Chart& chart, const Evidence& evidence, const Selection& selection,
@@ -128,7 +120,7 @@ bool against_position(Chart& chart, const Evidence& evidence, const Selection& s
   chart.x_label = "tip position / length [-]";
   chart.key_outside = true;
   int colour = 0;
-  ChartSeries echo{"first echo back from a boundary", {}, {}, {}, Style::points, -1};
+  ChartSeries echo = echo_marks();
   for (const SummaryRow& row : first_specimen(evidence, selection)) {
     const SeriesTable table = evidence.series(row);
     ChartSeries series{
@@ -139,7 +131,7 @@ bool against_position(Chart& chart, const Evidence& evidence, const Selection& s
       series.y.push_back(table.at(column)[k]);
     }
     if (series.x.empty()) continue;
-    mark_echo(echo, series, row);
+    mark_echo(echo, series, number_in(row, "echo_free_over_length"));
     chart.series.push_back(std::move(series));
   }
   if (!echo.x.empty()) chart.series.push_back(std::move(echo));

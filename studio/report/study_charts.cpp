@@ -1,7 +1,9 @@
 #include "studio/report/study_charts.hpp"
 
 #include "engine/results/files.hpp"
+#include "engine/study/curve.hpp"
 #include "engine/theory/references.hpp"
+#include "studio/report/echo_mark.hpp"
 #include "studio/report/label.hpp"
 #include "studio/report/study_table.hpp"
 
@@ -121,6 +123,11 @@ ChartSeries against_tip(const SummaryRow& row, const std::filesystem::path& csv,
   return series;
 }
 
+/// Tip position up to which no echo has come back [mm]; NaN where the row does not know.
+double echo_free_mm(const SummaryRow& row) {
+  return 1e3 * number_in(row, "echo_free_over_length") * number_in(row, "length_m");
+}
+
 }  // namespace
 
 std::string axes_label(const Json& axes) {
@@ -167,6 +174,7 @@ std::vector<NamedChart> velocity_charts(const std::vector<SummaryRow>& rows) {
 std::vector<NamedChart> tip_charts(const std::vector<SummaryRow>& rows,
                                    const std::vector<std::filesystem::path>& series) {
   std::vector<NamedChart> charts;
+  std::vector<ChartSeries> echo;  // of each chart
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].is_null()) continue;
     if (charts.empty() || charts.back().chart.series.size() == most_curves) {
@@ -176,12 +184,18 @@ std::vector<NamedChart> tip_charts(const std::vector<SummaryRow>& rows,
       chart.y_label = "G_{ID} / G_{I0} [-]";
       chart.key_outside = true;
       charts.push_back({numbered("ratio_tip", charts.size()),
-                        "Release rate against tip position, damping included.", chart});
+                        "Release rate against tip position, damping included; free of a boundary's echo up to the dot.",
+                        chart});
+      echo.push_back(echo_marks());
     }
     std::vector<ChartSeries>& drawn = charts.back().chart.series;
     ChartSeries curve = against_tip(rows[k], series[k], static_cast<int>(drawn.size()));
-    if (has_points(curve)) drawn.push_back(std::move(curve));
+    if (!has_points(curve)) continue;
+    mark_echo(echo.back(), curve, echo_free_mm(rows[k]));
+    drawn.push_back(std::move(curve));
   }
+  for (std::size_t k = 0; k < charts.size(); ++k)
+    if (!echo[k].x.empty()) charts[k].chart.series.push_back(echo[k]);
   std::erase_if(charts, [](const NamedChart& named) { return named.chart.series.empty(); });
   return charts;
 }
