@@ -15,6 +15,7 @@ Judgement fig12(const Evidence& evidence);
 Judgement fig13(const Evidence& evidence);
 Judgement fig14(const Evidence& evidence);
 Judgement fig15(const Evidence& evidence);
+Judgement table1(const Evidence& evidence);
 Judgement sec2_linear(const Evidence& evidence);
 Judgement sec3_specimens(const Evidence& evidence);
 Judgement sec3_damping(const Evidence& evidence);

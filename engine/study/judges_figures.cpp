@@ -150,4 +150,15 @@ Judgement fig15(const Evidence& evidence) {
   return all_of(parts);
 }
 
+Judgement table1(const Evidence& evidence) {
+  constexpr double rounding = 1e-10;
+  for (const SummaryRow& row : evidence.rows) {
+    const double residual = number_in(row, "ledger_residual");
+    if (text_in(row, "precision") != "double" || std::isnan(residual)) continue;
+    return {residual <= rounding ? Verdict::holds : Verdict::does_not_hold,
+            fmt::format("books close to {:.1e} over {:.0f} steps", residual, number_in(row, "steps"))};
+  }
+  return {Verdict::not_decidable, "no result"};
+}
+
 }  // namespace rift::judges

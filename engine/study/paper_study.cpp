@@ -22,7 +22,6 @@ std::vector<Scene> scenes_of(const Preset& preset) {
   for (const StiffnessChoice stiffness : {StiffnessChoice::bulk, StiffnessChoice::in_situ}) {
     scenes.push_back(preset.scene);
     scenes.back().material.stiffness = stiffness;
-    scenes.back().solver.precision = Precision::single_precision;
     scenes.back().output.frames = 0;
   }
   return scenes;

@@ -23,8 +23,8 @@ enum class Effort { full, quick };
 /// Elements of the plate that stands for the paper's.
 int plate_elements(Effort effort);
 
-/// Merges presets without issues. One without a study stands for its own scene with both stiffnesses, in
-/// single precision and without frames.
+/// Merges presets without issues. One without a study stands for its own scene with both stiffnesses, without
+/// frames.
 PaperStudy merge_presets(const std::vector<std::pair<std::string, Preset>>& presets, Effort effort);
 
 }  // namespace rift

@@ -1,0 +1,87 @@
+#include "engine/study/beyond.hpp"
+#include "engine/study/judges.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rift {
+namespace {
+
+SummaryRow strip_row(double v, double zone, double ratio, long seed, double relaxation = 1.0) {
+  return {{"technique", "progressive"}, {"relaxation", relaxation},     {"damage_zone_ratio", zone},
+          {"crack_velocity_over_cr", v}, {"ratio_with_damping", ratio}, {"ratio_scatter", 0.01},
+          {"error_broberg", ratio - 0.5}, {"seed", seed},               {"wall_fracture_s", 2.0},
+          {"tips", 1}};
+}
+
+SummaryRow own_row(double v, double zone, double ratio, double radius, double broberg) {
+  SummaryRow row = strip_row(v, zone, ratio, 1);
+  row["tips"] = 2, row["mean_radius_m"] = radius, row["broberg"] = broberg, row["length_m"] = 0.2;
+  row["window_over_length"] = {0.1, 0.3};  // 40 mm in the middle
+  return row;
+}
+
+TEST(Beyond, EfficiencyIsTheStripsRatioOverItsSpecimens) {
+  const Evidence evidence{.rows = {strip_row(0.5, 4, 0.8, 1), strip_row(0.5, 4, 0.9, 2), strip_row(0.3, 4, 0.95, 1),
+                                   strip_row(0.5, 8, 0.99, 1), strip_row(0.5, 4, 0.1, 1, 2.0),
+                                   own_row(0.5, 4, 0.2, 1e-3, 0.5)}};
+  const std::vector<EfficiencyPoint> points = efficiency(evidence, 1.0, 4.0);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0].v, 0.3);
+  EXPECT_EQ(points[1].ratio, (std::vector<double>{0.8, 0.9}));
+  EXPECT_EQ(zones_of(evidence), (std::vector<double>{4.0, 8.0}));
+}
+
+// ratio = eta Broberg (1 + 3 R / a): straight on to R = 0 it is eta Broberg.
+TEST(Beyond, OwnProblemIsTakenStraightOnToNoRadius) {
+  const double eta = 0.8, broberg = 0.52, half_length = 0.04;
+  Evidence evidence{.rows = {strip_row(0.5, 4, eta, 1)}};
+  for (const double radius : {1e-3, 0.5e-3})
+    evidence.rows.push_back(own_row(0.5, 4, eta * broberg * (1.0 + 3.0 * radius / half_length), radius, broberg));
+  const std::vector<Extrapolated> limits = extrapolated(own_problem(evidence));
+  ASSERT_EQ(limits.size(), 1U);
+  EXPECT_NEAR(limits[0].limit, broberg, 1e-12);
+  EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::holds);
+  evidence.rows[0] = strip_row(0.5, 4, 0.9, 1);
+  EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::does_not_hold);
+}
+
+TEST(Beyond, WithoutTheStripAtThatZoneNothingIsExtrapolated) {
+  const Evidence evidence{.rows = {strip_row(0.5, 8, 0.9, 1), own_row(0.5, 4, 0.4, 1e-3, 0.52),
+                                   own_row(0.5, 4, 0.41, 0.5e-3, 0.52)}};
+  EXPECT_TRUE(extrapolated(own_problem(evidence)).empty());
+  EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::not_decidable);
+}
+
+TEST(Beyond, MapFindsTheCellNearestToBroberg) {
+  const Evidence evidence{.rows = {strip_row(0.5, 1, 0.7, 1), strip_row(0.3, 1, 0.5, 1),
+                                   strip_row(0.5, 2, 0.52, 1, 0.5), strip_row(0.3, 2, 0.52, 1, 0.5)}};
+  const std::vector<MapCell> cells = map_of(evidence);
+  ASSERT_EQ(cells.size(), 2U);
+  EXPECT_EQ(cells[0].relaxation, 0.5);
+  EXPECT_EQ(cells[1].wall_s, 4.0);
+  const Judgement judgement = judges::beyond_map(evidence);
+  EXPECT_EQ(judgement.verdict, Verdict::holds);
+  EXPECT_NE(judgement.measured.find("best of 2: p = 0.5, r_l = 2, mean |delta| 0.020"), std::string::npos)
+      << judgement.measured;
+}
+
+TEST(Beyond, AZoneThatTakesAllLetsTheEfficiencyHold) {
+  const Evidence all{.rows = {strip_row(0.5, 1, 0.6, 1), strip_row(0.5, 16, 0.97, 1)}},
+      some{.rows = {strip_row(0.5, 1, 0.6, 1), strip_row(0.5, 16, 0.9, 1)}};
+  EXPECT_EQ(judges::beyond_efficiency(all).verdict, Verdict::holds);
+  EXPECT_EQ(judges::beyond_efficiency(some).verdict, Verdict::does_not_hold);
+}
+
+TEST(Beyond, WakeBandsAreSharesOfAllThatMoves) {
+  const SummaryRow row{{"wake_cell_m", {2e-3, 4e-3}}, {"wake_kinetic_j", {5.0, 2.0, 1.0}},
+                       {"wake_rotation_j", 2.0},      {"mean_radius_m", 0.5e-3}};
+  const std::vector<WakeBand> bands = wake_bands(row);
+  ASSERT_EQ(bands.size(), 3U);
+  EXPECT_EQ(bands[0].cell, 4.0);
+  EXPECT_EQ(bands[0].share, 0.5);
+  EXPECT_EQ(bands[2].cell, 16.0);
+  EXPECT_TRUE(wake_bands(SummaryRow{{"wake_kinetic_j", nlohmann::ordered_json::array()}}).empty());
+}
+
+}  // namespace
+}  // namespace rift
