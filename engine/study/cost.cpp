@@ -37,11 +37,20 @@ double estimated_step(const Scene& scene) {
 
 }  // namespace
 
-double estimated_beam_steps(const Scene& scene) {
-  double steps = crack_time(scene) / estimated_step(scene);
+Length estimated_length(const Scene& scene) {
+  const double step = estimated_step(scene);
+  double steps = crack_time(scene) / step;
   if (scene.loading.method == LoadingMethod::ramp)
     steps += scene.loading.ramp_steps + scene.loading.hold_steps;
-  return beams_per_element * scene.specimen.elements * steps;
+  return {step, static_cast<std::int64_t>(steps)};
+}
+
+double estimated_step_cost(const Scene& scene) {
+  const double damping = scene.damping.region == DampingRegion::all       ? 4.0
+                         : scene.damping.region == DampingRegion::surface ? 1.5
+                                                                          : 1.0;
+  const double turning = scene.solver.kinematics == Kinematics::corotational ? 3.5 : 1.0;
+  return damping * turning * beams_per_element * scene.specimen.elements;
 }
 
 double estimated_preparation(const Scene& scene) {

@@ -2,13 +2,24 @@
 
 #include "engine/scene/scene.hpp"
 
+#include <cstdint>
+
 namespace rift {
 
-/// Beam-steps that a scenario takes: elements x 3 x steps, with a critical step of 0.63 R / c_r (measured on
-/// the quickstart plate). An estimate that needs no lattice, for bars and for asking before a long study.
-double estimated_beam_steps(const Scene& scene);
+/// Estimates that need no lattice, for bars and for asking before a long study.
 
-/// The same for packing and pre-stress, in beam-steps that take as long.
+/// Step and steps of a scenario, with a critical step of 0.63 R / c_r (measured on the quickstart plate).
+struct Length {
+  double step_s = 0;
+  std::int64_t steps = 0;
+};
+Length estimated_length(const Scene& scene);
+
+/// What a step costs: the scene's beams, as many times as its damping and its kinematics make them dearer
+/// [rift bench --needs]. The unit is a walk over one beam for as many lanes as march side by side.
+double estimated_step_cost(const Scene& scene);
+
+/// The same for packing and pre-stress together.
 double estimated_preparation(const Scene& scene);
 
 }  // namespace rift

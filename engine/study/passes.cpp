@@ -26,17 +26,14 @@ std::vector<Width> widths() {
 }
 
 template <class Real>
-int fastest(const std::vector<std::int64_t>& steps) {
+Queue soonest_in(const std::vector<std::int64_t>& steps) {
   const auto longest = static_cast<double>(*std::max_element(steps.begin(), steps.end()));
   const auto all = static_cast<double>(std::accumulate(steps.begin(), steps.end(), std::int64_t{0}));
-  int best = 1;
-  double least = 0.0;
+  Queue best;
   for (const Width& width : widths<Real>()) {
     const int lanes = most_lanes<Real> / width.part;
     const double time = width.step * std::max(longest, all / lanes);
-    if (least > 0.0 && time >= least) continue;
-    least = time;
-    best = lanes;
+    if (best.time == 0.0 || time < best.time) best = {lanes, time};
   }
   return best;
 }
@@ -54,7 +51,7 @@ std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lan
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return length(a) > length(b); });
   const Precision precision = lanes.front().scene.solver.precision;
-  const auto most = static_cast<std::size_t>(lanes_for_queue(std::vector<std::int64_t>(100, 1), precision));
+  const auto most = static_cast<std::size_t>(soonest(std::vector<std::int64_t>(100, 1), precision).lanes);
   const bool ramp = lanes.front().scene.loading.method == LoadingMethod::ramp;
   std::vector<std::vector<std::size_t>> passes;
   for (const std::size_t k : order) {
@@ -71,8 +68,8 @@ std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lan
   return passes;
 }
 
-int lanes_for_queue(const std::vector<std::int64_t>& steps, Precision precision) {
-  return precision == Precision::single_precision ? fastest<float>(steps) : fastest<double>(steps);
+Queue soonest(const std::vector<std::int64_t>& steps, Precision precision) {
+  return precision == Precision::single_precision ? soonest_in<float>(steps) : soonest_in<double>(steps);
 }
 
 }  // namespace rift

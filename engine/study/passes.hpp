@@ -12,9 +12,15 @@ namespace rift {
 /// pass then holds no more than march side by side.
 std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lanes);
 
-/// Lanes side by side with which a queue of scenarios is done soonest. One long scenario beside many short
-/// ones wants few lanes, as the last steps are its own; many of a length fill a register.
+/// How a queue of scenarios is done soonest.
+struct Queue {
+  int lanes = 1;    // side by side
+  double time = 0;  // in steps of a kernel whose lanes fill half of 64 bytes
+};
+
+/// One long scenario beside many short ones wants few lanes, as the last steps are its own; many of a length
+/// fill a register.
 /// @param[in] steps  of each scenario
-int lanes_for_queue(const std::vector<std::int64_t>& steps, Precision precision);
+Queue soonest(const std::vector<std::int64_t>& steps, Precision precision);
 
 }  // namespace rift

@@ -4,10 +4,12 @@
 #include "engine/scene/parameters.hpp"
 #include "engine/study/cost.hpp"
 #include "engine/study/identity.hpp"
+#include "engine/study/passes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace rift {
 namespace {
@@ -28,6 +30,26 @@ std::string shared_text(Scene scene) {
   return text;
 }
 
+/// Scenarios of a group, of about equal step and damped or not, march in one pass: each costs its steps' share.
+void share_costs(std::vector<StudyItem>& items) {
+  std::map<std::tuple<int, long, bool>, std::vector<StudyItem*>> passes;
+  for (StudyItem& item : items) {
+    const long rung = std::lround(std::log2(estimated_length(item.scene).step_s));
+    passes[{item.group, rung, item.scene.damping.region != DampingRegion::none}].push_back(&item);
+  }
+  for (const auto& [kind, pass] : passes) {
+    std::vector<std::int64_t> steps;
+    double all = 0.0, dearest = 0.0;
+    for (const StudyItem* item : pass) {
+      steps.push_back(std::max<std::int64_t>(1, estimated_length(item->scene).steps));
+      all += static_cast<double>(steps.back());
+      dearest = std::max(dearest, estimated_step_cost(item->scene));
+    }
+    const double cost = dearest * soonest(steps, pass.front()->scene.solver.precision).time;
+    for (std::size_t k = 0; k < pass.size(); ++k) pass[k]->cost = cost * static_cast<double>(steps[k]) / all;
+  }
+}
+
 }  // namespace
 
 std::vector<StudyItem> plan_study(const Preset& preset, const std::string& version) {
@@ -38,12 +60,12 @@ std::vector<StudyItem> plan_study(const Preset& preset, const std::string& versi
     item.row = static_cast<int>(items.size());
     item.key = result_key(scene, version);
     item.group = groups.emplace(shared_text(scene), static_cast<int>(groups.size())).first->second;
-    item.cost = estimated_beam_steps(scene);
     item.scene = std::move(scene);
     items.push_back(std::move(item));
   }
   std::stable_sort(items.begin(), items.end(),
                    [](const StudyItem& a, const StudyItem& b) { return a.group < b.group; });
+  share_costs(items);
   return items;
 }
 

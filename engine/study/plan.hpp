@@ -13,7 +13,7 @@ struct StudyItem {
   Scene scene;
   std::string key;  // of its result
   int group = 0;    // those of one group share specimen, lattice and pre-stress
-  double cost = 0;  // [beam-steps], estimated
+  double cost = 0;  // its share of the pass that it marches in   [cost.hpp]
 };
 
 /// The scenarios of a study, group by group in the order of first appearance.

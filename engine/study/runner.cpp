@@ -34,7 +34,7 @@ struct Study {
   const StudyObserver& observer;
   StudyResult result = {};
   int there = 0;                   // scenarios computed or found
-  double cost = 0, cost_done = 0;  // [beam-steps] of what is to be computed
+  double cost = 0, cost_done = 0;  // of what is to be computed   [cost.hpp]
   bool stopped = false;
   std::vector<Issue> issues = {};
 
@@ -130,7 +130,7 @@ void march_pass(Study& study, const Prepared& prepared, const std::vector<StudyI
   std::vector<std::int64_t> steps;
   for (const LanePlan& lane : prepared.lane) steps.push_back(lane.schedule.total());
   const bool ramp = prepared.lane.front().schedule.ramp > 0;
-  const int lanes = ramp ? 0 : lanes_for_queue(steps, prepared.preset.scene.solver.precision);
+  const int lanes = ramp ? 0 : soonest(steps, prepared.preset.scene.solver.precision).lanes;
   march(prepared, observer, {.threads = study.options.threads, .lanes = lanes});
   study.cost_done += cost;
 }

@@ -200,7 +200,7 @@ ExitCode study(const StudyCommand& command) {
   const double seconds = estimated_seconds(preset, options, build_info());
   if (seconds > long_study_s && !command.yes && !budget)
     refuse(
-        fmt::format("about {} for what is missing (at 100 M beam-steps/s): --yes starts it, --budget TIME "
+        fmt::format("about {} for what is missing (at 100 M beams/s, lanes side by side): --yes starts it, --budget TIME "
                     "does what fits",
                     duration_text(seconds)));
   return compute(command, preset, options, budget);
