@@ -1,6 +1,6 @@
 #include "studio/report/reproduction_charts.hpp"
 
-#include "studio/report/echo_mark.hpp"
+#include "studio/report/position_chart.hpp"
 #include "studio/report/velocity_chart.hpp"
 
 #include <fmt/format.h>
@@ -113,31 +113,6 @@ std::vector<SummaryRow> first_specimen(const Evidence& evidence, Selection selec
   return list;
 }
 
-/// One column of the series against tip position, a curve per velocity, each marked where a boundary's echo is
-/// back.
-bool against_position(Chart& chart, const Evidence& evidence, const Selection& selection,
-                      const char* column) {
-  chart.x_label = "tip position / length [-]";
-  chart.key_outside = true;
-  int colour = 0;
-  ChartSeries echo = echo_marks();
-  for (const SummaryRow& row : first_specimen(evidence, selection)) {
-    const SeriesTable table = evidence.series(row);
-    ChartSeries series{
-        fmt::format("{:g} c_r", number_in(row, "crack_velocity_over_cr")), {}, {}, {}, Style::line, colour++};
-    for (std::size_t k = 0; k < table.phase.size(); ++k) {
-      if (table.phase[k] != "fracture") continue;
-      series.x.push_back(table.at("tip_m")[k] / number_in(row, "length_m"));
-      series.y.push_back(table.at(column)[k]);
-    }
-    if (series.x.empty()) continue;
-    mark_echo(echo, series, number_in(row, "echo_free_over_length"));
-    chart.series.push_back(std::move(series));
-  }
-  if (!echo.x.empty()) chart.series.push_back(std::move(echo));
-  return !chart.series.empty();
-}
-
 bool energies(Chart& chart, const Evidence& evidence) {
   for (const SummaryRow& row : evidence.rows) {
     if (!row.is_object() || text_in(row, "prestress_method") != "ramp") continue;
@@ -165,6 +140,7 @@ bool energies(Chart& chart, const Evidence& evidence) {
 }
 
 bool release_energies(Chart& chart, const Evidence& evidence) {
+  chart.key_outside = true;
   chart.x_label = "crack velocity v / c_r [-]";
   chart.y_label = "energy at release, per beam [mJ]";
   chart.y_range = {0.0, {}};
@@ -185,15 +161,9 @@ bool release_energies(Chart& chart, const Evidence& evidence) {
 bool fill(Chart& chart, const Claim& claim, const Evidence& evidence) {
   if (claim.name == "fig05") return energies(chart, evidence);
   if (claim.name == "sec5_residual") return release_energies(chart, evidence);
-  if (claim.name == "fig06" || claim.name == "fig13") {
-    chart.y_label = "G_{ID} / G_{I0} [-]";
-    return against_position(chart, evidence, claim.name == "fig06" ? simple_release() : Selection{},
-                            "ratio_with_damping");
-  }
-  if (claim.name == "sec2_linear") {
-    chart.y_label = "fracture energy [J]";
-    return against_position(chart, evidence, {}, "energy_fracture_j");
-  }
+  if (claim.name == "fig06") return draw_ratio_against_position(chart, evidence, simple_release());
+  if (claim.name == "fig13") return draw_ratio_against_position(chart, evidence, {});
+  if (claim.name == "sec2_linear") return draw_fracture_against_position(chart, evidence, {});
   const std::string title = chart.title;
   chart = chart_of_references(title);
   return claim.name == "fig01" || against_velocity(chart, claim, evidence);
