@@ -38,8 +38,14 @@ const Sample& row_nearest(const std::vector<Sample>& lane, double tip) {
 
 }  // namespace
 
+// The middle's: G_I0 is linear in a. Without a slope it is g_i0 to the last bit.
+double mean_g_i0(const RateScale& scale, double from, double to) {
+  return scale.g_i0 + scale.g_i0_slope * 0.5 * (from + to);
+}
+
 RatePoint rate_between(const Sample& from, const Sample& to, const RateScale& scale) {
-  const double unit = scale.thickness * (to.tip_m - from.tip_m) * scale.g_i0;
+  const double unit =
+      scale.thickness * (to.tip_m - from.tip_m) * mean_g_i0(scale, from.tip_m, to.tip_m) * scale.tips;
   const double ratio = (released(to) - released(from)) / unit;
   return {.tip_m = 0.5 * (from.tip_m + to.tip_m),
           .ratio = ratio,
@@ -53,6 +59,7 @@ std::vector<RatePoint> rate_curve(const std::vector<Sample>& lane, const RateSca
   const double half = 0.005 * scale.length;
   for (const Sample& s : lane) {
     if (s.tip_m - half < lane.front().tip_m || s.tip_m + half > lane.back().tip_m) continue;
+    if (scale.g_i0_slope > 0.0 && s.tip_m < half) continue;
     curve.push_back(rate_between(books_at(lane, s.tip_m - half), books_at(lane, s.tip_m + half), scale));
     curve.back().tip_m = s.tip_m;
   }

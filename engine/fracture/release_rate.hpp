@@ -7,23 +7,32 @@
 
 namespace rift {
 
-/// What a release rate is measured against.
+/// What a release rate is measured against: G_I0(a) = g_i0 + g_i0_slope a at each tip, for tip positions
+/// a >= 0. A strip has no slope; a central crack has nothing else, and a is its half length   [physics.md
+/// §7].
 struct RateScale {
-  double thickness = 0;  // b [m]
-  double g_i0 = 0;       // [J/m2]
-  double length = 0;     // L of the specimen [m]
+  double thickness = 0;   // b [m]
+  double g_i0 = 0;        // [J/m2]
+  double length = 0;      // L of the specimen [m]
+  double g_i0_slope = 0;  // [J/m3]
+  int tips = 1;           // that advance together
 };
+
+/// Mean of G_I0 over tip positions from one to another [J/m2].
+double mean_g_i0(const RateScale& scale, double from, double to);
 
 /// Release rates over G_I0 between two rows of the books   [physics.md §7; paper eq. (7)]:
 ///   ratio = (dW_ext - dW_elas - dK + dC - dW_damping - dW_numerical) / (b da G_I0), K with rotation
 ///   ratio_release = fracture energy / (b da G_I0);  with damping: ratio + damping;  translation only: K
 ///   without rotation
+/// where b da G_I0 is b times the integral of G_I0(a) da, summed over the tips.
 /// tip_m is the middle of the two.
 results::RatePoint rate_between(const results::Sample& from, const results::Sample& to,
                                 const RateScale& scale);
 
 /// Release rate against tip position: centred difference over 0.01 L around each row of the books, between
-/// neighbouring rows interpolated; none where that reaches beyond the first or the last row.
+/// neighbouring rows interpolated; none where that reaches beyond the first or the last row, or, with a
+/// slope, before a = 0, where there is no crack to refer to.
 /// @param[in] lane  rows of one lane in the fracture phase, in time
 std::vector<results::RatePoint> rate_curve(const std::vector<results::Sample>& lane, const RateScale& scale);
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace rift {
 namespace {
@@ -84,6 +86,51 @@ TEST(RateBetween, ShowsAnOpenLedgerAsADifferenceOfTheTwoRatios) {
   const RatePoint rate = rate_between(row_at(0.04, what), to, scale);
   EXPECT_NEAR(rate.ratio, 0.31, rounding);
   EXPECT_NEAR(rate.ratio_release, 0.41, rounding);
+}
+
+TEST(RateBetween, CountsBothOfTwoTips) {
+  RateScale two = scale;
+  two.tips = 2;
+  const Rates what{.fracture = 0.62};
+  EXPECT_NEAR(rate_between(row_at(0.04, what), row_at(0.08, what), two).ratio, 0.31, rounding);
+}
+
+// Releases b G_I0(a) da at each of two tips, summed up in small pieces: the ratio is 1.
+TEST(RateBetween, OfACentralCrackIsOverTheIntegralOfItsReference) {
+  const RateScale central{.thickness = 2e-3, .length = 0.2, .g_i0_slope = 3e7, .tips = 2};
+  for (const auto& [from, to] : {std::pair{0.0, 0.01}, std::pair{0.012, 0.013}, std::pair{0.02, 0.08}}) {
+    constexpr int pieces = 1000;
+    double energy = 0.0;  // trapezoids: exact for what is linear in a
+    for (int k = 0; k < pieces; ++k) {
+      const double a = from + (to - from) * k / pieces, next = from + (to - from) * (k + 1) / pieces;
+      energy += 2.0 * 2e-3 * 0.5 * (3e7 * a + 3e7 * next) * (next - a);
+    }
+    Sample first, last;
+    first.tip_m = from, last.tip_m = to;
+    first.elastic_j = 400.0, last.elastic_j = 400.0 - energy;
+    last.fracture_j = energy;
+    const RatePoint rate = rate_between(first, last, central);
+    EXPECT_NEAR(rate.ratio_release, 1.0, rounding) << from;
+    EXPECT_NEAR(rate.ratio * energy, energy, 400.0 * 1e-15) << from;
+  }
+}
+
+TEST(MeanGI0, IsTheMiddlesAndOfAStripItsOwnToTheLastBit) {
+  EXPECT_EQ(mean_g_i0(scale, -0.01, 0.3), scale.g_i0);
+  const RateScale central{.thickness = 2e-3, .length = 0.2, .g_i0_slope = 3e7, .tips = 2};
+  EXPECT_DOUBLE_EQ(mean_g_i0(central, 0.02, 0.04), 3e7 * 0.03);
+}
+
+// A zone ahead of the tip releases before there is a crack to refer to.
+TEST(RateCurve, OfACentralCrackBeginsWhereTheDifferenceBeginsAtNoLength) {
+  const RateScale central{.thickness = 2e-3, .length = 0.2, .g_i0_slope = 3e7, .tips = 2};
+  std::vector<Sample> lane;
+  for (int k = -10; k <= 100; ++k) lane.push_back(row_at(0.0005 * k, {.fracture = 1.0}));
+  const std::vector<RatePoint> curve = rate_curve(lane, central);
+  ASSERT_FALSE(curve.empty());
+  EXPECT_NEAR(curve.front().tip_m, 1e-3,
+              0.51e-3);  // half of 0.01 L; the row on the limit may round either way
+  for (const RatePoint& point : curve) EXPECT_TRUE(std::isfinite(point.ratio) && point.ratio > 0.0);
 }
 
 TEST(RateCurve, OfEnergiesLinearInTheTipIsConstantBetweenAnyRows) {
