@@ -1,6 +1,7 @@
 #include "engine/fracture/crack_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -12,9 +13,18 @@ double side(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
 
+double length_of(const CrackPath& path) {
+  double length = 0.0;
+  for (std::size_t k = 0; k + 1 < path.point.size(); ++k)
+    length += (path.point[k + 1] - path.point[k]).norm();
+  return length;
+}
+
 }  // namespace
 
-CrackPath straight_path(double length, double height) { return {{{0.0, height}, {length, height}}}; }
+CrackPath straight_path(double length, double height, int tips) {
+  return {{{0.0, height}, {length, height}}, tips};
+}
 
 std::optional<double> first_crossing(const CrackPath& path, const Eigen::Vector2d& a,
                                      const Eigen::Vector2d& b) {
@@ -45,10 +55,11 @@ double distance_to(const CrackPath& path, const Eigen::Vector2d& p) {
 
 std::vector<Crossing> crossings(const CrackPath& path, const Lattice& lattice) {
   std::vector<Crossing> found;
+  const double middle = 0.5 * length_of(path);
   for (int b = 0; b < static_cast<int>(lattice.ends.size()); ++b) {
     const auto& [i, j] = lattice.ends[b];
     if (const auto s = first_crossing(path, lattice.centre[i].head<2>(), lattice.centre[j].head<2>()))
-      found.push_back({b, *s});
+      found.push_back({b, path.tips == 2 ? std::abs(*s - middle) : *s});
   }
   std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) {
     return std::tie(a.position, a.beam) < std::tie(b.position, b.beam);

@@ -7,13 +7,15 @@
 
 namespace rift {
 
-/// The line that the crack follows in the x-y plane, extruded along z: a polyline [m].
+/// The line that the crack follows in the x-y plane, extruded along z: a polyline [m]. One tip runs from its
+/// first point to its last; two run from its middle to both ends, at one velocity.
 struct CrackPath {
   std::vector<Eigen::Vector2d> point;
+  int tips = 1;
 };
 
 /// The straight path y = height from x = 0 to x = length [m].
-CrackPath straight_path(double length, double height);
+CrackPath straight_path(double length, double height, int tips = 1);
 
 /// Where the path first crosses the segment from a to b, as arc length [m]; nothing where it does not.
 /// Half-open: a point on the path counts to its left side, so that two beams meeting on the path never both
@@ -24,7 +26,8 @@ std::optional<double> first_crossing(const CrackPath& path, const Eigen::Vector2
 /// Distance of a point from the path [m].
 double distance_to(const CrackPath& path, const Eigen::Vector2d& p);
 
-/// A beam that the crack will release, at arc length `position` = s_b [m].
+/// A beam that the crack will release when a tip is at `position` = s_b [m]: the arc length of the crossing,
+/// with two tips its distance from the middle of the path, so that a tip's position is the half length a.
 struct Crossing {
   int beam = 0;
   double position = 0;

@@ -62,7 +62,7 @@ struct ReleaseEvent {
   std::int32_t beam = 0;
   std::int32_t lane = 0;
   double time_s = 0;
-  double position_m = 0;  // arc length of the crossing
+  double position_m = 0;  // of the tip that meets it: arc length, or half length of two tips
   double energy_j = 0;    // booked as fracture energy over its whole release
 };
 

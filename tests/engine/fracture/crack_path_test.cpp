@@ -178,5 +178,31 @@ TEST(Crossings, ComeInTheOrderTheCrackMeetsThem) {
   }
 }
 
+TEST(Crossings, OfTwoTipsAreCountedFromTheMiddleOfThePath) {
+  const Lattice lattice = lattice_of({{Point(9, 0), Point(9, 2)},
+                                      {Point(1, 2), Point(1, 0)},
+                                      {Point(3, 0), Point(4, 2)},  // at 3.5
+                                      {Point(5.5, 0), Point(5.5, 2)}});
+  const std::vector<Crossing> met = crossings(straight_path(10.0, 1.0, 2), lattice);
+  ASSERT_EQ(met.size(), 4U);
+  const std::vector<int> beams{3, 2, 0, 1};
+  const std::vector<double> positions{0.5, 1.5, 4.0, 4.0};
+  for (std::size_t k = 0; k < met.size(); ++k) {
+    EXPECT_EQ(met[k].beam, beams[k]);
+    EXPECT_DOUBLE_EQ(met[k].position, positions[k]);
+  }
+}
+
+TEST(Crossings, OfTwoTipsAreCountedFromTheMiddleRoundAKink) {
+  CrackPath path = stair();  // 7 long
+  path.tips = 2;
+  const std::vector<Crossing> met =
+      crossings(path, lattice_of({{Point(1, 2.5), Point(3, 2.5)}, {Point(1, 0), Point(1, 2)}}));
+  ASSERT_EQ(met.size(), 2U);
+  EXPECT_EQ(met[0].beam, 0);
+  EXPECT_DOUBLE_EQ(met[0].position, 0.0);
+  EXPECT_DOUBLE_EQ(met[1].position, 2.5);
+}
+
 }  // namespace
 }  // namespace rift
