@@ -115,16 +115,23 @@ void check_speeds(Checks& c) {
                                       rounded_text(limit, Dimension::speed)));
 }
 
+/// "the end of the plate, 200 mm", as far as a tip can run.
+std::string end_of_plate(const Scene& scene) {
+  const std::string at = millimetres(way_of_tip_m(scene));
+  return scene.crack.tips == 1 ? fmt::format("the end of the plate, {}", at)
+                               : fmt::format("the ends of the plate, {} from its middle", at);
+}
+
 /// Start and end on the plate and in order; false where nothing further can be said of the crack's way.
 bool check_ends(Checks& c) {
-  const auto& [length, crack] = std::pair{c.scene.specimen.length, c.scene.crack};
-  if (crack.start >= length) {
-    c.say("crack.start", fmt::format("must lie before the end of the plate, {}", millimetres(length)));
+  const auto& [way, crack] = std::pair{way_of_tip_m(c.scene), c.scene.crack};
+  if (crack.start >= way) {
+    c.say("crack.start", fmt::format("must lie before {}", end_of_plate(c.scene)));
     return false;
   }
   if (!crack.end) return true;
-  if (*crack.end > length) {
-    c.say("crack.end", fmt::format("must not lie beyond the end of the plate, {}", millimetres(length)));
+  if (*crack.end > way) {
+    c.say("crack.end", fmt::format("must not lie beyond {}", end_of_plate(c.scene)));
     return false;
   }
   if (*crack.end <= crack.start) {
@@ -132,6 +139,34 @@ bool check_ends(Checks& c) {
     return false;
   }
   return true;
+}
+
+/// Two tips have a window of their own only where five damage zones end well before the first echo.
+bool check_window_of_two(Checks& c) {
+  if (c.scene.crack.tips != 2 || c.given("output.window")) return true;
+  if (c.scene.crack.velocity.size() > 1) {
+    c.say("crack.velocity",
+          "changes on the way, so that two tips have no window of their own: give output.window");
+    return false;
+  }
+  if (!c.sound({"specimen.height", "specimen.layers", "specimen.thickness", "specimen.elements",
+                "specimen.radius_spread", "crack.path", "crack.technique", "crack.damage_zone_ratio"}) ||
+      path_height_m(c.scene) >= c.scene.specimen.height ||
+      (c.given("specimen.thickness") && c.given("specimen.layers"))) {
+    return false;
+  }
+  const auto [lower, upper] = window_over_length(c.scene);
+  const double length = c.scene.specimen.length, least = shortest_window_m(c.scene);
+  if ((upper - lower) * length >= least) return true;
+  const bool progressive = c.scene.crack.technique == Technique::progressive;
+  c.say(
+      progressive ? "crack.damage_zone_ratio" : "specimen.elements",
+      fmt::format("leaves two tips no window: five {} end at a half length of {}, the first echo is back at "
+                  "{}, and {} are needed between: raise specimen.elements, or height and length, or give "
+                  "output.window",
+                  progressive ? "damage zones" : "mean radii", millimetres(lower * length),
+                  millimetres(upper * length), millimetres(least)));
+  return false;
 }
 
 /// The measuring window lies on the crack's way. The blame goes to the window where it was given.
@@ -143,7 +178,9 @@ bool check_window(Checks& c) {
   const std::string window = fmt::format("the measuring window, {} to {},", millimetres(lower * length),
                                          millimetres(upper * length));
   const std::size_t before = c.issues.size();
-  if (upper * length > crack_end(c.scene) + slack) {
+  if (upper * length > way_of_tip_m(c.scene) + slack) {
+    c.say("output.window", fmt::format("{} ends beyond {}", window, end_of_plate(c.scene)));
+  } else if (upper * length > crack_end(c.scene) + slack) {
     c.say(window_given ? "output.window" : "crack.end",
           fmt::format("{} ends beyond crack.end = {}", window, millimetres(crack_end(c.scene))));
   }
@@ -164,11 +201,17 @@ void check_pieces(Checks& c) {
 }
 
 void check_crack_way(Checks& c) {
-  if (!c.sound({"specimen.length", "crack.start", "crack.end"})) return;
+  if (!c.sound({"specimen.length", "crack.start", "crack.end", "crack.tips"})) return;
   if (!check_ends(c)) return;
   // The default window depends on the velocity, a velocity in m/s on c_r.
   if (!c.sound({"crack.velocity", "output.window"}) || !knows_rayleigh_speed(c)) return;
-  if (check_window(c)) check_pieces(c);
+  if (check_window_of_two(c) && check_window(c)) check_pieces(c);
+}
+
+void check_reference(Checks& c) {
+  if (!c.sound({"crack.tips", "output.g_i0_reference"})) return;
+  if (c.scene.output.g_i0_reference == ReleaseRateReference::griffith && c.scene.crack.tips != 2)
+    c.say("output.g_i0_reference", "goes with crack.tips = 2 only: it is that of a central crack");
 }
 
 }  // namespace
@@ -182,6 +225,7 @@ std::vector<Issue> contradictions(const Preset& preset, const std::set<std::stri
   check_path(checks);
   check_speeds(checks);
   check_crack_way(checks);
+  check_reference(checks);
   return std::move(checks.issues);
 }
 

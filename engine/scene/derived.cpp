@@ -26,6 +26,11 @@ double expected_mean_radius_m(const Scene& scene) {
   return std::cbrt(solid / (s.elements * 4.0 / 3.0 * std::numbers::pi * spread));
 }
 
+double expected_zone_m(const Scene& scene) {
+  if (scene.crack.technique == Technique::simple) return 0.0;
+  return scene.crack.damage_zone_ratio * expected_mean_radius_m(scene);
+}
+
 double density(const Scene& scene) {
   const Scene::Material& m = scene.material;
   if (m.density) return *m.density;
@@ -62,9 +67,22 @@ double path_height_m(const Scene& scene) {
 
 std::array<double, 2> window_over_length(const Scene& scene) {
   if (scene.output.window) return *scene.output.window;
+  if (scene.crack.tips == 2) {
+    const double zone = expected_zone_m(scene);
+    const double from = scene.crack.start + 5.0 * (zone > 0.0 ? zone : expected_mean_radius_m(scene));
+    const double echo = echo_free_tip_m(scene);
+    const double to = std::isinf(echo) ? way_of_tip_m(scene) : echo;  // an echo from an end is back before it
+    return {from / scene.specimen.length, to / scene.specimen.length};
+  }
   if (highest_velocity(scene) > 0.8) return {0.4, 0.6};
   return {0.2, 0.4};
 }
+
+double shortest_window_m(const Scene& scene) {
+  return std::max(2.0 * expected_zone_m(scene), 10.0 * expected_mean_radius_m(scene));
+}
+
+double way_of_tip_m(const Scene& scene) { return scene.specimen.length / scene.crack.tips; }
 
 double crack_end(const Scene& scene) {
   if (scene.crack.end) return *scene.crack.end;
@@ -78,9 +96,8 @@ double echo_free_tip_m(const Scene& scene) {
       theory::wave_speeds(m.young_modulus, m.poisson_ratio, density(scene), m.plane);
   const double path = path_height_m(scene), start = scene.crack.start;
   const double to_grip = std::min(path, scene.specimen.height - path);
-  const double way = scene.specimen.length / scene.crack.tips;  // of a tip, from the plate's edge or middle
   return start + theory::echo_free_advance(speed_m_s(scene.crack.velocity.front().speed, speeds.rayleigh),
-                                           2.0 * to_grip, way - start, speeds.dilatational);
+                                           2.0 * to_grip, way_of_tip_m(scene) - start, speeds.dilatational);
 }
 
 }  // namespace rift

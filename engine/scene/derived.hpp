@@ -15,6 +15,9 @@ double thickness_m(const Scene& scene);
 /// (4/3) pi R^3 (1 + s^2) N = 0.615 L H B, with <r^3> = R^3 (1 + s^2) for radii uniform in R (1 +- s).
 double expected_mean_radius_m(const Scene& scene);
 
+/// Length of the damage zone [m] to be expected, L_CZM = r_l R with that mean radius; 0 for simple release.
+double expected_zone_m(const Scene& scene);
+
 /// Density [kg/m3], as given or rho = G / c_s^2 with c_s from the Rayleigh speed   [physics.md §5]
 double density(const Scene& scene);
 
@@ -31,8 +34,18 @@ double highest_velocity(const Scene& scene);
 double path_height_m(const Scene& scene);
 
 /// Window of the plateau in fractions of the length: as given, or 0.2 to 0.4, or 0.4 to 0.6 where the crack
-/// is faster than 0.8 c_r   [physics.md §7]
+/// is faster than 0.8 c_r   [physics.md §7]. With two tips, where it is of half lengths: from five damage
+/// zones (simple: five mean radii) past the start, where the zone no longer matters, to the first echo, up to
+/// which the plate is as good as infinite   [physics.md §9.5]; from the expected mean radius, so that it
+/// follows from the scene alone. NaN there where the crack changes its velocity on the way.
 std::array<double, 2> window_over_length(const Scene& scene);
+
+/// The least length [m] of that window: two damage zones, and ten mean radii, so that each of the ten
+/// sub-windows holds a beam or two at either tip.
+double shortest_window_m(const Scene& scene);
+
+/// How far a tip can run [m]: the length of the plate, with two tips half of it.
+double way_of_tip_m(const Scene& scene);
 
 /// Where the crack's way ends [m]: as given, or the end of the window.
 double crack_end(const Scene& scene);

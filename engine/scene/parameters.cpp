@@ -112,12 +112,15 @@ std::vector<Parameter> crack_rows() {
       {"crack.path", "0.5 H", [](Scene& s) -> Slot { return &s.crack.path; },
        "Height of the straight crack path along x."},
       {"crack.start", "0", [](Scene& s) -> Slot { return &s.crack.start; },
-       "Where the tip starts; beams before it are absent from the pre-stress on (a notch).", length,
-       closed(0, 100)},
+       "Where the tip starts; beams before it are absent from the pre-stress on (a notch; with two tips its "
+       "half length).",
+       length, closed(0, 100)},
       {"crack.end", "", [](Scene& s) -> Slot { return &s.crack.end; },
        "Where the run ends; without it at the end of the measuring window.", length, above(0, 100)},
       {"crack.tips", "1", [](Scene& s) -> Slot { return &s.crack.tips; },
-       "Number of tips: 1, running to the right.", none, closed(1, 1)},
+       "Number of tips: 1, running to the right; 2, running from the middle of the path to both sides at one "
+       "velocity: every position is then the half length of the crack.",
+       none, closed(1, 2)},
       {"crack.technique",
        "progressive",
        [](Scene& s) -> Slot { return &s.crack.technique; },
@@ -192,15 +195,17 @@ std::vector<Parameter> output_rows() {
        {"displacement", "velocity", "damage"}},
       {"output.window", "", [](Scene& s) -> Slot { return &s.output.window; },
        "Window of the plateau as two fractions of the length; without it [0.2, 0.4], or [0.4, 0.6] above 0.8 "
-       "c_r.",
+       "c_r; with two tips from five damage zones (simple: five mean radii) past the start to the first "
+       "echo.",
        none, closed(0, 1)},
       {"output.g_i0_reference",
        "strip",
        [](Scene& s) -> Slot { return &s.output.g_i0_reference; },
-       "Reference of the release rate: energy per length of the pre-stressed strip, middle half.",
+       "Reference of the release rate: energy per length of the pre-stressed strip, middle half; or sigma^2 "
+       "pi a / E' of a central crack of half length a, with crack.tips = 2.",
        none,
        {},
-       {"strip"}},
+       {"strip", "griffith"}},
   };
 }
 

@@ -16,7 +16,7 @@ enum class DampingRegion { none, surface, all };
 enum class Shape { plate };
 enum class Kinematics { linear, corotational };
 enum class Precision { double_precision, single_precision };
-enum class ReleaseRateReference { strip };
+enum class ReleaseRateReference { strip, griffith };
 
 /// A speed [m/s], or a fraction of the Rayleigh speed c_r where `relative`.
 struct Speed {
@@ -75,7 +75,7 @@ struct Scene {
   struct Crack {
     std::vector<VelocityPiece> velocity;
     PathHeight path;
-    double start;               // [m]
+    double start;               // [m]; of the tip, with two tips the half length
     std::optional<double> end;  // [m]; the end of the window where absent
     int tips;
     Technique technique;

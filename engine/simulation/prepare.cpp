@@ -4,6 +4,7 @@
 #include "engine/lattice/stiffness.hpp"
 #include "engine/mechanics/statics.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/theory/griffith.hpp"
 
 #include <fmt/format.h>
 
@@ -151,6 +152,26 @@ struct Statics {
   }
 };
 
+/// @param[in] strip  energy of the pre-stressed strip over its area [J/m2]
+RateScale scale_of(const Scene& scene, const Lattice& lattice, double strip) {
+  RateScale scale{.thickness = lattice.box.thickness,
+                  .g_i0 = strip,
+                  .length = lattice.box.length,
+                  .tips = scene.crack.tips};
+  if (scene.output.g_i0_reference == ReleaseRateReference::griffith) {
+    const Scene::Material& m = scene.material;
+    scale.g_i0 = 0.0;
+    scale.g_i0_slope = theory::griffith_slope(strip, lattice.box.height, m.poisson_ratio, m.plane);
+  }
+  return scale;
+}
+
+/// Which beams a notch cuts, for the key of a cached solution.
+std::string notch_key(const Scene& scene) {
+  return fmt::format(" path {:a} notch {:a}{}", path_height_m(scene), scene.crack.start,
+                     scene.crack.tips == 2 ? " from the middle" : "");
+}
+
 /// Micro modulus, pre-stress and G_I0. The modulus and G_I0 belong to the strip without its notch; the
 /// modulus is that of small strains with either kinematics.
 void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
@@ -173,14 +194,12 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   }
   p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
   p.displacement = statics.at_rest(present, "");
-  p.scale = {.thickness = p.lattice.box.thickness,
-             .g_i0 = energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness,
-             .length = p.lattice.box.length};
+  p.scale = scale_of(scene, p.lattice,
+                     energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
   if (scene.crack.start > 0.0) {
     for (const Crossing& c : crossings(p.path, p.lattice))
       if (c.position <= scene.crack.start) present[c.beam] = 0;
-    p.displacement = statics.at_rest(
-        present, fmt::format(" path {:a} notch {:a}", path_height_m(scene), scene.crack.start));
+    p.displacement = statics.at_rest(present, notch_key(scene));
   }
   p.static_energy = energy_of_all(p.lattice, kinematics, present, p.displacement);
   if (scene.loading.method == LoadingMethod::ramp)
@@ -287,7 +306,7 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
   const Scene& scene = p.preset.scene;
   p.density = density(scene);
   p.rayleigh_speed = rayleigh_speed(scene);
-  p.path = straight_path(scene.specimen.length, path_height_m(scene));
+  p.path = straight_path(scene.specimen.length, path_height_m(scene), scene.crack.tips);
   build_specimen(p, cache, progress);
   build_prestress(p, cache, progress);
   tell(progress, "critical step", 0.0);

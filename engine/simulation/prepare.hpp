@@ -22,8 +22,8 @@ struct LanePlan {
   Scene scene;
   LaneUnits units;
   LaneScenario scenario;
-  double crack_end = 0;            // [m]
-  std::array<double, 2> window{};  // [m]
+  double crack_end = 0;            // tip position [m]
+  std::array<double, 2> window{};  // tip positions [m]
   TimeStep step;                   // its own, whatever marches beside it
   std::size_t beams_damped = 0;    // by itself
   Schedule schedule;               // in steps of the run
@@ -39,7 +39,7 @@ struct Prepared {
   Lattice lattice;
   double strip_modulus = 0;           // of this specimen with these beams, by linear kinematics [Pa]
   double static_energy = 0;           // of the plate at rest, notch cut, pulled [J]
-  RateScale scale;                    // b, G_I0, L
+  RateScale scale;                    // b, G_I0, L, tips
   std::vector<Vector6> displacement;  // at the start of the run: at rest and pulled, or none for a ramp
   CrackPath path;
   std::vector<LanePlan> lane;

@@ -14,25 +14,19 @@ constexpr double beams_per_element = 3.0;
 constexpr double critical_radii = 0.63;        // critical step x c_r / R
 constexpr double preparation_steps = 10000.0;  // packing and static solve last as long as so many steps
 
-double zone_length(const Scene& scene) {
-  return scene.crack.technique == Technique::progressive
-             ? scene.crack.damage_zone_ratio * expected_mean_radius_m(scene)
-             : 0.0;
-}
-
 double crack_time(const Scene& scene) {
   std::vector<SpeedUntil> pieces;
   for (const VelocityPiece& piece : scene.crack.velocity)
     pieces.push_back({speed_m_s(piece.speed, rayleigh_speed(scene)),
                       piece.until.value_or(std::numeric_limits<double>::infinity())});
-  return time_of_arrival(history_of(scene.crack.start - zone_length(scene), pieces), crack_end(scene));
+  return time_of_arrival(history_of(scene.crack.start - expected_zone_m(scene), pieces), crack_end(scene));
 }
 
 double estimated_step(const Scene& scene) {
   if (scene.solver.dt) return *scene.solver.dt;
   const double critical = critical_radii * expected_mean_radius_m(scene) / rayleigh_speed(scene);
   if (scene.solver.dt_fraction) return *scene.solver.dt_fraction * critical;
-  return default_step(critical, zone_length(scene), highest_velocity(scene) * rayleigh_speed(scene));
+  return default_step(critical, expected_zone_m(scene), highest_velocity(scene) * rayleigh_speed(scene));
 }
 
 }  // namespace

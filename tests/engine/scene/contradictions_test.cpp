@@ -118,6 +118,50 @@ TEST(Contradictions, WindowLiesOnTheCracksWay) {
       "--set crack.end=100 mm: the measuring window, 80 mm to 120 mm, ends beyond crack.end = 100 mm\n");
 }
 
+TEST(Contradictions, TwoTipsMeetTheEndsOfThePlateAtHalfItsLength) {
+  EXPECT_EQ(with({"crack.tips=2", "crack.start=100 mm"}),
+            "--set crack.start=100 mm: must lie before the ends of the plate, 100 mm from its middle\n");
+  EXPECT_EQ(with({"crack.tips=2", "crack.end=101 mm"}),
+            "--set crack.end=101 mm: must not lie beyond the ends of the plate, 100 mm from its middle\n");
+  EXPECT_EQ(
+      with({"crack.tips=2", "output.window=[0.2, 0.6]"}),
+      "--set output.window=[0.2, 0.6]: the measuring window, 40 mm to 120 mm, ends beyond the ends of the "
+      "plate, 100 mm from its middle\n");
+  EXPECT_EQ(with({"crack.tips=2", "output.window=[0.2, 0.5]"}), "");
+}
+
+TEST(Contradictions, TwoTipsNeedAWindowBetweenTheirZoneAndTheFirstEcho) {
+  EXPECT_EQ(with({"crack.tips=2"}), "");
+  // A mean radius of 0.487 mm: an empty window, one shorter than ten of them, and one of larger elements.
+  EXPECT_EQ(
+      with({"crack.tips=2", "crack.damage_zone_ratio=8"}),
+      "--set crack.damage_zone_ratio=8: leaves two tips no window: five damage zones end at a half length "
+      "of 19.4883 mm, the first echo is back at 11.2623 mm, and 7.79533 mm are needed between: raise "
+      "specimen.elements, or height and length, or give output.window\n");
+  EXPECT_EQ(
+      with({"crack.tips=2", "crack.damage_zone_ratio=3.5"}),
+      "--set crack.damage_zone_ratio=3.5: leaves two tips no window: five damage zones end at a half length "
+      "of 8.52614 mm, the first echo is back at 11.2623 mm, and 4.87208 mm are needed between: raise "
+      "specimen.elements, or height and length, or give output.window\n");
+  EXPECT_EQ(with({"crack.tips=2", "crack.technique=simple", "specimen.elements=5000"}),
+            "--set specimen.elements=5000: leaves two tips no window: five mean radii end at a half length "
+            "of 4.87208 mm, the first echo is back at 11.2623 mm, and 9.74416 mm are needed between: raise "
+            "specimen.elements, or height and length, or give output.window\n");
+  EXPECT_EQ(with({"crack.tips=2", "crack.damage_zone_ratio=8", "output.window=[0.1, 0.2]"}), "");
+  EXPECT_EQ(with({"crack.tips=2", "crack.velocity=0.2 c_r until 20 mm, 0.6 c_r"}),
+            "--set crack.velocity=0.2 c_r until 20 mm, 0.6 c_r: changes on the way, so that two tips have no "
+            "window of their own: give output.window\n");
+}
+
+TEST(Contradictions, GriffithsReferenceGoesWithTwoTips) {
+  EXPECT_EQ(with({"output.g_i0_reference=griffith"}),
+            "--set output.g_i0_reference=griffith: goes with crack.tips = 2 only: it is that of a central "
+            "crack\n");
+  EXPECT_EQ(with({"output.g_i0_reference=griffith", "crack.tips=2"}), "");
+  EXPECT_EQ(with({"output.g_i0_reference=griffith", "crack.tips=3"}),
+            "--set crack.tips=3: must lie in [1, 2]\n");
+}
+
 TEST(Contradictions, UntilsLieOnTheCracksWay) {
   EXPECT_EQ(with({"crack.velocity=0.2 c_r until 100 mm, 0.6 c_r"}),
             "--set crack.velocity=0.2 c_r until 100 mm, 0.6 c_r: 'until 100 mm' lies outside the crack's "

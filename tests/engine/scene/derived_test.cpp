@@ -75,6 +75,48 @@ TEST(Window, LiesFurtherOnForFastCracks) {
             (Window{0.1, 0.2}));
 }
 
+/// A plate five times as high as the paper's, opened from its middle.
+std::vector<std::string> two_tips(const std::vector<std::string>& more) {
+  std::vector<std::string> all{"crack.tips=2", "specimen.length=300 mm", "specimen.height=200 mm",
+                               "specimen.elements=160000"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+TEST(Window, OfTwoTipsReachesFromFiveDamageZonesToTheFirstEcho) {
+  for (const double zones : {1.0, 4.0}) {
+    const Scene scene = scene_of(two_tips({"crack.damage_zone_ratio=" + std::to_string(zones)}));
+    const auto [from, to] = window_over_length(scene);
+    EXPECT_NEAR(from * 0.3, 5.0 * zones * expected_mean_radius_m(scene), 1e-15);
+    EXPECT_NEAR(to * 0.3, 5.0 * 11.3e-3, 5.0 * 0.05e-3);  // physics.md §9.4, H = 200 mm instead of 40
+    EXPECT_NEAR(crack_end(scene), to * 0.3, 1e-15);
+  }
+}
+
+TEST(Window, OfTwoTipsReleasedSimplyBeginsAfterFiveMeanRadii) {
+  const Scene scene = scene_of(two_tips({"crack.technique=simple", "crack.damage_zone_ratio=9"}));
+  EXPECT_NEAR(window_over_length(scene)[0] * 0.3, 5.0 * expected_mean_radius_m(scene), 1e-15);
+  EXPECT_EQ(expected_zone_m(scene), 0.0);
+}
+
+TEST(Window, OfTwoTipsCountsFromTheEndOfTheirNotch) {
+  const auto whole = window_over_length(scene_of(two_tips({})));
+  const auto notched = window_over_length(scene_of(two_tips({"crack.start=15 mm"})));
+  for (int end : {0, 1}) EXPECT_NEAR(notched[end] - whole[end], 0.05, 1e-12);
+}
+
+// At 0.9 c_r the echo of the ends, W = 150 mm ahead, is the first: 2 W v / (c_d + v) with v = 0.48784 c_d.
+TEST(Window, OfTwoTipsEndsWithTheFirstEchoOfTheEndsWhereThatIsFirst) {
+  const Scene scene = scene_of(two_tips({"crack.velocity=0.9 c_r"}));
+  EXPECT_NEAR(window_over_length(scene)[1] * 0.3, 0.3 * 0.48784 / 1.48784, 1e-6);
+  EXPECT_EQ(window_over_length(scene_of(two_tips({"crack.velocity=1.9 c_r"})))[1], 0.5);  // no echo
+}
+
+TEST(Window, OfTwoTipsIsTheOneThatIsGiven) {
+  const Scene scene = scene_of(two_tips({"output.window=[0.1, 0.5]"}));
+  EXPECT_EQ(window_over_length(scene), (std::array<double, 2>{0.1, 0.5}));
+}
+
 TEST(CrackEnd, IsTheEndOfTheWindowUnlessGiven) {
   EXPECT_NEAR(crack_end(scene_of({})), 0.08, 1e-15);
   EXPECT_NEAR(crack_end(scene_of({"crack.velocity=0.9 c_r"})), 0.12, 1e-15);

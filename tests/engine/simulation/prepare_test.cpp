@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace rift {
 namespace {
@@ -63,6 +64,33 @@ TEST(Prepare, StripReferenceIsTheContinuumsWithInSituBeams) {
   EXPECT_EQ(p.scale.thickness, p.lattice.box.thickness);
 }
 
+const std::vector<std::string> two_tips{"crack.tips=2", "output.window=[0.2, 0.4]"};
+
+std::vector<std::string> two_tips_and(std::vector<std::string> more) {
+  more.insert(more.end(), two_tips.begin(), two_tips.end());
+  return more;
+}
+
+// pi sigma^2 a / E' with sigma = E / (1 - nu^2) delta / H, whatever the beams.
+TEST(Prepare, GriffithsReferenceIsTheCentralCracksOfTheSpecimensOwnStress) {
+  const Prepared p = small_plate(two_tips_and({"output.g_i0_reference=griffith"}));
+  const double sigma = 10e9 / 0.91 * 0.6e-3 / 0.012;
+  EXPECT_NEAR(p.scale.g_i0_slope / (std::numbers::pi * sigma * sigma / 10e9), 1.0, 1e-9);
+  EXPECT_EQ(p.scale.g_i0, 0.0);
+  EXPECT_EQ(p.scale.tips, 2);
+  const Prepared bulk =
+      small_plate(two_tips_and({"output.g_i0_reference=griffith", "material.stiffness=bulk"}));
+  EXPECT_NEAR(bulk.scale.g_i0_slope / p.scale.g_i0_slope, bulk.strip_modulus / p.strip_modulus, 1e-9);
+}
+
+TEST(Prepare, TwoTipsKeepTheStripsReferenceUnlessToldOtherwise) {
+  const Prepared two = small_plate(two_tips), one = small_plate();
+  EXPECT_EQ(two.scale.g_i0, one.scale.g_i0);
+  EXPECT_EQ(two.scale.g_i0_slope, 0.0);
+  EXPECT_EQ(two.scale.tips, 2);
+  EXPECT_EQ(one.scale.tips, 1);
+}
+
 TEST(Prepare, BulkAndExplicitBeamsAreTakenAsTheyAre) {
   const Prepared bulk = small_plate({"material.stiffness=bulk"});
   const LaneUnits units = bulk.lane[0].units;
@@ -103,6 +131,27 @@ TEST(Prepare, NotchedBeamsAreAbsentFromThePreStressOn) {
   }
   EXPECT_GT(cut, 10);
   EXPECT_NEAR(s.energy(0).elastic / notched.static_energy, 1.0, 1e-12);
+}
+
+TEST(Prepare, NotchOfTwoTipsLiesInTheMiddleAndIsSolvedForItself) {
+  const TemporaryFolder folder;
+  Cache cache{folder.path(), {}};
+  prepare(small_preset({"crack.start=0.008"}), cache);
+  const Prepared p = prepare(small_preset(two_tips_and({"crack.start=0.008"})), cache);
+  EXPECT_TRUE(p.packing_from_cache);
+  EXPECT_FALSE(p.statics_from_cache);
+  EXPECT_LT(unbalanced(p, 0.008), 1e-9);
+  int left = 0, right = 0;
+  Ensemble<double> s = ready(p);
+  for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
+    const auto& [i, j] = p.lattice.ends[s.met()[k].beam];
+    const double x = 0.5 * (p.lattice.centre[i].x() + p.lattice.centre[j].x()) - 0.024;
+    if (s.factor(k, 0) == 0.0) ++(x < 0.0 ? left : right);
+    if (std::abs(x) < 0.007) EXPECT_EQ(s.factor(k, 0), 0.0);
+    if (std::abs(x) > 0.009) EXPECT_EQ(s.factor(k, 0), 1.0);
+  }
+  EXPECT_GT(left, 10);
+  EXPECT_GT(right, 10);
 }
 
 TEST(Prepare, HistoryBeginsAZonesLengthBehindTheNotch) {
