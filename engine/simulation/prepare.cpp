@@ -153,7 +153,7 @@ struct Statics {
 };
 
 /// @param[in] strip  energy of the pre-stressed strip over its area [J/m2]
-RateScale scale_of(const Scene& scene, const Lattice& lattice, double strip) {
+RateScale scale_against(const Scene& scene, const Lattice& lattice, double strip) {
   RateScale scale{.thickness = lattice.box.thickness,
                   .g_i0 = strip,
                   .length = lattice.box.length,
@@ -194,7 +194,7 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   }
   p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
   p.displacement = statics.at_rest(present, "");
-  p.scale = scale_of(scene, p.lattice,
+  p.scale = scale_against(scene, p.lattice,
                      energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
   if (scene.crack.start > 0.0) {
     for (const Crossing& c : crossings(p.path, p.lattice))
@@ -296,6 +296,7 @@ void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
 RateScale scale_of(const Prepared& prepared, const LanePlan& lane) {
   RateScale scale = prepared.scale;
   scale.g_i0 *= lane.units.energy;
+  scale.g_i0_slope *= lane.units.energy;
   return scale;
 }
 

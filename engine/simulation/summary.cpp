@@ -34,6 +34,10 @@ const char* name_of(StiffnessChoice s) {
   return s == StiffnessChoice::in_situ ? "in-situ" : s == StiffnessChoice::bulk ? "bulk" : "explicit";
 }
 
+const char* name_of(ReleaseRateReference r) {
+  return r == ReleaseRateReference::strip ? "strip" : "griffith";
+}
+
 /// The constant velocity of the crack in c_r; none where it changes on the way.
 double constant_velocity(const Scene& scene) {
   return scene.crack.velocity.size() == 1 ? highest_velocity(scene) : undefined;
@@ -43,6 +47,7 @@ void add_scenario(Json& j, const LanePlan& lane) {
   const Scene& scene = lane.scene;
   const bool progressive = scene.crack.technique == Technique::progressive;
   j["crack_velocity_over_cr"] = constant_velocity(scene);
+  j["tips"] = scene.crack.tips;
   j["technique"] = name_of(scene.crack.technique);
   j["relaxation"] = progressive ? Json(scene.crack.relaxation) : Json(nullptr);
   j["relaxation_name"] = progressive ? Json(relaxation_name(scene.crack.relaxation)) : Json(nullptr);
@@ -109,7 +114,8 @@ void add_rates(Json& j, const Prepared& p, const LanePlan& lane, const Rates& ra
   const auto reference = [&](theory::Factor (*of)(double, double, Plane)) {
     return v > 0.0 && v <= 1.0 ? of(v, m.poisson_ratio, m.plane).g : undefined;
   };
-  const double g_i0 = scale_of(p, lane).g_i0;
+  const double g_i0 = mean_g_i0(scale_of(p, lane), lane.window[0], lane.window[1]);
+  j["g_i0_reference"] = name_of(lane.scene.output.g_i0_reference);
   j["g_i0_j_m2"] = g_i0;
   j["g_id_j_m2"] = rate(ratio * g_i0);
   j["ratio"] = rate(plateau.mean.ratio);
@@ -118,6 +124,7 @@ void add_rates(Json& j, const Prepared& p, const LanePlan& lane, const Rates& ra
   j["ratio_translation_only"] = rate(plateau.mean.ratio_translation_only);
   j["ratio_scatter"] = rate(plateau.scatter);
   j["window_over_length"] = {lane.window[0] / p.scale.length, lane.window[1] / p.scale.length};
+  j["echo_free_over_length"] = echo_free_tip_m(lane.scene) / p.scale.length;
   j["broberg"] = reference(theory::broberg);
   j["freund"] = reference(theory::freund);
   j["strip"] = reference(theory::strip);
@@ -201,7 +208,7 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"length_m", prepared.lattice.box.length},
           {"height_m", prepared.lattice.box.height},
           {"thickness_m", prepared.lattice.box.thickness},
-          {"g_i0_j_m2", scale_of(prepared, first).g_i0},
+          {"g_i0_j_m2", mean_g_i0(scale_of(prepared, first), first.window[0], first.window[1])},
           {"rayleigh_speed_m_s", prepared.rayleigh_speed}};
 }
 

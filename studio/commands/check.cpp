@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 namespace rift::studio {
@@ -82,11 +83,13 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["shear_speed_m_s"] = speeds.shear;
   j["rayleigh_speed_m_s"] = p.rayleigh_speed;
   j["micro_young_modulus_pa"] = p.micro.young_modulus * lane.units.energy;
-  j["g_i0_j_m2"] = scale_of(p, lane).g_i0;
+  j["tips"] = scene.crack.tips;
+  j["g_i0_j_m2"] = mean_g_i0(scale_of(p, lane), lane.window[0], lane.window[1]);
   j["energy_stored_j"] = p.static_energy * lane.units.energy;
   j["crack_speed_m_s"] = fastest;
   j["crack_end_m"] = lane.crack_end;
   j["window_m"] = lane.window;
+  j["echo_free_m"] = echo_free_tip_m(lane.scene);
   j["damage_zone_m"] = zone;
   j["dt_s"] = dt;
   j["dt_critical_s"] = p.step.critical * lane.units.time;
@@ -101,6 +104,17 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["disk_estimate_bytes"] = disk_bytes(p);
   j["left_out"] = left_out(lane.scene);
   return j;
+}
+
+/// Where the ratio is read, and up to where the plate is as good as infinite.
+std::string window_text(const Json& j) {
+  const auto mm = [](const Json& metres) { return 1e3 * metres.get<double>(); };
+  const double at = mm(j.at("echo_free_m"));
+  const std::string echo = std::isnan(at)   ? "when the first echo is back is not known"
+                           : std::isinf(at) ? "no echo catches up with the tip"
+                                            : fmt::format("the first echo is back at {:.4g} mm", at);
+  return fmt::format("measured from {:.4g} to {:.4g} mm; {}", mm(j.at("window_m")[0]),
+                     mm(j.at("window_m")[1]), echo);
 }
 
 void print_table(const Json& j, const std::string& title, bool color) {
@@ -121,9 +135,11 @@ void print_table(const Json& j, const std::string& title, bool color) {
                   number("shear_speed_m_s"), number("rayleigh_speed_m_s")));
   row("pre-stress",
       fmt::format("{:.4g} J stored, G_I0 = {:.4g} J/m²", number("energy_stored_j"), number("g_i0_j_m2")));
-  row("crack", fmt::format("{:.0f} m/s to {:.4g} mm in {:.4g} ms, damage zone {:.4g} mm",
-                           number("crack_speed_m_s"), 1e3 * number("crack_end_m"),
-                           1e3 * number("fracture_time_s"), 1e3 * number("damage_zone_m")));
+  row("crack", fmt::format("{}{:.0f} m/s to {:.4g} mm in {:.4g} ms, damage zone {:.4g} mm",
+                           number("tips") == 2 ? "two tips, half length at " : "", number("crack_speed_m_s"),
+                           1e3 * number("crack_end_m"), 1e3 * number("fracture_time_s"),
+                           1e3 * number("damage_zone_m")));
+  row("", window_text(j));
   row("step",
       fmt::format("{:.3e} s, {:.3g} of the critical {:.3e} s (safe for certain: {:.3e} s)", number("dt_s"),
                   number("dt_fraction"), number("dt_critical_s"), number("dt_element_bound_s")));

@@ -39,20 +39,25 @@ std::string title(const Json& s) {
   const std::string speed = s.at("crack_velocity_over_cr").is_number()
                                 ? fmt::format("{:g} c_r", value(s, "crack_velocity_over_cr"))
                                 : "piecewise velocity";
-  return fmt::format("{}, {}{}, {} stiffness", speed, how, damping, text(s, "stiffness"));
+  const char* tips = value(s, "tips") == 2 ? ", two tips" : "";
+  return fmt::format("{}{}, {}{}, {} stiffness", speed, tips, how, damping, text(s, "stiffness"));
 }
 
 std::string ratios(const Json& s) {
   const auto& window = s.at("window_over_length");
-  std::string out = row("G_ID / G_I0", fmt::format("{} ± {}   tip at {:g} to {:g} of the length",
-                                                   shown(s, "ratio_with_damping"), shown(s, "ratio_scatter"),
-                                                   window[0].get<double>(), window[1].get<double>()));
+  const char* position = value(s, "tips") == 2 ? "half length" : "tip at";
+  std::string out =
+      row("G_ID / G_I0",
+          fmt::format("{} ± {}   {} {:.4g} to {:.4g} of the length", shown(s, "ratio_with_damping"),
+                      shown(s, "ratio_scatter"), position, window[0].get<double>(), window[1].get<double>()));
   if (text(s, "damping_region") != "none") out += row("  without damping", shown(s, "ratio"));
   out += row("  released by beams", shown(s, "ratio_release"));
   out += row("  no rotation in K", shown(s, "ratio_translation_only"));
-  out += row("theory", fmt::format("Broberg {}   Freund {}   strip {}", shown(s, "broberg"),
-                                   shown(s, "freund"), shown(s, "strip", "{:g}")));
-  out += row("G_I0", fmt::format("{:.5g} kJ/m²   G_ID {} J/m²", 1e-3 * value(s, "g_i0_j_m2"),
+  out += row("theory", fmt::format("Broberg {}   Freund {}   strip {}   first echo back at {} of the length",
+                                   shown(s, "broberg"), shown(s, "freund"), shown(s, "strip", "{:g}"),
+                                   shown(s, "echo_free_over_length")));
+  const char* reference = text(s, "g_i0_reference") == "griffith" ? " (griffith, mean)" : "";
+  out += row("G_I0", fmt::format("{:.5g} kJ/m²{}   G_ID {} J/m²", 1e-3 * value(s, "g_i0_j_m2"), reference,
                                  shown(s, "g_id_j_m2", "{:.5g}")));
   return out;
 }
@@ -102,9 +107,9 @@ std::string costs(const Json& s) {
                          duration_text(value(s, "wall_prestress_s")), cached("prestress_from_cache"),
                          duration_text(value(s, "wall_fracture_s")), duration_text(value(s, "wall_total_s")),
                          1e-6 * value(s, "memory_peak_bytes"))) +
-         row("",
-             fmt::format("{} element-steps/s, {} beam-steps/s", magnitude_text(value(s, "element_steps_per_s")),
-                         magnitude_text(value(s, "beam_steps_per_s"))));
+         row("", fmt::format("{} element-steps/s, {} beam-steps/s",
+                             magnitude_text(value(s, "element_steps_per_s")),
+                             magnitude_text(value(s, "beam_steps_per_s"))));
 }
 
 }  // namespace

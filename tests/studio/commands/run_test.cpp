@@ -50,7 +50,7 @@ TEST(Run, SummaryHoldsEveryNameOfTheInterface) {
       "energy_elastic_j energy_kinetic_translation_j energy_kinetic_rotation_j energy_step_correction_j "
       "energy_fracture_j energy_damping_j energy_numerical_damping_j work_external_j ledger_residual outcome "
       "wall_packing_s wall_prestress_s wall_fracture_s wall_pass_s wall_total_s element_steps_per_s "
-      "beam_steps_per_s memory_peak_bytes");
+      "beam_steps_per_s memory_peak_bytes tips g_i0_reference echo_free_over_length");
   for (std::string name; names >> name;) EXPECT_TRUE(scenario.contains(name)) << name;
   for (const auto& [name, value] : scenario.items())
     EXPECT_EQ(value.is_null(), name == "error_converged" || name == "outcome_where") << name;
@@ -79,6 +79,17 @@ TEST(Run, SummaryIsConsistentWithItself) {
   EXPECT_NEAR((now + number("energy_fracture_j") + number("energy_damping_j")) / number("energy_initial_j"),
               1.0,
               1e-6);  // the step correction of the start, 1e-20, and rounding are far below
+}
+
+TEST(Run, SaysOfTwoTipsThatTheyAreTwo) {
+  const TinyPlate plate;
+  const Ran ran =
+      plate.run("--set crack.tips=2 --set output.g_i0_reference=griffith --set 'output.window=[0.1, 0.5]'");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.out, "0.5 c_r, two tips, progressive release"));
+  EXPECT_TRUE(contains(ran.out, "half length 0.1 to 0.5 of the length"));
+  EXPECT_TRUE(contains(ran.out, "first echo back at 0.056 of the length"));
+  EXPECT_TRUE(contains(ran.out, "kJ/m² (griffith, mean)"));
 }
 
 TEST(Run, SimpleReleaseLeavesNullWhatDoesNotApply) {
