@@ -182,7 +182,11 @@ class Run {
       velocity[i] = ensemble_.velocity(i, lane) / units.time;
       moved[i] = ensemble_.motion(i, lane).z() - prepared_.displacement[i].z();
     }
-    return wake_of(prepared_.lattice, {tip - 2.0 * prepared_.lattice.box.height, tip}, velocity, moved);
+    const Box& box = prepared_.lattice.box;
+    const std::array<double, 2> behind =
+        prepared_.path.tips == 2 ? std::array{0.5 * box.length - tip, 0.5 * box.length + tip}
+                                 : std::array{tip - 2.0 * box.height, tip};
+    return wake_of(prepared_.lattice, behind, velocity, moved);
   }
 
   results::Frame frame_of(const Seat& seat) {

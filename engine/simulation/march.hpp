@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/results/schema.hpp"
 #include "engine/fracture/wake.hpp"
+#include "engine/results/schema.hpp"
 #include "engine/simulation/prepare.hpp"
 
 #include <functional>
@@ -41,7 +41,7 @@ struct LaneResult {
   double worst_residual = 0;           // largest |residual| of all rows
   double prestress_kinetic = 0;        // kinetic over total energy when the crack started (ramp)
   double energy_at_crack_start = 0;    // elastic [J]
-  Wake wake;                           // when it finished, of two heights of the plate behind the tip
+  Wake wake;                           // when it finished, of two heights behind the tip, or between two tips
   double wall_s = 0;                   // its share of the time while its crack ran
 };
 
