@@ -1,6 +1,7 @@
 #include "engine/study/identity.hpp"
 
 #include "engine/ensemble/instruction_set.hpp"
+#include "engine/scene/axes.hpp"
 
 #include <fmt/format.h>
 #define XXH_INLINE_ALL
@@ -19,6 +20,12 @@ std::vector<Scene> scenes_of_study(const Preset& preset) {
     scenes.back().output.frames = 0;
   }
   return scenes;
+}
+
+StudyRow study_row_of(const Scene& scene) {
+  StudyRow row{scene, {}};
+  for (const Axis& axis : axes()) row.axes.emplace_back(axis.name, axis_text(scene, axis));
+  return row;
 }
 
 std::string result_key(const Scene& scene, const std::string& version) {

@@ -15,6 +15,9 @@ std::string hash_text(std::string_view text);
 /// The scenarios' scenes in the order of preset.study. They write no frames: a study keeps numbers.
 std::vector<Scene> scenes_of_study(const Preset& preset);
 
+/// A scene as a row of a study that names all axes.
+StudyRow study_row_of(const Scene& scene);
+
 /// All that the bits of a scenario's result depend on: effective preset, version and instruction set.
 std::string result_key(const Scene& scene, const std::string& version);
 

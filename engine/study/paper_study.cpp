@@ -1,8 +1,8 @@
 #include "engine/study/paper_study.hpp"
 
-#include "engine/scene/axes.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/study/curve.hpp"
+#include "engine/study/identity.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -40,12 +40,6 @@ std::optional<Scene> quick_scene(Scene scene) {
   return scene;
 }
 
-StudyRow row_of(const Scene& scene) {
-  StudyRow row{scene, {}};
-  for (const Axis& axis : axes()) row.axes.emplace_back(axis.name, axis_text(scene, axis));
-  return row;
-}
-
 }  // namespace
 
 int plate_elements(Effort effort) {
@@ -65,7 +59,7 @@ PaperStudy merge_presets(const std::vector<std::pair<std::string, Preset>>& pres
       if (!wanted) continue;
       const auto [known, fresh] =
           row_of_scene.emplace(preset_text(*wanted), static_cast<int>(merged.preset.study.size()));
-      if (fresh) merged.preset.study.push_back(row_of(*wanted));
+      if (fresh) merged.preset.study.push_back(study_row_of(*wanted));
       if (std::find(rows.begin(), rows.end(), known->second) == rows.end()) rows.push_back(known->second);
     }
   }
