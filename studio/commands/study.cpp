@@ -4,6 +4,7 @@
 #include "engine/study/plan.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
+#include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/study_report.hpp"
@@ -56,21 +57,6 @@ Shard read_shard(const std::string& text) {
   if (shard.index < 1 || shard.index > shard.of)
     refuse(fmt::format("--shard {}: the index must lie in 1 to {}", text, shard.of));
   return shard;
-}
-
-/// Seconds; a bare number is not a time, as anywhere else.
-std::optional<double> read_budget(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, value);
-  std::string unit(at, end);
-  unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
-  const double seconds = unit == "s" ? 1.0 : unit == "min" ? 60.0 : unit == "h" ? 3600.0 : 0.0;
-  if (error != std::errc() || seconds == 0.0 || !(value > 0.0) || !(value < 1e9))
-    refuse(fmt::format("--budget {}: expected a time with its unit, such as \"90 s\", \"10 min\" or \"2 h\"",
-                       text));
-  return value * seconds;
 }
 
 void check_holds_study(const Preset& preset) {
@@ -184,7 +170,7 @@ ExitCode compute(const StudyCommand& command, const Preset& preset, const StudyO
 
 ExitCode study(const StudyCommand& command) {
   const Shard shard = read_shard(command.shard);
-  const std::optional<double> budget = read_budget(command.budget);
+  const std::optional<double> budget = read_budget("rift study", command.budget);
   const Preset preset = read_scene(command.scene);
   if (command.scene.print_config) {
     fmt::print("{}", preset_text(preset));
