@@ -97,8 +97,4 @@ bool wants_color(std::string_view when, std::FILE* stream) {
   return environment("NO_COLOR").empty() && isatty(fileno(stream)) != 0;
 }
 
-std::string heading(std::string_view text, bool color) {
-  return color ? fmt::format("\033[1m{}\033[0m", text) : std::string(text);
-}
-
 }  // namespace rift::studio

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/simulation/build_info.hpp"
+#include "studio/report/table.hpp"
 
 #include <CLI/App.hpp>
 
@@ -34,8 +35,5 @@ void add_color_option(CLI::App& command, std::string& when);
 /// Whether to write colours to `stream`: "always" and "never" decide; "auto" wants a terminal and no
 /// $NO_COLOR.
 bool wants_color(std::string_view when, std::FILE* stream);
-
-/// The text as a heading: bold where `color`.
-std::string heading(std::string_view text, bool color);
 
 }  // namespace rift::studio

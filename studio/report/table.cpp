@@ -1,9 +1,8 @@
 #include "studio/report/table.hpp"
 
-#include "studio/commands/common.hpp"
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 namespace rift::studio {
 namespace {
@@ -26,6 +25,10 @@ std::string line_of(const std::vector<std::string>& cells, const std::vector<std
 }
 
 }  // namespace
+
+std::string heading(std::string_view text, bool color) {
+  return color ? fmt::format("\033[1m{}\033[0m", text) : std::string(text);
+}
 
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rift::studio {
@@ -10,6 +11,9 @@ struct Table {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
 };
+
+/// The text as a heading: bold where `color`.
+std::string heading(std::string_view text, bool color);
 
 /// Columns two spaces apart under their heads, numbers (with their ±) to the right; the head bold where
 /// `color`.
