@@ -1,0 +1,261 @@
+#include "engine/study/accuracy.hpp"
+
+#include "engine/scene/contradictions.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/study/cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+namespace rift {
+namespace {
+
+constexpr double step_fractions[] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.98};
+constexpr double least_single = 0.15, least_together = 0.35, most_together = 0.95;  // of critical
+constexpr int few_samples = 25, most_samples = 1600;
+constexpr int fewest_elements = 100, fewest_quick = 1000, finer = 4;
+constexpr double affordable_s = 180.0, beam_steps_per_s = 1e8;
+
+// The paper's ramp: 20,000 + 10,000 steps of 2.35e-8 s on a plate 40 mm high with c_r = 2200 m/s [physics.md
+// §4]
+constexpr double paper_ramp_s = 0.47e-3, paper_height_m = 0.04, paper_rayleigh_speed = 2200.0;
+
+std::string grouped(int n) {
+  std::string text = std::to_string(n);
+  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
+    text.insert(static_cast<std::size_t>(at), ",");
+  return text;
+}
+
+std::string issues_text(const std::vector<Issue>& issues) {
+  std::string text;
+  for (const Issue& issue : issues) text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
+  return text;
+}
+
+/// The preset with another scene; what contradicts itself is told as if the preset had said so.
+std::vector<Issue> contradictions_of(const Preset& preset, const Scene& scene) {
+  Preset varied = preset;
+  varied.scene = scene;
+  return contradictions(varied, {});
+}
+
+struct Planning {
+  AccuracyPlan plan;
+  bool quick = false;
+
+  const Scene& base() const { return plan.preset.scene; }
+  void add(Knob knob, std::string label, const Scene& scene) {
+    plan.variants.push_back(
+        {knob, std::move(label), scene, issues_text(contradictions_of(plan.preset, scene))});
+  }
+};
+
+void take_quarter(Planning& p) {
+  Scene quarter = p.base();
+  quarter.specimen.elements /= finer;
+  const bool sound =
+      quarter.specimen.elements >= fewest_quick && contradictions_of(p.plan.preset, quarter).empty();
+  if (sound) p.plan.preset.scene = quarter;
+  p.plan.notes.push_back(sound ? fmt::format("quick: the same scene with {} elements, a fourth, and no ramp",
+                                             grouped(quarter.specimen.elements))
+                               : std::string("quick: no ramp; a fourth of these elements would be too few"));
+}
+
+/// The scene that all variants start from.
+Planning start_from(const Preset& preset, bool quick) {
+  Planning p{.plan = {.preset = preset, .variants = {}, .notes = {}}, .quick = quick};
+  Scene& scene = p.plan.preset.scene;
+  p.plan.preset.study.clear();
+  p.plan.preset.lanes.clear();
+  scene.output.frames = 0;
+  if (scene.loading.method == LoadingMethod::ramp) {
+    scene.loading.method = LoadingMethod::static_solve;
+    p.plan.notes.push_back(
+        quick
+            ? "the preset's ramp is left out: all variants start from the static solve"
+            : "the preset's ramp is tried under pre-stress; all other variants start from the static solve");
+  }
+  if (quick) take_quarter(p);
+  if (scene.specimen.thickness)
+    p.plan.notes.push_back(
+        "the preset gives a thickness: it stays as it is while the elements are varied, and with them "
+        "how many lie through it");
+  // A variant that sets the one must not be told that it contradicts the other.
+  if (scene.solver.dt)
+    p.plan.notes.push_back("the preset gives its step in seconds: it holds wherever the step is not varied");
+  p.plan.preset.origins.erase("solver.dt");
+  return p;
+}
+
+Scene with_step(Scene scene, double fraction, Precision precision) {
+  scene.solver.dt.reset();
+  scene.solver.dt_fraction = fraction;
+  scene.solver.precision = precision;
+  return scene;
+}
+
+std::string step_label(double fraction, Precision precision) {
+  return fmt::format("{:g} of critical{}", fraction,
+                     precision == Precision::single_precision ? ", single" : "");
+}
+
+void add_steps(Planning& p) {
+  using enum Precision;
+  for (const double f : step_fractions)
+    p.add(Knob::time_step, step_label(f, double_precision), with_step(p.base(), f, double_precision));
+  for (const double f : step_fractions)
+    if (f > least_single)
+      p.add(Knob::precision, step_label(f, single_precision), with_step(p.base(), f, single_precision));
+}
+
+void add_elements(Planning& p, const std::set<int>& levels, int seeds) {
+  for (const int n : levels)
+    for (int k = 0; k < seeds; ++k) {
+      Scene scene = p.base();
+      scene.specimen.elements = n;
+      scene.specimen.seed += k;
+      p.add(Knob::elements, grouped(n) + " elements", scene);
+    }
+}
+
+void add_kinematics(Planning& p) {
+  for (const Kinematics kinematics : {Kinematics::linear, Kinematics::corotational}) {
+    Scene scene = p.base();
+    scene.solver.kinematics = kinematics;
+    p.add(Knob::kinematics, kinematics == Kinematics::linear ? "linear" : "corotational", scene);
+  }
+}
+
+/// A ramp as the preset's own keys say, else in the paper's time, which grows with the height.
+Scene ramped(const Preset& preset) {
+  Scene scene = preset.scene;
+  scene.loading.method = LoadingMethod::ramp;
+  const double time =
+      paper_ramp_s * scene.specimen.height / paper_height_m * paper_rayleigh_speed / rayleigh_speed(scene);
+  const int steps = static_cast<int>(std::ceil(time / estimated_step(scene)));
+  if (!preset.origins.contains("loading.ramp_steps")) scene.loading.ramp_steps = steps;
+  if (!preset.origins.contains("loading.hold_steps")) scene.loading.hold_steps = steps / 2;
+  return scene;
+}
+
+void add_prestress(Planning& p) {
+  if (p.quick) return;
+  p.add(Knob::prestress, "static", p.base());
+  const Scene ramp = ramped(p.plan.preset);
+  p.add(
+      Knob::prestress,
+      fmt::format("ramp, {} + {} steps", grouped(ramp.loading.ramp_steps), grouped(ramp.loading.hold_steps)),
+      ramp);
+}
+
+void add_samples(Planning& p) {
+  const std::set<int> levels = p.quick
+                                   ? std::set<int>{few_samples, p.base().output.samples, most_samples}
+                                   : std::set<int>{few_samples, 100, p.base().output.samples, most_samples};
+  for (const int samples : levels) {
+    Scene scene = p.base();
+    scene.output.samples = samples;
+    p.add(Knob::samples, grouped(samples) + " samples", scene);
+  }
+}
+
+void add_together(Planning& p) {
+  for (const double f : step_fractions) {
+    if (f < least_together || f > most_together) continue;
+    Scene scene = with_step(p.base(), f, Precision::single_precision);
+    scene.output.samples = few_samples;
+    p.add(Knob::together,
+          fmt::format("{}, {} samples", step_label(f, Precision::single_precision), few_samples), scene);
+  }
+}
+
+std::set<int> default_levels(int elements, bool quick) {
+  std::set<int> levels{elements, elements / finer};
+  if (!quick) levels.insert(elements / (finer * finer));
+  std::erase_if(levels, [&](int n) { return n < fewest_elements && n != elements; });
+  return levels;
+}
+
+AccuracyPlan planned(Planning p, const std::set<int>& levels, int seeds) {
+  p.add(Knob::scene, "as it is", p.base());
+  add_steps(p);
+  add_elements(p, levels, seeds);
+  add_kinematics(p);
+  add_prestress(p);
+  add_samples(p);
+  add_together(p);
+  return std::move(p.plan);
+}
+
+}  // namespace
+
+const char* name_of(Knob knob) {
+  switch (knob) {
+    case Knob::scene:
+      return "scene";
+    case Knob::time_step:
+      return "time step";
+    case Knob::precision:
+      return "precision";
+    case Knob::elements:
+      return "elements";
+    case Knob::kinematics:
+      return "kinematics";
+    case Knob::prestress:
+      return "pre-stress";
+    case Knob::samples:
+      return "samples";
+    case Knob::together:
+      return "together";
+  }
+  return "";
+}
+
+AccuracyPlan plan_accuracy(const Preset& preset, const AccuracyWish& wish) {
+  const Planning start = start_from(preset, wish.quick);
+  const int elements = start.base().specimen.elements;
+  if (!wish.elements.empty()) {
+    std::set<int> levels(wish.elements.begin(), wish.elements.end());
+    levels.insert(elements);
+    return planned(start, levels, wish.seeds);
+  }
+  const std::set<int> levels = default_levels(elements, wish.quick);
+  AccuracyPlan plan = planned(start, levels, wish.seeds);
+  if (wish.quick) return plan;
+  std::set<int> more = levels;
+  more.insert(finer * elements);
+  AccuracyPlan longer = planned(start, more, wish.seeds);
+  if (estimated_seconds(longer) <= affordable_s) return longer;
+  plan.notes.push_back(fmt::format("{} elements would take {:.0f} min in all: --elements asks for them",
+                                   grouped(finer * elements), std::ceil(estimated_seconds(longer) / 60.0)));
+  return plan;
+}
+
+double estimated_seconds(const AccuracyPlan& plan) {
+  double beam_steps = 0.0;
+  std::set<std::string> scenarios, lattices;
+  for (const Variant& v : plan.variants) {
+    if (!v.cannot_be.empty() || !scenarios.insert(preset_text(v.scene)).second) continue;
+    beam_steps += estimated_beam_steps(v.scene);
+    const bool corotational = v.scene.solver.kinematics == Kinematics::corotational;
+    const std::string lattice =
+        fmt::format("{} {} {}", v.scene.specimen.elements, v.scene.specimen.seed, corotational);
+    if (lattices.insert(lattice).second) beam_steps += estimated_preparation(v.scene);
+  }
+  return beam_steps / beam_steps_per_s;
+}
+
+std::vector<Scene> side_by_side(const Scene& scene, int count) {
+  std::vector<Scene> scenes(static_cast<std::size_t>(count), scene);
+  for (std::size_t k = 0; k < scenes.size(); ++k)
+    for (VelocityPiece& piece : scenes[k].crack.velocity)
+      piece.speed.value *= 1.0 - 1e-6 * static_cast<double>(k + 1);
+  return scenes;
+}
+
+}  // namespace rift

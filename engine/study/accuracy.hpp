@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/scene/preset.hpp"
+
+#include <string>
+#include <vector>
+
+/// Error against run time: what a scene is tried with, one thing at a time, to see what buys time and what it
+/// costs in accuracy.
+namespace rift {
+
+/// What is varied from the scene. `together` holds combinations worth recommending.
+enum class Knob { scene, time_step, precision, elements, kinematics, prestress, samples, together };
+const char* name_of(Knob knob);  // "time step"
+
+/// A way to compute the scene. Variants of one knob and label differ in the seed only.
+struct Variant {
+  Knob knob = Knob::scene;
+  std::string label;  // "0.4 of critical, single"
+  Scene scene;
+  std::string cannot_be = {};  // why it is not tried; empty where it is
+};
+
+struct AccuracyWish {
+  bool quick = false;              // a fourth of the elements, no ramp
+  std::vector<int> elements = {};  // numbers of elements to try; none: what is affordable
+  int seeds = 3;                   // specimens of each number of elements
+};
+
+struct AccuracyPlan {
+  Preset preset;                   // the scene all variants start from, at rest by the static solve
+  std::vector<Variant> variants;   // knob by knob; the first is the scene itself
+  std::vector<std::string> notes;  // what the user should know of the choice
+};
+
+/// The variants of a preset without issues, without lanes or a study:
+///   time step   0.05 to 0.98 of critical, double             each against 0.05, same lattice
+///   precision   the same steps above 0.1 in single           each against double at its step
+///   elements    `wish.elements` or N/16, N/4, N (and 4 N where all then takes at most three minutes), always
+///               N itself; several seeds of each               against the finest
+///   kinematics  linear, corotational                          a difference of models
+///   pre-stress  static, ramp in the paper's time for the height, or as the preset's keys say
+///   samples     25 to 1,600                                   against the most
+///   together    0.4 to 0.9 of critical, single, 25 samples
+/// A step in seconds that the preset gives holds wherever the time step is not what is varied.
+AccuracyPlan plan_accuracy(const Preset& preset, const AccuracyWish& wish);
+
+/// Seconds that a plan takes from nothing, roughly: at 100 M beam-steps/s.
+double estimated_seconds(const AccuracyPlan& plan);
+
+/// The scene `count` times, velocities 1e-6 apart: what as many lanes of equal work march.
+std::vector<Scene> side_by_side(const Scene& scene, int count);
+
+}  // namespace rift

@@ -1,0 +1,238 @@
+#include "engine/study/accuracy_judgement.hpp"
+
+#include "engine/study/curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace rift {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double wall_of(const SummaryRow& row) {
+  const bool ramp = text_in(row, "prestress_method") == "ramp";
+  return number_in(row, "wall_fracture_s") + (ramp ? number_in(row, "wall_prestress_s") : 0.0);
+}
+
+/// What a knob varies, as a number.
+double value_of(const Variant& v) {
+  switch (v.knob) {
+    case Knob::time_step:
+    case Knob::precision:
+    case Knob::together:
+      return v.scene.solver.dt_fraction.value_or(nan);
+    case Knob::elements:
+      return v.scene.specimen.elements;
+    case Knob::samples:
+      return v.scene.output.samples;
+    default:
+      return nan;
+  }
+}
+
+struct Judging {
+  const std::vector<Tried>& tried;
+  Accuracy out = {};
+
+  std::vector<AccuracyLine*> of(Knob knob) {
+    std::vector<AccuracyLine*> found;
+    for (AccuracyLine& line : out.lines)
+      if (line.knob == knob) found.push_back(&line);
+    return found;
+  }
+  const Variant& variant(const AccuracyLine& line) const { return tried[line.tried.front()].variant; }
+  AccuracyLine& scene() { return out.lines.front(); }
+  void refer(Knob knob, std::string text, double value, Convergence convergence = {}) {
+    out.reference.push_back({knob, std::move(text), value, std::move(convergence)});
+  }
+};
+
+/// The scene's own step and precision are part of what it is called.
+std::string label_of(const Tried& tried) {
+  const std::string& label = tried.variant.label;
+  if (tried.variant.knob != Knob::scene || !tried.row.is_object()) return label;
+  return fmt::format("{}: {:.3g} of critical, {}", label, number_in(tried.row, "dt_fraction"),
+                     text_in(tried.row, "precision"));
+}
+
+/// Variants of one knob and label side by side.
+void gather_lines(Judging& j) {
+  for (std::size_t k = 0; k < j.tried.size(); ++k) {
+    const Variant& v = j.tried[k].variant;
+    const std::string label = label_of(j.tried[k]);
+    const bool same =
+        !j.out.lines.empty() && j.out.lines.back().knob == v.knob && j.out.lines.back().label == label;
+    if (!same)
+      j.out.lines.push_back(
+          {.knob = v.knob, .label = label, .cannot_be = {}, .tried = {}, .value = value_of(v)});
+    AccuracyLine& line = j.out.lines.back();
+    line.tried.push_back(static_cast<int>(k));
+    if (line.cannot_be.empty()) line.cannot_be = v.cannot_be;
+  }
+}
+
+void measure(Judging& j, AccuracyLine& line) {
+  std::vector<double> ratios, broberg, wall;
+  for (const int k : line.tried) {
+    const SummaryRow& row = j.tried[static_cast<std::size_t>(k)].row;
+    if (!row.is_object() || text_in(row, "outcome") != "finished") continue;
+    const double ratio = number_in(row, "ratio_with_damping");
+    if (!std::isfinite(ratio)) continue;
+    ratios.push_back(ratio);
+    broberg.push_back(number_in(row, "error_broberg"));
+    wall.push_back(wall_of(row));
+  }
+  line.ratio = mean_of(ratios);
+  line.specimens = static_cast<int>(ratios.size());
+  line.scatter = ratios.size() > 1 ? deviation_of(ratios) : nan;
+  line.error_broberg = mean_of(broberg);
+  line.wall_s = mean_of(wall);
+  line.error = line.step_error = line.converged = nan;
+  if (line.cannot_be.empty() && ratios.empty()) line.cannot_be = "not computed";
+}
+
+/// Standard error of a line's mean; 0 for one specimen, of which it is not known.
+double standard_error(const AccuracyLine& line) {
+  if (!std::isfinite(line.scatter)) return 0.0;
+  return line.scatter / std::sqrt(static_cast<double>(line.specimens));
+}
+
+/// R_0, the time step's own error on the specimen, and the lines that it is the error of.
+void judge_steps(Judging& j) {
+  std::vector<Level> levels;
+  for (const AccuracyLine* line : j.of(Knob::time_step)) levels.push_back({line->value, line->ratio});
+  const Convergence steps = converge(levels);
+  for (AccuracyLine* line : j.of(Knob::time_step))
+    line->reference = !steps.clean && line->ratio == steps.limit;
+  for (AccuracyLine& line : j.out.lines)
+    if (line.knob != Knob::elements && line.knob != Knob::kinematics)
+      line.step_error = line.ratio - steps.limit;
+  for (const Knob knob : {Knob::scene, Knob::time_step, Knob::together})
+    for (AccuracyLine* line : j.of(knob)) line->error = line->step_error;
+  j.refer(Knob::time_step, "the same specimen in double, the step towards 0", steps.limit, steps);
+}
+
+/// Each line of a knob against another one of it.
+void judge_against(Judging& j, Knob knob, const char* text,
+                   const std::function<bool(const Variant&)>& is_reference) {
+  const std::vector<AccuracyLine*> lines = j.of(knob);
+  const auto found = std::find_if(lines.begin(), lines.end(),
+                                  [&](const AccuracyLine* line) { return is_reference(j.variant(*line)); });
+  if (found == lines.end()) return;
+  (*found)->reference = true;
+  for (AccuracyLine* line : lines) line->error = line->ratio - (*found)->ratio;
+  j.refer(knob, text, (*found)->ratio);
+}
+
+void judge_precision(Judging& j) {
+  const std::vector<AccuracyLine*> in_double = j.of(Knob::time_step);
+  for (AccuracyLine* line : j.of(Knob::precision))
+    for (const AccuracyLine* other : in_double)
+      if (other->value == line->value) line->error = line->ratio - other->ratio;
+  if (!j.of(Knob::precision).empty()) j.refer(Knob::precision, "the same specimen and step in double", nan);
+}
+
+void judge_elements(Judging& j) {
+  const std::vector<AccuracyLine*> lines = j.of(Knob::elements);
+  std::vector<Level> levels;
+  const AccuracyLine* finest = nullptr;
+  for (const AccuracyLine* line : lines) {
+    levels.push_back({1.0 / std::sqrt(line->value), line->ratio, standard_error(*line)});
+    if (std::isfinite(line->ratio) && (finest == nullptr || line->value > finest->value)) finest = line;
+  }
+  if (finest == nullptr) return;
+  const Convergence limit = converge(levels);
+  for (AccuracyLine* line : lines) {
+    if (!std::isfinite(line->ratio)) continue;
+    line->error = line->ratio - limit.limit;
+    line->reference = line == finest && !limit.clean;
+    line->uncertainty = line->reference ? 0.0 : std::hypot(standard_error(*line), standard_error(*finest));
+  }
+  j.out.specimen_scatter = finest->scatter;
+  j.refer(Knob::elements, fmt::format("the mean of {} specimens of {}", finest->specimens, finest->label),
+          limit.limit, limit);
+}
+
+/// The parts of the error together, against the finest lattice at the converged step.
+void judge_whole(Judging& j) {
+  const Scene& scene = j.variant(j.scene()).scene;
+  double lattice = 0.0, uncertainty = 0.0;
+  for (const AccuracyLine* line : j.of(Knob::elements))
+    if (j.variant(*line).scene.specimen.elements == scene.specimen.elements && std::isfinite(line->error))
+      lattice = line->error, uncertainty = line->uncertainty;
+  for (AccuracyLine& line : j.out.lines) {
+    if (line.knob == Knob::elements) {
+      line.converged = line.error + j.scene().step_error;
+      line.converged_uncertainty = line.uncertainty;
+    } else if (line.knob != Knob::kinematics) {
+      line.converged = line.step_error + lattice;
+      line.converged_uncertainty = uncertainty;
+    }
+  }
+}
+
+void choose(Judging& j, double goal) {
+  std::vector<int> order;
+  for (std::size_t k = 0; k < j.out.lines.size(); ++k) {
+    const AccuracyLine& line = j.out.lines[k];
+    if (line.cannot_be.empty() && std::isfinite(error_bound(line)) && std::isfinite(line.wall_s))
+      order.push_back(static_cast<int>(k));
+  }
+  const auto& lines = j.out.lines;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return lines[a].wall_s < lines[b].wall_s; });
+  double best = std::numeric_limits<double>::infinity();
+  for (const int k : order) {
+    if (error_bound(lines[k]) < best) j.out.front.push_back(k), best = error_bound(lines[k]);
+    if (j.out.recommended < 0 && error_bound(lines[k]) <= goal) j.out.recommended = k;
+  }
+}
+
+}  // namespace
+
+bool AccuracyLine::resolved() const { return std::abs(error) > 2.0 * uncertainty; }
+
+double error_bound(const AccuracyLine& line) { return std::abs(line.converged) + line.converged_uncertainty; }
+
+Accuracy judge_accuracy(const std::vector<Tried>& tried, double goal) {
+  Judging j{.tried = tried};
+  j.out.specimen_scatter = nan;
+  gather_lines(j);
+  if (j.out.lines.empty()) return {};
+  for (AccuracyLine& line : j.out.lines) measure(j, line);
+  judge_steps(j);
+  judge_precision(j);
+  judge_elements(j);
+  judge_against(j, Knob::kinematics, "linear beams, a difference of models",
+                [](const Variant& v) { return v.scene.solver.kinematics == Kinematics::linear; });
+  judge_against(j, Knob::prestress, "the static solve",
+                [](const Variant& v) { return v.scene.loading.method == LoadingMethod::static_solve; });
+  int most = 0;
+  for (const AccuracyLine* line : j.of(Knob::samples)) most = std::max(most, static_cast<int>(line->value));
+  judge_against(j, Knob::samples, "the most samples",
+                [&](const Variant& v) { return v.scene.output.samples == most; });
+  judge_whole(j);
+  choose(j, goal);
+  return std::move(j.out);
+}
+
+std::vector<std::string> reference_texts(const Accuracy& accuracy) {
+  std::vector<std::string> texts;
+  for (const KnobReference& r : accuracy.reference) {
+    std::string text = fmt::format("{}: against {}", name_of(r.knob), r.text);
+    if (std::isfinite(r.value)) text += fmt::format(", {:.5f}", r.value);
+    if (!r.convergence.text.empty()) {
+      text += "; " + r.convergence.text;
+      text += r.convergence.clean ? ", Richardson's limit is taken" : "; the finest value is taken";
+    }
+    texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
+}  // namespace rift

@@ -1,0 +1,81 @@
+#include "engine/study/accuracy_run.hpp"
+
+#include "engine/ensemble/instruction_set.hpp"
+#include "engine/study/cost.hpp"
+#include "engine/study/curve.hpp"
+
+namespace rift {
+namespace {
+
+/// Preparation beside the march: packing and pre-stress come from the cache for most variants.
+constexpr double cached_share = 0.2;
+
+double cost_of(const Variant& v) {
+  return v.cannot_be.empty() ? estimated_beam_steps(v.scene) + cached_share * estimated_preparation(v.scene)
+                             : 0.0;
+}
+
+Preset study_of(const AccuracyPlan& plan, const std::vector<Scene>& scenes) {
+  Preset preset = plan.preset;
+  for (const Scene& scene : scenes) preset.study.push_back(study_row_of(scene));
+  return preset;
+}
+
+std::string reasons(const InputError& error) {
+  std::string text;
+  for (const Issue& issue : error.issues) text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
+  return text;
+}
+
+StudyOptions in_shared_folder(StudyOptions options) {
+  options.shared = true;
+  return options;
+}
+
+}  // namespace
+
+AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, Cache& cache,
+                         const BuildInfo& build, const StudyObserver& observer) {
+  AccuracyRun run;
+  double all = 0.0, before = 0.0;
+  for (const Variant& v : plan.variants) all += cost_of(v);
+  for (const Variant& v : plan.variants) {
+    run.tried.push_back({v, nullptr});
+    Tried& now = run.tried.back();
+    if (!v.cannot_be.empty() || run.outcome == Outcome::stopped) continue;
+    StudyObserver part;
+    part.progress = [&](std::string_view stage, double done) {
+      return !observer.progress || observer.progress(stage, (before + done * cost_of(v)) / all);
+    };
+    part.finished = [&](const SummaryRow& row, int, int) {
+      if (observer.finished)
+        observer.finished(row, static_cast<int>(run.tried.size()), static_cast<int>(plan.variants.size()));
+    };
+    try {
+      const StudyResult result =
+          run_study(study_of(plan, {v.scene}), in_shared_folder(options), cache, build, part);
+      run.computed += result.computed, run.found += result.found;
+      now.row = result.rows.front();
+      if (result.outcome != Outcome::finished) run.outcome = result.outcome;
+    } catch (const InputError& error) {
+      if (run.tried.size() == 1) throw;
+      now.variant.cannot_be = reasons(error);
+    }
+    if (now.row.is_object() && text_in(now.row, "outcome") == name_of(Outcome::diverged))
+      now.variant.cannot_be = "diverged: " + text_in(now.row, "outcome_where");
+    before += cost_of(v);
+  }
+  return run;
+}
+
+std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const Scene& scene, const StudyOptions& options,
+                                   Cache& cache, const BuildInfo& build, const StudyObserver& observer) {
+  const bool single = scene.solver.precision == Precision::single_precision;
+  const int lanes =
+      single ? lanes_in_register<float>(instruction_set()) : lanes_in_register<double>(instruction_set());
+  const StudyResult result = run_study(study_of(plan, side_by_side(scene, lanes)), in_shared_folder(options),
+                                       cache, build, observer);
+  return result.outcome == Outcome::stopped ? std::vector<SummaryRow>{} : result.rows;
+}
+
+}  // namespace rift

@@ -1,0 +1,331 @@
+#include "engine/study/accuracy.hpp"
+
+#include "engine/ensemble/instruction_set.hpp"
+#include "engine/study/accuracy_judgement.hpp"
+#include "engine/study/cost.hpp"
+#include "tests/studio/run_rift.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace rift {
+namespace {
+
+using studio::contains;
+using studio::TemporaryFolder;
+
+Preset preset_of(const std::string& text) {
+  Preset preset = read_preset_text(text, "x.toml");
+  for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+  return preset;
+}
+
+std::vector<Variant> of(const AccuracyPlan& plan, Knob knob) {
+  std::vector<Variant> found;
+  for (const Variant& v : plan.variants)
+    if (v.knob == knob) found.push_back(v);
+  return found;
+}
+
+std::set<int> numbers_of_elements(const AccuracyPlan& plan) {
+  std::set<int> numbers;
+  for (const Variant& v : of(plan, Knob::elements)) numbers.insert(v.scene.specimen.elements);
+  return numbers;
+}
+
+TEST(AccuracyPlan, BeginsWithTheSceneItself) {
+  const AccuracyPlan plan = plan_accuracy(preset_of("[crack]\nvelocity = \"0.3 c_r\"\n"), {});
+  EXPECT_EQ(plan.variants.front().knob, Knob::scene);
+  EXPECT_FALSE(plan.variants.front().scene.solver.dt_fraction);
+  for (const Variant& v : plan.variants) {
+    EXPECT_EQ(v.scene.output.frames, 0);
+    EXPECT_EQ(v.scene.crack.velocity.front().speed.value, 0.3) << v.label;
+    EXPECT_EQ(v.cannot_be, "") << v.label;
+  }
+}
+
+TEST(AccuracyPlan, VariesTheStepInBothPrecisions) {
+  const AccuracyPlan plan = plan_accuracy(preset_of(""), {});
+  EXPECT_EQ(of(plan, Knob::time_step).front().label, "0.05 of critical");
+  EXPECT_EQ(of(plan, Knob::time_step).back().label, "0.98 of critical");
+  for (const Variant& v : of(plan, Knob::time_step))
+    EXPECT_EQ(v.scene.solver.precision, Precision::double_precision);
+  for (const Variant& v : of(plan, Knob::precision))
+    EXPECT_EQ(v.scene.solver.precision, Precision::single_precision);
+  EXPECT_EQ(of(plan, Knob::precision).size() + 2, of(plan, Knob::time_step).size());
+}
+
+TEST(AccuracyPlan, TakesAStepInSecondsOutWhereTheFractionIsVaried) {
+  const AccuracyPlan plan = plan_accuracy(preset_of("[solver]\ndt = \"2e-8 s\"\n"), {});
+  for (const Variant& v : of(plan, Knob::time_step)) {
+    EXPECT_FALSE(v.scene.solver.dt);
+    EXPECT_EQ(v.cannot_be, "");
+  }
+  for (const Variant& v : of(plan, Knob::elements)) EXPECT_EQ(v.scene.solver.dt, 2e-8);
+}
+
+TEST(AccuracyPlan, TriesElementsOnSeveralSpecimensTheScenesOwnNumberAmongThem) {
+  const AccuracyPlan plan =
+      plan_accuracy(preset_of("[specimen]\nseed = 7\n"), {.elements = {5000}, .seeds = 2});
+  EXPECT_EQ(numbers_of_elements(plan), (std::set<int>{5000, 20000}));
+  const std::vector<Variant> elements = of(plan, Knob::elements);
+  ASSERT_EQ(elements.size(), 4u);
+  EXPECT_EQ(elements[0].scene.specimen.seed, 7);
+  EXPECT_EQ(elements[1].scene.specimen.seed, 8);
+  EXPECT_EQ(elements[0].label, "5,000 elements");
+  EXPECT_EQ(elements[0].scene.specimen.layers, 2.0);
+}
+
+TEST(AccuracyPlan, TakesAFinerLatticeOnlyWhereThatIsAffordable) {
+  const std::string half_size = "[specimen]\nlength = \"100 mm\"\nheight = \"20 mm\"\nelements = ";
+  EXPECT_TRUE(numbers_of_elements(plan_accuracy(preset_of(half_size + "5000\n"), {})).contains(20000));
+  const AccuracyPlan plan = plan_accuracy(preset_of("[specimen]\nelements = 80000\n"), {});
+  EXPECT_FALSE(numbers_of_elements(plan).contains(320000));
+  EXPECT_TRUE(contains(plan.notes.back(), "320,000 elements would take"));
+}
+
+TEST(AccuracyPlan, TakesARampAsAVariantAndNothingElse) {
+  const AccuracyPlan plan = plan_accuracy(
+      preset_of("[loading]\nmethod = \"ramp\"\nramp_steps = 7000\n[solver]\ndt = \"2e-8 s\"\n"), {});
+  for (const Variant& v : plan.variants) {
+    const bool ramp = v.scene.loading.method == LoadingMethod::ramp;
+    EXPECT_EQ(ramp, v.knob == Knob::prestress && v.label.starts_with("ramp")) << v.label;
+    EXPECT_EQ(v.scene.loading.ramp_steps, 7000);
+  }
+  EXPECT_TRUE(contains(plan.notes.front(), "the preset's ramp"));
+}
+
+TEST(AccuracyPlan, RampsInThePapersTimeWhateverTheStep) {
+  const AccuracyPlan plan = plan_accuracy(preset_of("[solver]\ndt_fraction = 0.3\n"), {});
+  const Scene ramp = of(plan, Knob::prestress).back().scene;
+  EXPECT_NEAR(ramp.loading.ramp_steps * estimated_step(ramp), 0.47e-3, 1e-6);
+  EXPECT_EQ(ramp.loading.hold_steps, ramp.loading.ramp_steps / 2);
+}
+
+TEST(AccuracyPlan, SaysWhyAVariantCannotBe) {
+  const AccuracyPlan plan =
+      plan_accuracy(preset_of("[specimen]\nthickness = \"2 mm\"\n"), {.elements = {300, 20000}, .seeds = 1});
+  const std::vector<Variant> elements = of(plan, Knob::elements);
+  EXPECT_TRUE(contains(elements.front().cannot_be, "is thinner than one element"));
+  EXPECT_EQ(elements.back().cannot_be, "");
+  EXPECT_TRUE(contains(plan.notes.front(), "thickness: it stays as it is"));
+}
+
+TEST(AccuracyPlan, QuickTakesAFourthOfTheElementsAndNoRamp) {
+  const AccuracyPlan plan = plan_accuracy(preset_of(""), {.quick = true});
+  EXPECT_EQ(plan.variants.front().scene.specimen.elements, 5000);
+  EXPECT_EQ(numbers_of_elements(plan), (std::set<int>{1250, 5000}));
+  EXPECT_TRUE(of(plan, Knob::prestress).empty());
+  EXPECT_LT(estimated_seconds(plan), estimated_seconds(plan_accuracy(preset_of(""), {})) / 4.0);
+  const AccuracyPlan small = plan_accuracy(preset_of("[specimen]\nelements = 1250\n"), {.quick = true});
+  EXPECT_EQ(small.variants.front().scene.specimen.elements, 1250);
+}
+
+TEST(AccuracyPlan, SetsScenesSideBySideThatDifferByAHair) {
+  const std::vector<Scene> scenes = side_by_side(preset_of("").scene, 3);
+  ASSERT_EQ(scenes.size(), 3u);
+  std::set<double> speeds;
+  for (const Scene& scene : scenes) {
+    speeds.insert(scene.crack.velocity.front().speed.value);
+    EXPECT_NEAR(scene.crack.velocity.front().speed.value, 0.5, 1e-5);
+  }
+  EXPECT_EQ(speeds.size(), 3u);
+}
+
+/// Made-up results of a plan: order 2 in the step, order 1 in the element's size, single precision 1e-4 off,
+/// specimens that scatter, corotational beams 0.05 off, a time as long as there is work.
+std::vector<Tried> made_up(const AccuracyPlan& plan, double scatter) {
+  std::vector<Tried> tried;
+  for (const Variant& v : plan.variants) {
+    const Scene& s = v.scene;
+    const double step = s.solver.dt_fraction.value_or(0.5), size = std::sqrt(1000.0 / s.specimen.elements);
+    double ratio = 0.6 + 0.02 * step * step + 0.1 * size + scatter * static_cast<double>(s.specimen.seed - 2);
+    if (s.solver.precision == Precision::single_precision) ratio += 1e-4;
+    if (s.solver.kinematics == Kinematics::corotational) ratio += 0.05;
+    const double wall = s.specimen.elements / step * (s.output.samples > 100 ? 2e-4 : 1e-4);
+    tried.push_back({v,
+                     {{"outcome", "finished"},
+                      {"ratio_with_damping", ratio},
+                      {"error_broberg", ratio - 0.52},
+                      {"wall_fracture_s", wall},
+                      {"wall_prestress_s", 100.0},
+                      {"prestress_method", s.loading.method == LoadingMethod::ramp ? "ramp" : "static"}}});
+  }
+  return tried;
+}
+
+AccuracyPlan plan_of_tests() {
+  return plan_accuracy(preset_of("[specimen]\nelements = 4000\n"), {.elements = {1000, 16000}, .seeds = 3});
+}
+
+const AccuracyLine& line_of(const Accuracy& a, Knob knob, const std::string& label) {
+  const auto found = std::find_if(a.lines.begin(), a.lines.end(), [&](const AccuracyLine& line) {
+    return line.knob == knob && line.label == label;
+  });
+  if (found == a.lines.end()) throw std::runtime_error("no line " + label);
+  return *found;
+}
+
+TEST(Accuracy, ComparesStepsWithTheirLimitOnTheSameSpecimen) {
+  const Accuracy a = judge_accuracy(made_up(plan_of_tests(), 0.01), 0.01);
+  EXPECT_NEAR(line_of(a, Knob::time_step, "0.9 of critical").error, 0.02 * 0.81, 1e-12);
+  EXPECT_NEAR(a.lines.front().error, 0.02 * 0.25, 1e-12);  // the scene's default step
+  EXPECT_NEAR(a.reference.front().convergence.order, 2.0, 1e-6);
+}
+
+TEST(Accuracy, ComparesSinglePrecisionWithDoubleAtTheSameStep) {
+  const Accuracy a = judge_accuracy(made_up(plan_of_tests(), 0.01), 0.01);
+  EXPECT_NEAR(line_of(a, Knob::precision, "0.9 of critical, single").error, 1e-4, 1e-12);
+}
+
+TEST(Accuracy, TakesTheOrderOfTheElementsToItsLimitWhereSpecimensAgree) {
+  const Accuracy a = judge_accuracy(made_up(plan_of_tests(), 1e-4), 0.01);
+  const AccuracyLine& coarse = line_of(a, Knob::elements, "1,000 elements");
+  EXPECT_EQ(coarse.specimens, 3);
+  EXPECT_NEAR(coarse.error, 0.1, 1e-9);
+  EXPECT_TRUE(coarse.resolved());
+  EXPECT_NEAR(a.specimen_scatter, 1e-4, 1e-12);
+}
+
+TEST(Accuracy, DoesNotResolveWhatIsBelowTheScatterOfSpecimens) {
+  const Accuracy a = judge_accuracy(made_up(plan_of_tests(), 0.2), 0.01);
+  const AccuracyLine& coarse = line_of(a, Knob::elements, "1,000 elements");
+  EXPECT_FALSE(coarse.resolved());
+  EXPECT_NEAR(coarse.error, 0.1 * 0.75, 1e-9);  // the finest value, not its limit
+  EXPECT_NEAR(coarse.uncertainty, 0.2 * std::sqrt(2.0 / 3.0), 1e-9);
+}
+
+TEST(Accuracy, PutsThePartsTogetherWithoutTheDeviationOfOneSpecimen) {
+  const Accuracy a = judge_accuracy(made_up(plan_of_tests(), 1e-4), 0.01);
+  // Step 0.02 f^2, lattice 0.1 sqrt(1000 / 4000); the specimen, 1e-4 below its kind, in neither.
+  EXPECT_NEAR(line_of(a, Knob::time_step, "0.9 of critical").converged, 0.0162 + 0.05, 1e-9);
+  EXPECT_NEAR(line_of(a, Knob::elements, "1,000 elements").converged, 0.005 + 0.1, 1e-9);
+}
+
+TEST(Accuracy, TellsKinematicsAsADifferenceOfModelsAndNoError) {
+  const Accuracy a = judge_accuracy(made_up(plan_of_tests(), 1e-4), 0.01);
+  const AccuracyLine& line = line_of(a, Knob::kinematics, "corotational");
+  EXPECT_NEAR(line.error, 0.05, 1e-9);
+  EXPECT_TRUE(std::isnan(line.converged));
+}
+
+TEST(Accuracy, CountsTheMarchOfARampAndNoStaticSolve) {
+  const Accuracy a = judge_accuracy(made_up(plan_of_tests(), 1e-4), 0.01);
+  for (const AccuracyLine& line : a.lines)
+    EXPECT_EQ(line.wall_s > 100.0, line.label.starts_with("ramp")) << line.label;
+}
+
+TEST(Accuracy, RecommendsTheCheapestWithinTheGoal) {
+  const std::vector<Tried> tried = made_up(plan_of_tests(), 1e-4);
+  const Accuracy a = judge_accuracy(tried, 0.06);
+  ASSERT_GE(a.recommended, 0);
+  // 0.05 is the lattice's share: 0.6 of critical adds 0.0072, 0.8 already 0.0128.
+  EXPECT_EQ(a.lines[a.recommended].label, "0.6 of critical, single, 25 samples");
+  EXPECT_EQ(judge_accuracy(tried, 1e-6).recommended, -1);
+  for (std::size_t k = 1; k < a.front.size(); ++k) {
+    EXPECT_GE(a.lines[a.front[k]].wall_s, a.lines[a.front[k - 1]].wall_s);
+    EXPECT_LT(error_bound(a.lines[a.front[k]]), error_bound(a.lines[a.front[k - 1]]));
+  }
+}
+
+TEST(Accuracy, LeavesOutWhatCannotBe) {
+  std::vector<Tried> tried = made_up(plan_of_tests(), 1e-4);
+  for (Tried& t : tried)
+    if (t.variant.knob == Knob::together) t.row = nullptr, t.variant.cannot_be = "a reason";
+  const Accuracy a = judge_accuracy(tried, 0.06);
+  EXPECT_NE(a.lines[a.recommended].knob, Knob::together);
+  EXPECT_EQ(line_of(a, Knob::together, "0.6 of critical, single, 25 samples").cannot_be, "a reason");
+}
+
+const BuildInfo build{"0.1.0", "a compiler"};
+
+/// 500 elements, damped so much that only small steps are stable.
+AccuracyPlan tiny_plan() {
+  AccuracyPlan plan = plan_accuracy(preset_of(R"(
+[specimen]
+length = "36 mm"
+height = "12 mm"
+layers = 2
+elements = 500
+coordination = 5.6
+[loading]
+displacement = "0.6 mm"
+[crack]
+end = "16 mm"
+[output]
+samples = 30
+window = [0.2, 0.4]
+[damping]
+region = "all"
+alpha = 0.1
+[solver]
+dt_fraction = 0.5
+)"),
+                                    {.quick = true, .elements = {}, .seeds = 1});
+  std::erase_if(plan.variants, [](const Variant& v) {
+    return v.knob != Knob::scene && v.label != "0.6 of critical" && v.label != "0.98 of critical";
+  });
+  return plan;
+}
+
+StudyOptions into(const std::filesystem::path& folder) {
+  StudyOptions options;
+  options.folder = folder;
+  options.threads = 1;
+  return options;
+}
+
+TEST(AccuracyRun, SaysWhatCannotRunAndGoesOn) {
+  const TemporaryFolder folder;
+  Cache cache{folder.path() / "cache", {}};
+  double last = 0.0;
+  StudyObserver observer;
+  observer.progress = [&](std::string_view, double done) {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1.0);
+    last = done;
+    return true;
+  };
+  const AccuracyRun run = try_variants(tiny_plan(), into(folder.path()), cache, build, observer);
+  ASSERT_EQ(run.tried.size(), 3u);
+  EXPECT_TRUE(run.tried[0].row.is_object());
+  EXPECT_TRUE(run.tried[1].row.is_object());
+  EXPECT_TRUE(run.tried[2].row.is_null());
+  EXPECT_TRUE(contains(run.tried[2].variant.cannot_be, "solver.dt_fraction makes a step of"));
+  EXPECT_EQ(run.computed, 2);
+  const AccuracyRun again = try_variants(tiny_plan(), into(folder.path()), cache, build, {});
+  EXPECT_EQ(again.computed, 0);
+  EXPECT_EQ(again.tried[1].row, run.tried[1].row);  // its wall time too
+}
+
+TEST(AccuracyRun, GivesEachVariantAPassOfItsOwn) {
+  const TemporaryFolder folder;
+  Cache cache{folder.path() / "cache", {}};
+  const AccuracyRun run = try_variants(tiny_plan(), into(folder.path()), cache, build, {});
+  for (const Tried& t : run.tried)
+    EXPECT_EQ(t.row.is_object() ? t.row.at("lanes").get<int>() : 1, 1);
+}
+
+TEST(AccuracyRun, ThrowsWhereTheSceneItselfCannotBe) {
+  const TemporaryFolder folder;
+  Cache cache{folder.path() / "cache", {}};
+  AccuracyPlan plan = tiny_plan();
+  plan.variants.front().scene.solver.dt_fraction = 0.99;
+  EXPECT_THROW(try_variants(plan, into(folder.path()), cache, build, {}), InputError);
+}
+
+TEST(AccuracyRun, FillsARegisterInOnePass) {
+  const TemporaryFolder folder;
+  Cache cache{folder.path() / "cache", {}};
+  const AccuracyPlan plan = tiny_plan();
+  const std::vector<SummaryRow> rows =
+      fill_lanes(plan, plan.variants.front().scene, into(folder.path()), cache, build, {});
+  ASSERT_EQ(static_cast<int>(rows.size()), lanes_in_register<double>(instruction_set()));
+  for (const SummaryRow& row : rows) EXPECT_EQ(row.at("lanes"), rows.size());
+}
+
+}  // namespace
+}  // namespace rift
