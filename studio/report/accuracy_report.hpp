@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/study/accuracy_judgement.hpp"
+#include "studio/report/table.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+/// All that `rift accuracy` has to tell.
+struct AccuracyReport {
+  std::string preset, command;
+  BuildInfo build;
+  std::vector<std::string> notes;
+  std::vector<Tried> tried;
+  Accuracy accuracy;
+  double goal = 0.01;
+  std::vector<SummaryRow> lanes;  // of the recommended variant, side by side; empty where there is none
+  double wall_s = 0;
+};
+
+/// A line per variant: both errors and the wall time side by side.
+Table accuracy_table(const Accuracy& accuracy);
+
+/// "0.6 of critical, single, 25 samples: error 0.0012 in 0.14 s; ...", or that nothing reaches the goal.
+std::string recommendation_text(const AccuracyReport& report);
+
+/// Table, what each knob is compared with, and the recommendation.
+std::string accuracy_text(const AccuracyReport& report, bool color);
+
+/// The rows of table.csv: those that were computed, with knob, variant, error of the knob, its uncertainty
+/// and error_converged, of the mean over a line's specimens.
+std::vector<SummaryRow> accuracy_rows(const AccuracyReport& report);
+
+/// The same for programs: lines, what they are compared with, recommendation, scenarios.
+nlohmann::ordered_json accuracy_json(const AccuracyReport& report);
+
+/// Writes charts/ and report.html. Throws WorldError where a chart cannot be drawn; the report is then
+/// written without it.
+void write_accuracy_report(const AccuracyReport& report, const std::filesystem::path& folder);
+
+}  // namespace rift::studio
