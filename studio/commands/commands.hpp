@@ -12,6 +12,7 @@ namespace rift::studio {
 // calls the subcommand, its exit code is stored in `exit_code`, which outlives `app`; bad input may also
 // leave as InputError and a failure of the world as any other exception, which main turns into exit codes 2
 // and 1.
+void add_accuracy(CLI::App& app, ExitCode& exit_code);
 void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_check(CLI::App& app, ExitCode& exit_code);
 void add_export(CLI::App& app, ExitCode& exit_code);
@@ -22,7 +23,7 @@ void add_study(CLI::App& app, ExitCode& exit_code);
 void add_theory(CLI::App& app, ExitCode& exit_code);
 
 /// All subcommands, in the order of `rift --help`.
-inline constexpr std::array all_commands = {add_run,  add_study,  add_reproduce, add_check,
-                                           add_list, add_theory, add_export,    add_bench};
+inline constexpr std::array all_commands = {add_run,  add_study,  add_reproduce, add_accuracy, add_check,
+                                            add_list, add_theory, add_export,    add_bench};
 
 }  // namespace rift::studio

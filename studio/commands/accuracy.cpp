@@ -1,0 +1,237 @@
+#include "engine/results/files.hpp"
+#include "engine/results/run_folder.hpp"
+#include "engine/results/world_error.hpp"
+#include "engine/study/accuracy_run.hpp"
+#include "engine/study/curve.hpp"
+#include "engine/study/identity.hpp"
+#include "studio/commands/budget.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/scene_options.hpp"
+#include "studio/report/accuracy_report.hpp"
+#include "studio/report/study_table.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+constexpr double long_s = 600.0;
+
+struct AccuracyCommand {
+  SceneOptions scene;
+  std::string out, budget;
+  std::vector<int> elements;
+  int seeds = 3;
+  double goal = 0.01;
+  bool quick = false, yes = false;
+};
+
+[[noreturn]] void refuse(const std::string& file, const std::string& text) {
+  throw InputError({Issue{.file = file, .key = {}, .text = text}});
+}
+
+void check_one_scene(const Preset& preset) {
+  if (preset.study.empty() && preset.lanes.empty()) return;
+  refuse(preset.name,
+         fmt::format("holds {}: 'rift accuracy' varies one scene by itself, a preset without [study] and "
+                     "[[lanes]]",
+                     preset.study.empty() ? "lanes" : "a study"));
+}
+
+/// What the folder is the accuracy of: the scene as the preset gives it.
+Json mark_of(const Preset& preset) {
+  return {{"accuracy_of", preset.name}, {"scene", hash_text(preset_text(preset.scene))}};
+}
+
+/// Makes the folder, or goes on in one of the same scene; anything else is left alone.
+void open_folder(const fs::path& folder, const Preset& preset) {
+  std::error_code ignored;
+  const fs::path file = folder / "accuracy.json";
+  const Json mark = mark_of(preset);
+  if (fs::exists(file)) {
+    const Json there = Json::parse(results::read_whole_file(file), nullptr, false);
+    if (there == mark) return;
+    throw results::FolderExists(
+        fmt::format("{} holds the accuracy of another scene; nothing was changed, choose another with --out",
+                    folder.string()));
+  }
+  if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored))
+    throw results::FolderExists(
+        fmt::format("{} is not empty and holds no accuracy; choose another with --out", folder.string()));
+  fs::create_directories(folder, ignored);
+  if (!fs::is_directory(folder, ignored))
+    throw results::WorldError("create the folder", folder, ignored.message());
+  results::write_whole_file(file, mark.dump(2) + "\n");
+}
+
+/// The user's cache. With --no-cache one within the folder, gone at the end: variants share their packings.
+struct PackingCache {
+  PackingCache(const SceneOptions& options, const fs::path& folder)
+      : own(options.no_cache ? folder / "cache" : fs::path()),
+        cache(options.no_cache ? Cache{own, {}} : user_cache()) {}
+  ~PackingCache() {
+    std::error_code ignored;
+    if (!own.empty()) fs::remove_all(own, ignored);
+  }
+  PackingCache(const PackingCache&) = delete;
+  PackingCache& operator=(const PackingCache&) = delete;
+  fs::path own;
+  Cache cache;
+};
+
+void tell_finished(const AccuracyCommand& command, ProgressLine& line, const Variant& variant,
+                   const SummaryRow& row, int done, int of) {
+  line.clear();
+  if (command.scene.quiet) return;
+  if (command.scene.json) {
+    const Json told{{"finished", variant.label}, {"knob", name_of(variant.knob)}, {"done", done}, {"of", of}};
+    fmt::print(stderr, "{}\n", told.dump());
+    return;
+  }
+  fmt::print(stderr, "[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, name_of(variant.knob),
+             variant.label, number_in(row, "ratio_with_damping"), number_in(row, "wall_fracture_s"));
+}
+
+std::string command_text(const AccuracyCommand& command) {
+  std::string text = "rift accuracy " + command.scene.preset;
+  for (const std::string& set : command.scene.overrides) text += fmt::format(" --set '{}'", set);
+  if (!command.elements.empty()) text += fmt::format(" --elements {}", fmt::join(command.elements, ","));
+  if (command.quick) text += " --quick";
+  return text + fmt::format(" --seeds {} --goal {:g}", command.seeds, command.goal);
+}
+
+ExitCode stopped(const AccuracyRun& run, int received, const fs::path& folder) {
+  fmt::print(stderr,
+             "rift accuracy: {}; {} of {} variants are kept in {}: the same command goes on from here\n",
+             received != 0 ? "stopped" : "the budget ran out", run.computed + run.found, run.tried.size(),
+             folder.string());
+  return received != 0 ? static_cast<ExitCode>(128 + received) : ExitCode::budget_ran_out;
+}
+
+ExitCode write_files(const AccuracyReport& report, const fs::path& folder) {
+  results::write_whole_file(folder / "table.csv", study_csv(accuracy_rows(report)));
+  try {
+    write_accuracy_report(report, folder);
+  } catch (const results::WorldError& error) {
+    fmt::print(stderr, "rift accuracy: {}\n", error.what());
+    return ExitCode::world_failed;
+  }
+  return ExitCode::done;
+}
+
+void print_result(const AccuracyCommand& command, const AccuracyReport& report, const AccuracyRun& run,
+                  const fs::path& folder) {
+  if (command.scene.json) {
+    fmt::print("{}\n", accuracy_json(report).dump(2));
+    return;
+  }
+  fmt::print("{}{} computed, {} found, {} in all; {}/  table.csv, report.html, charts\n",
+             accuracy_text(report, wants_color(command.scene.color, stdout)), run.computed, run.found,
+             duration_text(report.wall_s), folder.string());
+}
+
+ExitCode compute(const AccuracyCommand& command, const Preset& preset, const AccuracyPlan& plan,
+                 const fs::path& folder, std::optional<double> budget) {
+  const auto start = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const StopSignal stop;
+  ProgressLine line(progress_style(command.scene.quiet, command.scene.json));
+  PackingCache packings(command.scene, folder);
+  StudyOptions options;
+  options.folder = folder;
+  options.threads = command.scene.threads;
+  StudyObserver observer;
+  observer.progress = [&](std::string_view stage, double done) {
+    line.tell("accuracy", done, stage);
+    return stop.received() == 0 && (!budget || seconds() < *budget);
+  };
+  observer.finished = [&](const SummaryRow& row, int done, int of) {
+    tell_finished(command, line, plan.variants[static_cast<std::size_t>(done) - 1], row, done, of);
+  };
+  AccuracyRun run = try_variants(plan, options, packings.cache, build_info(), observer);
+  if (run.outcome == Outcome::stopped) return stopped(run, stop.received(), folder);
+  AccuracyReport report{.preset = preset.name,
+                        .command = command_text(command),
+                        .build = build_info(),
+                        .notes = plan.notes,
+                        .tried = run.tried,
+                        .accuracy = judge_accuracy(run.tried, command.goal),
+                        .goal = command.goal,
+                        .lanes = {},
+                        .wall_s = 0};
+  if (const int chosen = report.accuracy.recommended; chosen >= 0) {
+    const AccuracyLine& best = report.accuracy.lines[static_cast<std::size_t>(chosen)];
+    const Scene& scene = run.tried[static_cast<std::size_t>(best.tried.front())].variant.scene;
+    observer.finished = {};
+    report.lanes = fill_lanes(plan, scene, options, packings.cache, build_info(), observer);
+  }
+  line.clear();
+  print_notes(packings.cache);
+  report.wall_s = seconds();
+  const ExitCode files = write_files(report, folder);
+  print_result(command, report, run, folder);
+  if (files != ExitCode::done) return files;
+  return run.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+}
+
+ExitCode accuracy(const AccuracyCommand& command) {
+  const std::optional<double> budget = read_budget("rift accuracy", command.budget);
+  const Preset preset = read_scene(command.scene);
+  check_one_scene(preset);
+  if (command.scene.print_config) {
+    fmt::print("{}", preset_text(preset));
+    return ExitCode::done;
+  }
+  const AccuracyPlan plan =
+      plan_accuracy(preset, {.quick = command.quick, .elements = command.elements, .seeds = command.seeds});
+  const double seconds = estimated_seconds(plan);
+  if (seconds > long_s && !command.yes && !budget)
+    refuse("rift accuracy",
+           fmt::format("about {} from nothing (at 100 M beam-steps/s): --yes starts it, --budget TIME "
+                       "does what fits, --quick or --elements with smaller numbers take less",
+                       duration_text(seconds)));
+  const fs::path folder = command.out.empty()
+                              ? fs::path(fs::path(command.scene.preset).stem().string() + "_accuracy")
+                              : fs::path(command.out);
+  open_folder(folder, preset);
+  return compute(command, preset, plan, folder, budget);
+}
+
+}  // namespace
+
+void add_accuracy(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "accuracy", "Error against run time: what a scene's step, precision, elements, ... cost and buy");
+  const auto options = std::make_shared<AccuracyCommand>();
+  add_scene_options(command, options->scene);
+  command.add_option("--out", options->out,
+                     "Folder of the results (default: NAME_accuracy); one of the same scene is continued");
+  command
+      .add_option("--goal", options->goal, "Largest error of G_ID/G_I0 that the recommended variant may have")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->capture_default_str();
+  command
+      .add_option("--elements", options->elements,
+                  "Numbers of elements to try, such as 1250,5000,20000,80000 (default: what is affordable)")
+      ->delimiter(',')
+      ->check(CLI::Range(100, 5'000'000));
+  command.add_option("--seeds", options->seeds, "Specimens of each number of elements")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command.add_flag("--quick", options->quick, "The same scene with a fourth of the elements, and no ramp");
+  command.add_option("--budget", options->budget, "Stop after this time (\"10 min\"); the next call goes on");
+  command.add_flag("--yes", options->yes, "Start what takes more than 10 minutes without being asked");
+  command.callback([options, &exit_code] { exit_code = accuracy(*options); });
+}
+
+}  // namespace rift::studio
