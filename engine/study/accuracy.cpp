@@ -137,7 +137,7 @@ Scene ramped(const Preset& preset) {
   scene.loading.method = LoadingMethod::ramp;
   const double time =
       paper_ramp_s * scene.specimen.height / paper_height_m * paper_rayleigh_speed / rayleigh_speed(scene);
-  const int steps = static_cast<int>(std::ceil(time / estimated_step(scene)));
+  const int steps = static_cast<int>(std::ceil(time / estimated_length(scene).step_s));
   if (!preset.origins.contains("loading.ramp_steps")) scene.loading.ramp_steps = steps;
   if (!preset.origins.contains("loading.hold_steps")) scene.loading.hold_steps = steps / 2;
   return scene;
@@ -241,7 +241,7 @@ double estimated_seconds(const AccuracyPlan& plan) {
   std::set<std::string> scenarios, lattices;
   for (const Variant& v : plan.variants) {
     if (!v.cannot_be.empty() || !scenarios.insert(preset_text(v.scene)).second) continue;
-    beam_steps += estimated_beam_steps(v.scene);
+    beam_steps += estimated_cost(v.scene);
     const bool corotational = v.scene.solver.kinematics == Kinematics::corotational;
     const std::string lattice =
         fmt::format("{} {} {}", v.scene.specimen.elements, v.scene.specimen.seed, corotational);

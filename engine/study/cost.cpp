@@ -47,6 +47,10 @@ double estimated_step_cost(const Scene& scene) {
   return damping * turning * beams_per_element * scene.specimen.elements;
 }
 
+double estimated_cost(const Scene& scene) {
+  return estimated_step_cost(scene) * static_cast<double>(estimated_length(scene).steps);
+}
+
 double estimated_preparation(const Scene& scene) {
   return beams_per_element * scene.specimen.elements * preparation_steps;
 }

@@ -19,6 +19,9 @@ Length estimated_length(const Scene& scene);
 /// [rift bench --needs]. The unit is a walk over one beam for as many lanes as march side by side.
 double estimated_step_cost(const Scene& scene);
 
+/// The steps of a scenario that marches by itself.
+double estimated_cost(const Scene& scene);
+
 /// The same for packing and pre-stress together.
 double estimated_preparation(const Scene& scene);
 

@@ -101,7 +101,7 @@ TEST(AccuracyPlan, TakesARampAsAVariantAndNothingElse) {
 TEST(AccuracyPlan, RampsInThePapersTimeWhateverTheStep) {
   const AccuracyPlan plan = plan_accuracy(preset_of("[solver]\ndt_fraction = 0.3\n"), {});
   const Scene ramp = of(plan, Knob::prestress).back().scene;
-  EXPECT_NEAR(ramp.loading.ramp_steps * estimated_step(ramp), 0.47e-3, 1e-6);
+  EXPECT_NEAR(ramp.loading.ramp_steps * estimated_length(ramp).step_s, 0.47e-3, 1e-6);
   EXPECT_EQ(ramp.loading.hold_steps, ramp.loading.ramp_steps / 2);
 }
 
