@@ -84,6 +84,7 @@ TEST(AccuracyPlan, TakesAFinerLatticeOnlyWhereThatIsAffordable) {
   EXPECT_TRUE(numbers_of_elements(plan_accuracy(preset_of(half_size + "5000\n"), {})).contains(20000));
   const AccuracyPlan plan = plan_accuracy(preset_of("[specimen]\nelements = 80000\n"), {});
   EXPECT_FALSE(numbers_of_elements(plan).contains(320000));
+  ASSERT_FALSE(plan.notes.empty());
   EXPECT_TRUE(contains(plan.notes.back(), "320,000 elements would take"));
 }
 
@@ -95,6 +96,7 @@ TEST(AccuracyPlan, TakesARampAsAVariantAndNothingElse) {
     EXPECT_EQ(ramp, v.knob == Knob::prestress && v.label.starts_with("ramp")) << v.label;
     EXPECT_EQ(v.scene.loading.ramp_steps, 7000);
   }
+  ASSERT_FALSE(plan.notes.empty());
   EXPECT_TRUE(contains(plan.notes.front(), "the preset's ramp"));
 }
 
@@ -305,8 +307,8 @@ TEST(AccuracyRun, GivesEachVariantAPassOfItsOwn) {
   const TemporaryFolder folder;
   Cache cache{folder.path() / "cache", {}};
   const AccuracyRun run = try_variants(tiny_plan(), into(folder.path()), cache, build, {});
-  for (const Tried& t : run.tried)
-    EXPECT_EQ(t.row.is_object() ? t.row.at("lanes").get<int>() : 1, 1);
+  ASSERT_TRUE(run.tried.front().row.is_object());
+  for (const Tried& t : run.tried) EXPECT_EQ(t.row.is_object() ? t.row.at("lanes").get<int>() : 1, 1);
 }
 
 TEST(AccuracyRun, ThrowsWhereTheSceneItselfCannotBe) {
