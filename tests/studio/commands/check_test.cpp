@@ -41,12 +41,12 @@ TEST(Check, SaysWhatIsLeftOutAndWhy) {
 TEST(Check, TellsWindowAndFirstEchoOfOneTipAndOfTwo) {
   const TinyPlate plate;
   // H = 12 mm: 0.3 of the paper's 11.26 mm at 0.5 c_r   [physics.md §9.4]
-  EXPECT_TRUE(contains(plate.check().out, "measured from 12 to 24 mm; the first echo is back at 3.378 mm"));
+  EXPECT_TRUE(contains(plate.check().out, "measured from 12 to 24 mm; the first echo is back at 3.379 mm"));
   EXPECT_TRUE(contains(plate.check("--set 'crack.velocity=0.2 c_r until 20 mm, 0.7 c_r'").out,
                        "when the first echo is back is not known"));
   const std::string two = plate.check("--set crack.tips=2 --set 'output.window=[0.1, 0.5]'").out;
   EXPECT_TRUE(contains(two, "two tips, half length at 1100 m/s to 30 mm"));
-  EXPECT_TRUE(contains(two, "measured from 6 to 30 mm; the first echo is back at 3.378 mm"));
+  EXPECT_TRUE(contains(two, "measured from 6 to 30 mm; the first echo is back at 3.379 mm"));
 }
 
 TEST(Check, JsonAgreesWithTheRunItForesees) {
