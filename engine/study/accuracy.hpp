@@ -36,7 +36,7 @@ struct AccuracyPlan {
 /// The variants of a preset without issues, without lanes or a study:
 ///   time step   0.05 to 0.98 of critical, double             each against 0.05, same lattice
 ///   precision   the same steps above 0.1 in single           each against double at its step
-///   elements    `wish.elements` or N/16, N/4, N (and 4 N where all then takes at most three minutes), always
+///   elements    `wish.elements` or N/16, N/4, N (and 4 N where all then takes at most 150 s), always
 ///               N itself; several seeds of each               against the finest
 ///   kinematics  linear, corotational                          a difference of models
 ///   pre-stress  static, ramp in the paper's time for the height, or as the preset's keys say

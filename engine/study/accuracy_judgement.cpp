@@ -163,8 +163,10 @@ void judge_whole(Judging& j) {
   const Scene& scene = j.variant(j.scene()).scene;
   double lattice = 0.0, uncertainty = 0.0;
   for (const AccuracyLine* line : j.of(Knob::elements))
-    if (j.variant(*line).scene.specimen.elements == scene.specimen.elements && std::isfinite(line->error))
+    if (j.variant(*line).scene.specimen.elements == scene.specimen.elements && std::isfinite(line->error)) {
       lattice = line->error, uncertainty = line->uncertainty;
+      j.out.lattice_error = line->reference ? nan : lattice, j.out.lattice_uncertainty = uncertainty;
+    }
   for (AccuracyLine& line : j.out.lines) {
     if (line.knob == Knob::elements) {
       line.converged = line.error + j.scene().step_error;
@@ -177,19 +179,19 @@ void judge_whole(Judging& j) {
 }
 
 void choose(Judging& j, double goal) {
-  std::vector<int> order;
-  for (std::size_t k = 0; k < j.out.lines.size(); ++k) {
-    const AccuracyLine& line = j.out.lines[k];
-    if (line.cannot_be.empty() && std::isfinite(error_bound(line)) && std::isfinite(line.wall_s))
-      order.push_back(static_cast<int>(k));
-  }
   const auto& lines = j.out.lines;
+  std::vector<int> order;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (lines[k].cannot_be.empty() && std::isfinite(lines[k].wall_s)) order.push_back(static_cast<int>(k));
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return lines[a].wall_s < lines[b].wall_s; });
   double best = std::numeric_limits<double>::infinity();
   for (const int k : order) {
-    if (error_bound(lines[k]) < best) j.out.front.push_back(k), best = error_bound(lines[k]);
-    if (j.out.recommended < 0 && error_bound(lines[k]) <= goal) j.out.recommended = k;
+    const double error = std::abs(lines[k].step_error);  // NaN, and thus in no comparison, on another lattice
+    if (error < best) j.out.front.push_back(k), best = error;
+    if (j.out.recommended < 0 && error <= goal) j.out.recommended = k;
+    const double whole = std::abs(lines[k].converged) + lines[k].converged_uncertainty;
+    if (j.out.recommended_whole < 0 && whole <= goal) j.out.recommended_whole = k;
   }
 }
 
@@ -197,11 +199,9 @@ void choose(Judging& j, double goal) {
 
 bool AccuracyLine::resolved() const { return std::abs(error) > 2.0 * uncertainty; }
 
-double error_bound(const AccuracyLine& line) { return std::abs(line.converged) + line.converged_uncertainty; }
-
 Accuracy judge_accuracy(const std::vector<Tried>& tried, double goal) {
   Judging j{.tried = tried};
-  j.out.specimen_scatter = nan;
+  j.out.specimen_scatter = j.out.lattice_error = nan;
   gather_lines(j);
   if (j.out.lines.empty()) return {};
   for (AccuracyLine& line : j.out.lines) measure(j, line);

@@ -42,13 +42,16 @@ struct Accuracy {
   std::vector<AccuracyLine> lines;       // in the order of the plan
   std::vector<KnobReference> reference;  // of each knob that was tried
   double specimen_scatter =
-      0;                   // standard deviation of the ratio over the finest specimens, NaN for one of them
-  std::vector<int> front;  // lines that none is cheaper and better than, cheapest first
-  int recommended = -1;    // the cheapest line within the goal; -1 where none is
+      0;  // standard deviation of the ratio over the finest specimens, NaN for one of them
+  double lattice_error =
+      0;  // of the scene's number of elements against the finest, NaN where it is the finest
+  double lattice_uncertainty = 0;
+  std::vector<int>
+      front;             // lines on the scene's lattice that none is cheaper and better than, cheapest first
+  int recommended = -1;  // the cheapest of them whose |step_error| is within the goal; -1 where none is
+  int recommended_whole =
+      -1;  // the cheapest line that keeps to it with the lattice's error, uncertainty included
 };
-
-/// Largest error that a line can be said to have: |error against the converged reference| + its uncertainty.
-double error_bound(const AccuracyLine& line);
 
 /// Judges what was tried:
 ///   time step, scene, together  ratio - R_0, R_0 the limit of the steps in double on the same specimen
@@ -59,7 +62,7 @@ double error_bound(const AccuracyLine& line);
 /// `converged` is ratio - R_0 of the scene's lattice plus the error of that lattice against the finest; a
 /// line of another number of elements has the scene's error of the step. So the deviation of one specimen
 /// from its kind, which is scatter and no error, is in none of them.
-/// @param[in] goal  error bound of the recommendation
+/// @param[in] goal  largest error of the recommendations
 Accuracy judge_accuracy(const std::vector<Tried>& tried, double goal);
 
 /// "time step: against ...", one line for each knob.

@@ -50,14 +50,14 @@ const char* series_label(Knob knob) {
     case Knob::samples:
       return "number of samples";
     default:
-      return name_of(knob);
+      return "elements, to the finest";
   }
 }
 
+/// A line leads from step to step; elements scatter too much to be joined.
 ChartSeries::Style style_of(Knob knob) {
-  const bool ordered =
-      knob == Knob::time_step || knob == Knob::precision || knob == Knob::elements || knob == Knob::together;
-  return ordered ? ChartSeries::Style::line_points : ChartSeries::Style::points;
+  const bool steps = knob == Knob::time_step || knob == Knob::precision || knob == Knob::together;
+  return steps ? ChartSeries::Style::line_points : ChartSeries::Style::points;
 }
 
 /// A level line from the cheapest to the dearest point.
@@ -72,7 +72,7 @@ NamedChart work_precision(const Accuracy& accuracy, double goal) {
   Chart& chart = named.chart;
   chart.title = "What accuracy costs";
   chart.x_label = "wall time of the march [s]";
-  chart.y_label = "|error of G_{ID}/G_{I0}| against the converged reference [-]";
+  chart.y_label = "|error of G_{ID}/G_{I0}| [-]";
   chart.log_x = chart.log_y = true;
   chart.key_outside = true;
   int left_out = 0;
@@ -86,7 +86,7 @@ NamedChart work_precision(const Accuracy& accuracy, double goal) {
     points.series.colour = static_cast<int>(chart.series.size());
     for (const AccuracyLine& line : accuracy.lines)
       if (line.knob == knob && line.cannot_be.empty() && line.wall_s > 0.0)
-        points.add(line.wall_s, line.converged);
+        points.add(line.wall_s, knob == Knob::elements ? line.error : line.step_error);
     left_out += points.left_out;
     if (points.series.x.empty()) continue;
     from = std::min(from, *std::min_element(points.series.x.begin(), points.series.x.end()));
@@ -102,9 +102,11 @@ NamedChart work_precision(const Accuracy& accuracy, double goal) {
     chart.marks.push_back({best.wall_s, best.wall_s, "recommended: " + escape_label(best.label)});
   }
   named.caption =
-      "Error against the converged reference and the time that the march takes, each variant computed by "
-      "itself. "
-      "Down and to the left is better; an error of elements below the scatter of specimens is not resolved.";
+      "Error and the time that the march takes, each variant computed by itself: down and to the left is "
+      "better. "
+      "Errors are against the converged step on the scene's own specimen, those of elements against the "
+      "finest "
+      "lattice, means over the specimens; an error of elements below their scatter is not resolved.";
   named.caption += left_out_text(left_out);
   return named;
 }

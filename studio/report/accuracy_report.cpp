@@ -52,9 +52,8 @@ double lane_wall(const AccuracyReport& report) {
 
 std::string scatter_text(const Accuracy& accuracy) {
   if (!std::isfinite(accuracy.specimen_scatter)) return {};
-  return fmt::format(
-      "; specimens of the finest lattice scatter by {:.3f} (standard deviation), which no variant changes",
-      accuracy.specimen_scatter);
+  return fmt::format("; specimens of the finest lattice scatter by {:.3f} (standard deviation)",
+                     accuracy.specimen_scatter);
 }
 
 Json line_json(const AccuracyLine& line) {
@@ -103,11 +102,26 @@ std::string recommendation_text(const AccuracyReport& report) {
                        a.front.empty() ? std::string("not known") : a.lines[a.front.back()].label);
   const AccuracyLine& line = a.lines[a.recommended];
   std::string text =
-      fmt::format("{}: error {} in {:.2f} s", line.label, error_text(line.converged), line.wall_s);
-  if (line.converged_uncertainty > 0.0) text += fmt::format(" (± {:.4f})", line.converged_uncertainty);
+      fmt::format("{}: error {} in {:.2f} s", line.label, error_text(line.step_error), line.wall_s);
   if (!report.lanes.empty())
     text += fmt::format(", {} lanes side by side {:.3f} s each", report.lanes.size(), lane_wall(report));
   return text + fmt::format(" (goal {:g})", report.goal);
+}
+
+std::string lattice_text(const AccuracyReport& report) {
+  const Accuracy& a = report.accuracy;
+  std::string text = "the finest one that was tried, so that its own error is not known";
+  if (std::isfinite(a.lattice_error)) {
+    const bool resolved = std::abs(a.lattice_error) > 2.0 * a.lattice_uncertainty;
+    text = fmt::format("error {} ± {:.4f} against the finest one{}", error_text(a.lattice_error),
+                       a.lattice_uncertainty, resolved ? "" : ", below the scatter");
+  }
+  text += scatter_text(a);
+  if (!std::isfinite(a.lattice_error)) return text;
+  if (a.recommended_whole < 0) return text + "; no variant is known to keep to the goal with it";
+  const AccuracyLine& line = a.lines[a.recommended_whole];
+  return text + fmt::format("; with it, the cheapest within the goal is {}: {} ± {:.4f} in {:.2f} s",
+                            line.label, error_text(line.converged), line.converged_uncertainty, line.wall_s);
 }
 
 std::string accuracy_text(const AccuracyReport& report, bool color) {
@@ -117,7 +131,8 @@ std::string accuracy_text(const AccuracyReport& report, bool color) {
       "together\n";
   for (const std::string& line : reference_texts(report.accuracy)) text += "  " + line + "\n";
   for (const std::string& note : report.notes) text += "  note: " + note + "\n";
-  return text + "recommended: " + recommendation_text(report) + scatter_text(report.accuracy) + "\n";
+  text += "recommended on this lattice: " + recommendation_text(report) + "\n";
+  return text + "the lattice itself: " + lattice_text(report) + "\n";
 }
 
 std::vector<SummaryRow> accuracy_rows(const AccuracyReport& report) {
@@ -158,6 +173,7 @@ Json accuracy_json(const AccuracyReport& report) {
                                    : Json(nullptr)},
           {"lines", lines},
           {"recommendation", recommendation_text(report)},
+          {"lattice", lattice_text(report)},
           {"recommended", recommended},
           {"scenarios", accuracy_rows(report)}};
 }
@@ -185,8 +201,8 @@ void write_accuracy_report(const AccuracyReport& report, const std::filesystem::
   std::string body =
       html_paragraph(fmt::format("Made by `{}`, rift {} ({}), in {}.", report.command, report.build.version,
                                  report.build.compiler, duration_text(report.wall_s)));
-  body += html_section("Recommended",
-                       html_paragraph(recommendation_text(report) + scatter_text(report.accuracy)));
+  body += html_section("Recommended", html_paragraph("On this lattice: " + recommendation_text(report)) +
+                                          html_paragraph("The lattice itself: " + lattice_text(report)));
   body += html_section("Charts", figures);
   body += html_section("Variants", html_table(accuracy_table(report.accuracy)));
   body += html_section("What is compared with what", compared);

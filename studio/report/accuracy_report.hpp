@@ -29,6 +29,9 @@ Table accuracy_table(const Accuracy& accuracy);
 /// "0.6 of critical, single, 25 samples: error 0.0012 in 0.14 s; ...", or that nothing reaches the goal.
 std::string recommendation_text(const AccuracyReport& report);
 
+/// What the scene's number of elements adds to that, as far as the scatter of specimens lets it be known.
+std::string lattice_text(const AccuracyReport& report);
+
 /// Table, what each knob is compared with, and the recommendation.
 std::string accuracy_text(const AccuracyReport& report, bool color);
 

@@ -222,15 +222,25 @@ TEST(Accuracy, CountsTheMarchOfARampAndNoStaticSolve) {
 
 TEST(Accuracy, RecommendsTheCheapestWithinTheGoal) {
   const std::vector<Tried> tried = made_up(plan_of_tests(), 1e-4);
-  const Accuracy a = judge_accuracy(tried, 0.06);
+  const Accuracy a = judge_accuracy(tried, 0.01);
   ASSERT_GE(a.recommended, 0);
-  // 0.05 is the lattice's share: 0.6 of critical adds 0.0072, 0.8 already 0.0128.
+  // 0.6 of critical is 0.0073 off, 0.8 already 0.0129.
   EXPECT_EQ(a.lines[a.recommended].label, "0.6 of critical, single, 25 samples");
   EXPECT_EQ(judge_accuracy(tried, 1e-6).recommended, -1);
   for (std::size_t k = 1; k < a.front.size(); ++k) {
     EXPECT_GE(a.lines[a.front[k]].wall_s, a.lines[a.front[k - 1]].wall_s);
-    EXPECT_LT(error_bound(a.lines[a.front[k]]), error_bound(a.lines[a.front[k - 1]]));
+    EXPECT_LT(std::abs(a.lines[a.front[k]].step_error), std::abs(a.lines[a.front[k - 1]].step_error));
   }
+}
+
+TEST(Accuracy, RecommendsWithTheErrorOfTheLatticeApart) {
+  const std::vector<Tried> tried = made_up(plan_of_tests(), 1e-4);
+  const Accuracy a = judge_accuracy(tried, 0.01);
+  EXPECT_NEAR(a.lattice_error, 0.05, 1e-9);
+  EXPECT_EQ(a.recommended_whole, -1);  // 16,000 elements are 0.025 off
+  const int whole = judge_accuracy(tried, 0.06).recommended_whole;
+  ASSERT_GE(whole, 0);
+  EXPECT_EQ(a.lines[whole].label, "0.6 of critical, single, 25 samples");  // 0.05 + 0.0073
 }
 
 TEST(Accuracy, LeavesOutWhatCannotBe) {

@@ -13,8 +13,8 @@ using Json = nlohmann::json;
 
 Ran accuracy(const TinyPlate& plate, const std::string& arguments = "") {
   return run_rift("accuracy '" + plate.preset().string() +
-                      "' --quick --threads 1 --seeds 2 --elements 1250 --out '" + plate.out().string() + "' " +
-                      arguments,
+                      "' --quick --threads 1 --seeds 2 --elements 1250 --out '" + plate.out().string() +
+                      "' " + arguments,
                   plate.environment());
 }
 
@@ -28,8 +28,9 @@ TEST(AccuracyCommand, PrintsErrorsAndWallTimesAndARecommendation) {
   const Ran ran = accuracy(plate, "--goal 0.5");
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* part : {"converged", "to Broberg", "wall [s]", "0.05 of critical", "1,250 elements",
-                           "900 elements", "corotational", "another model", "recommended: ",
-                           "lanes side by side", "(goal 0.5)", "elements: against the mean of 2 specimens"})
+                           "900 elements", "corotational", "another model",
+                           "recommended on this lattice: ", "the lattice itself: ", "lanes side by side",
+                           "(goal 0.5)", "elements: against the mean of 2 specimens"})
     EXPECT_TRUE(contains(ran.out, part));
   EXPECT_FALSE(contains(ran.out, "pre-stress"));  // --quick
 }
