@@ -1,8 +1,8 @@
 #include "engine/study/accuracy_run.hpp"
 
-#include "engine/ensemble/instruction_set.hpp"
 #include "engine/study/cost.hpp"
 #include "engine/study/curve.hpp"
+#include "engine/study/passes.hpp"
 
 namespace rift {
 namespace {
@@ -70,9 +70,7 @@ AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, 
 
 std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const Scene& scene, const StudyOptions& options,
                                    Cache& cache, const BuildInfo& build, const StudyObserver& observer) {
-  const bool single = scene.solver.precision == Precision::single_precision;
-  const int lanes =
-      single ? lanes_in_register<float>(instruction_set()) : lanes_in_register<double>(instruction_set());
+  const int lanes = lanes_of_many(scene.solver.precision);
   const StudyResult result = run_study(study_of(plan, side_by_side(scene, lanes)), in_shared_folder(options),
                                        cache, build, observer);
   return result.outcome == Outcome::stopped ? std::vector<SummaryRow>{} : result.rows;

@@ -51,7 +51,7 @@ std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lan
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return length(a) > length(b); });
   const Precision precision = lanes.front().scene.solver.precision;
-  const auto most = static_cast<std::size_t>(soonest(std::vector<std::int64_t>(100, 1), precision).lanes);
+  const auto most = static_cast<std::size_t>(lanes_of_many(precision));
   const bool ramp = lanes.front().scene.loading.method == LoadingMethod::ramp;
   std::vector<std::vector<std::size_t>> passes;
   for (const std::size_t k : order) {
@@ -71,5 +71,7 @@ std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lan
 Queue soonest(const std::vector<std::int64_t>& steps, Precision precision) {
   return precision == Precision::single_precision ? soonest_in<float>(steps) : soonest_in<double>(steps);
 }
+
+int lanes_of_many(Precision precision) { return soonest(std::vector<std::int64_t>(1000, 1), precision).lanes; }
 
 }  // namespace rift

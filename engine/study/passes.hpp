@@ -23,4 +23,7 @@ struct Queue {
 /// @param[in] steps  of each scenario
 Queue soonest(const std::vector<std::int64_t>& steps, Precision precision);
 
+/// Lanes side by side where there is no end of scenarios.
+int lanes_of_many(Precision precision);
+
 }  // namespace rift

@@ -1,8 +1,8 @@
 #include "engine/study/accuracy.hpp"
 
-#include "engine/ensemble/instruction_set.hpp"
 #include "engine/study/accuracy_judgement.hpp"
 #include "engine/study/cost.hpp"
+#include "engine/study/passes.hpp"
 #include "tests/studio/run_rift.hpp"
 
 #include <gtest/gtest.h>
@@ -335,7 +335,7 @@ TEST(AccuracyRun, FillsARegisterInOnePass) {
   const AccuracyPlan plan = tiny_plan();
   const std::vector<SummaryRow> rows =
       fill_lanes(plan, plan.variants.front().scene, into(folder.path()), cache, build, {});
-  ASSERT_EQ(static_cast<int>(rows.size()), lanes_in_register<double>(instruction_set()));
+  ASSERT_EQ(static_cast<int>(rows.size()), lanes_of_many(Precision::double_precision));
   for (const SummaryRow& row : rows) EXPECT_EQ(row.at("lanes"), rows.size());
 }
 
