@@ -120,8 +120,10 @@ std::string lattice_text(const AccuracyReport& report) {
   if (!std::isfinite(a.lattice_error)) return text;
   if (a.recommended_whole < 0) return text + "; no variant is known to keep to the goal with it";
   const AccuracyLine& line = a.lines[a.recommended_whole];
-  return text + fmt::format("; with it, the cheapest within the goal is {}: {} ± {:.4f} in {:.2f} s",
-                            line.label, error_text(line.converged), line.converged_uncertainty, line.wall_s);
+  text += fmt::format("; with it, the cheapest within the goal is {}: {} in {:.2f} s", line.label,
+                      error_text(line.converged), line.wall_s);
+  return text +
+         (line.reference ? ", the finest itself" : fmt::format(" (± {:.4f})", line.converged_uncertainty));
 }
 
 std::string accuracy_text(const AccuracyReport& report, bool color) {
