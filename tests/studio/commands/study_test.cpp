@@ -69,7 +69,7 @@ TEST(StudyCommand, AgreesWithTheRunOfOneOfItsScenarios) {
 // Some seconds of work, cut short at moments that fall into packing, pre-stress and crack.
 TEST(StudyCommand, KilledAtAnyMomentGivesTheSameTable) {
   const TinyStudy plate;
-  const std::string slower = "--set solver.dt_fraction=0.05";
+  const std::string slower = "--set solver.dt_fraction=0.02";
   ASSERT_EQ(plate.study(slower + " --no-cache").exit_code, 0);
   const fs::path folder = plate.path() / "killed";
   int kills = 0;
@@ -84,10 +84,10 @@ TEST(StudyCommand, KilledAtAnyMomentGivesTheSameTable) {
 TEST(StudyCommand, StopsInGoodOrderAndGoesOn) {
   const TinyStudy plate;
   const Ran ran =
-      plate.study_under("timeout --preserve-status -s INT 1", "--set solver.dt_fraction=0.01", plate.out());
+      plate.study_under("timeout --preserve-status -s INT 1", "--set solver.dt_fraction=0.001", plate.out());
   EXPECT_EQ(ran.exit_code, 130);
   EXPECT_TRUE(contains(ran.err, "rift study: stopped; the same command goes on from here\n"));
-  const Ran late = plate.study("--set solver.dt_fraction=0.01 --budget '0.5 s'");
+  const Ran late = plate.study("--set solver.dt_fraction=0.001 --budget '0.5 s'");
   EXPECT_EQ(late.exit_code, 4);
   EXPECT_TRUE(contains(late.err, "rift study: the budget ran out; the same command goes on from here\n"));
   EXPECT_TRUE(contains(late.out, "not computed yet"));
