@@ -17,6 +17,9 @@ using results::Phase;
 
 constexpr double largest_residual_inertia = 0.01;  // of the ramp: kinetic over total energy   [physics.md §4]
 constexpr auto between_questions = std::chrono::milliseconds(100);
+/// Steps from one moment at which idle lanes may be filled to the next: lanes that begin a power of two of
+/// steps apart are looked at in the same steps, which costs one look.
+constexpr std::int64_t between_refills = 64;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -60,10 +63,11 @@ class Run {
       lane_of(seat).energy_at_crack_start = elastic_energy(seat);
       if (ramp() == 0) observe(seat);
     }
-    while (busy()) {
+    while (busy() || waiting()) {
+      if (waiting() && (!busy() || marched_ % between_refills == 0)) refill();
       step();
       for (Seat& seat : seat_)
-        if (seat.scenario >= 0 && ended(seat)) take_next(seat);
+        if (seat.scenario >= 0 && ended(seat)) end(seat);
     }
     result_.wall_fracture_s = seconds_since(crack_started_);
     for (const LaneResult& lane : result_.lane) result_.outcome = std::max(result_.outcome, lane.outcome);
@@ -104,8 +108,13 @@ class Run {
     return lane_of(seat).outcome != Outcome::finished || steps(seat) >= plan(seat).schedule.total();
   }
 
+  bool waiting() const {
+    return !stopped_ && ramp() == 0 && next_scenario_ < static_cast<int>(prepared_.lane.size());
+  }
+
   void step() {
     ensemble_.step();
+    ++marched_;
     for (Seat& seat : seat_)
       if (seat.scenario >= 0) ++result_.lane_steps;
     report_released();
@@ -114,8 +123,8 @@ class Run {
     ask();
   }
 
-  /// A lane that has come to its end goes on with the next scenario in the queue, if it can.
-  void take_next(Seat& seat) {
+  /// Leaves the lane idle.
+  void end(Seat& seat) {
     LaneResult& lane = lane_of(seat);
     lane.steps = steps(seat);
     lane.wall_s = seconds_since(seat.since) / static_cast<double>(seat_.size());
@@ -123,11 +132,17 @@ class Run {
     if (lane.outcome == Outcome::finished) lane.wake = wake(seat);
     tell_end(seat);
     seat.scenario = -1;
-    if (stopped_ || ramp() > 0 || next_scenario_ >= static_cast<int>(prepared_.lane.size())) return;
-    seat = {.scenario = next_scenario_++};
-    ensemble_.refill(index(seat), plan(seat).scenario);
-    lane_of(seat).energy_at_crack_start = elastic_energy(seat);
-    observe(seat);
+  }
+
+  /// Idle lanes go on with the next scenarios in the queue.
+  void refill() {
+    for (Seat& seat : seat_) {
+      if (seat.scenario >= 0 || !waiting()) continue;
+      seat = {.scenario = next_scenario_++};
+      ensemble_.refill(index(seat), plan(seat).scenario);
+      lane_of(seat).energy_at_crack_start = elastic_energy(seat);
+      observe(seat);
+    }
   }
 
   void tell_end(const Seat& seat) {
@@ -296,6 +311,7 @@ class Run {
   RunResult result_;
   std::vector<Seat> seat_;
   int next_scenario_ = 0;
+  std::int64_t marched_ = 0;  // steps of the ensemble
   std::int64_t total_ = 0;
   bool stopped_ = false;
   Clock::time_point started_ = Clock::now(), asked_ = started_, crack_started_ = started_;

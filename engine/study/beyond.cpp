@@ -101,26 +101,29 @@ std::vector<WakeBand> wake_bands(const SummaryRow& row) {
 
 std::vector<OwnProblem> own_problem(const Evidence& evidence) {
   const auto zones = by_zone(evidence);
-  std::vector<OwnProblem> points;
+  std::map<std::tuple<long, long, long>, OwnProblem> points;  // the smallest elements of a velocity and zone last
+  std::map<std::tuple<long, long, long>, std::vector<double>> radii;
   for (const SummaryRow& row : evidence.rows) {
     if (!(number_in(row, "tips") > 1.5) || std::isnan(number_in(row, "ratio_with_damping"))) continue;
-    OwnProblem p{.v = number_in(row, "crack_velocity_over_cr"),
-                 .zone = number_in(row, "damage_zone_ratio"),
-                 .radius_m = number_in(row, "mean_radius_m"),
-                 .ratio = number_in(row, "ratio_with_damping"),
-                 .broberg = number_in(row, "broberg")};
-    const double length = number_in(row, "length_m");
-    p.half_length_m = 0.5 * length *
-                      (row.at("window_over_length")[0].get<double>() + row.at("window_over_length")[1].get<double>());
-    const auto zone = zones.find(key_of(p.zone));
-    const EfficiencyPoint* eta = zone == zones.end() ? nullptr : find_point(zone->second, p.v);
-    if (eta) p.efficiency = mean_of(eta->ratio), p.scatter = deviation_of(eta->ratio);
-    points.push_back(p);
+    const double v = number_in(row, "crack_velocity_over_cr"), zone = number_in(row, "damage_zone_ratio");
+    const std::tuple place(key_of(v), key_of(zone), std::lround(number_in(row, "elements")));
+    OwnProblem& p = points[place];
+    p.v = v, p.zone = zone, p.elements = number_in(row, "elements");
+    p.broberg = number_in(row, "broberg");
+    p.ratio.push_back(number_in(row, "ratio_with_damping"));
+    radii[place].push_back(number_in(row, "mean_radius_m"));
+    const auto& window = row.at("window_over_length");
+    p.half_length_m = 0.5 * number_in(row, "length_m") * (window[0].get<double>() + window[1].get<double>());
+    const auto strip = zones.find(key_of(zone));
+    const EfficiencyPoint* eta = strip == zones.end() ? nullptr : find_point(strip->second, v);
+    if (eta) p.efficiency = mean_of(eta->ratio), p.efficiency_scatter = deviation_of(eta->ratio);
   }
-  std::sort(points.begin(), points.end(), [](const OwnProblem& a, const OwnProblem& b) {
-    return std::tuple(a.v, a.zone, b.radius_m) < std::tuple(b.v, b.zone, a.radius_m);
-  });
-  return points;
+  std::vector<OwnProblem> list;
+  for (auto& [place, point] : points) {
+    point.radius_m = mean_of(radii[place]);
+    list.push_back(std::move(point));
+  }
+  return list;
 }
 
 std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points) {
@@ -129,9 +132,14 @@ std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points) {
     const OwnProblem &coarse = points[k], &fine = points[k + 1];
     if (key_of(coarse.v) != key_of(fine.v) || key_of(coarse.zone) != key_of(fine.zone)) continue;
     const double x = coarse.radius_m / coarse.half_length_m, y = fine.radius_m / fine.half_length_m;
-    const double of_coarse = coarse.ratio / coarse.efficiency, of_fine = fine.ratio / fine.efficiency;
-    const double limit = of_fine + (of_fine - of_coarse) * y / (x - y);
-    if (std::isfinite(limit)) list.push_back({fine.v, fine.zone, limit, fine.broberg, fine.scatter / fine.efficiency});
+    const double on = y / (x - y);
+    const double limit = fine.over_efficiency() + on * (fine.over_efficiency() - coarse.over_efficiency());
+    if (!std::isfinite(limit)) continue;
+    const auto relative = [](const OwnProblem& p) { return deviation_of(p.ratio) / mean_of(p.ratio); };
+    const double of_coarse = relative(coarse), of_fine = fine.ratio.size() > 1 ? relative(fine) : of_coarse;
+    const double of_efficiency = fine.efficiency_scatter / fine.efficiency;
+    list.push_back({fine.v, fine.zone, limit, fine.broberg,
+                    std::hypot((1.0 + on) * of_fine, on * of_coarse, of_efficiency)});
   }
   return list;
 }
@@ -174,21 +182,27 @@ Judgement beyond_efficiency(const Evidence& evidence) {
 }
 
 Judgement beyond_broberg(const Evidence& evidence) {
-  const std::vector<Extrapolated> limits = extrapolated(own_problem(evidence));
+  const std::vector<OwnProblem> points = own_problem(evidence);
+  const std::vector<Extrapolated> limits = extrapolated(points);
   if (limits.empty()) return {Verdict::not_decidable, "no result"};
+  double most = 0.0;
+  for (const OwnProblem& p : points) most = std::max(most, p.elements);
+  std::string text = fmt::format("G_ID / eta over Broberg with {:.0f} elements:", most);
+  for (const OwnProblem& p : points)
+    if (p.elements == most)
+      text += fmt::format(" {:.3f} at {:g}, r_l = {:g};", p.over_efficiency() / p.broberg, p.v, p.zone);
+  text += " straight on to R = 0:";
   std::vector<double> away, scatter;
-  std::string text;
   for (const Extrapolated& e : limits) {
     away.push_back(std::abs(e.limit / e.broberg - 1.0));
     scatter.push_back(e.scatter);
-    text += fmt::format("{}{:.3f} ({:+.1f} %) at {:g}, r_l = {:g}", text.empty() ? "" : ", ", e.limit,
-                        100.0 * (e.limit / e.broberg - 1.0), e.v, e.zone);
+    text += fmt::format(" {:.3f} \u00b1 {:.3f} at {:g}, r_l = {:g};", e.limit / e.broberg, e.scatter, e.v, e.zone);
   }
   const Verdict verdict = mean_of(scatter) > broberg_goal ? Verdict::not_decidable
                           : mean_of(away) <= broberg_goal ? Verdict::holds
                                                           : Verdict::does_not_hold;
-  return {verdict, fmt::format("G_ID / eta for R to 0: {}; mean {:.1f} % off Broberg, eta scatters by {:.1f} %", text,
-                               100.0 * mean_of(away), 100.0 * mean_of(scatter))};
+  return {verdict, fmt::format("{} mean distance {:.1f} %, mean scatter {:.1f} %", text, 100.0 * mean_of(away),
+                               100.0 * mean_of(scatter))};
 }
 
 }  // namespace judges

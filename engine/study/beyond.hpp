@@ -34,17 +34,23 @@ struct WakeBand {
 };
 std::vector<WakeBand> wake_bands(const SummaryRow& row);
 
-/// Broberg's own problem at one velocity, zone and size, beside the efficiency of the strip there (NaN: none).
+/// Broberg's own problem at one velocity, zone and number of elements, the mean over its specimens, beside the
+/// efficiency of the strip there (NaN: none).
 struct OwnProblem {
-  double v = 0, zone = 0, radius_m = 0, half_length_m = 0;  // in the middle of the window
-  double ratio = 0, broberg = 0;
-  double efficiency = NAN, scatter = NAN;  // of the specimens
+  double v = 0, zone = 0, elements = 0;
+  double radius_m = 0, half_length_m = 0;  // in the middle of the window
+  double broberg = 0;
+  std::vector<double> ratio;  // of each specimen
+  double efficiency = NAN, efficiency_scatter = NAN;
+
+  double over_efficiency() const { return mean_of(ratio) / efficiency; }
 };
 std::vector<OwnProblem> own_problem(const Evidence& evidence);
 
-/// Ratio over efficiency, from two sizes straight on to R / a = 0.
+/// Ratio over efficiency, from two sizes straight on to R / a = 0. The scatter is what the specimens' scatter
+/// makes of it, relative; where there is one specimen of a size it is taken to scatter as the others.
 struct Extrapolated {
-  double v = 0, zone = 0, limit = 0, broberg = 0, scatter = 0;  // of the efficiency, relative
+  double v = 0, zone = 0, limit = 0, broberg = 0, scatter = 0;
 };
 std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points);
 

@@ -10,6 +10,8 @@ Judgement fig05(const Evidence& evidence);
 Judgement fig06(const Evidence& evidence);
 Judgement fig07(const Evidence& evidence);
 Judgement fig08(const Evidence& evidence);
+Judgement fig09(const Evidence& evidence);
+Judgement fig10(const Evidence& evidence);
 Judgement fig11(const Evidence& evidence);
 Judgement fig12(const Evidence& evidence);
 Judgement fig13(const Evidence& evidence);

@@ -1,3 +1,4 @@
+#include "engine/fracture/release.hpp"
 #include "engine/study/judges.hpp"
 #include "engine/theory/references.hpp"
 
@@ -73,6 +74,30 @@ Judgement fig08(const Evidence& evidence) {
                  {"total too high", is_too_high(total, {0.4, 0.8})},
                  {"total better than surface", is_better(total, surface, {0.01, 0.4})},
                  {"less than 6 % of beams damped at the surface", few_beams_damped(evidence)}});
+}
+
+Judgement fig09(const Evidence&) {
+  const ReleaseLaw law{Technique::progressive, 1.0, 1.0};
+  const double ahead = stiffness_left(law, 0.0, 1.0), middle = stiffness_left(law, 0.0, 0.5),
+               at_tip = stiffness_left(law, 0.0, 0.0);
+  return {ahead == 1.0 && middle > 0.0 && middle < 1.0 && at_tip == 0.0 ? Verdict::holds : Verdict::does_not_hold,
+          fmt::format("stiffness left {:g} at L_CZM ahead of the tip, {:g} half way, {:g} at the tip", ahead, middle,
+                      at_tip)};
+}
+
+Judgement fig10(const Evidence&) {
+  std::string text = "stiffness left at b/l = 0, 1/2, 1:";
+  std::vector<double> half;
+  bool ends = true;
+  for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {
+    const ReleaseLaw law{Technique::progressive, power, 1.0};
+    const auto left = [&](double b) { return stiffness_left(law, b, 1.0); };  // b = a + l - s_b
+    text += fmt::format(" {} {:g}, {:.3f}, {:g};", name, left(0.0), left(0.5), left(1.0));
+    half.push_back(left(0.5));
+    ends = ends && left(0.0) == 1.0 && left(1.0) == 0.0;
+  }
+  return {ends && half[1] > half[0] && half[0] > half[2] ? Verdict::holds : Verdict::does_not_hold,
+          text.substr(0, text.size() - 1)};
 }
 
 Judgement fig11(const Evidence& evidence) {

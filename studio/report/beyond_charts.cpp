@@ -61,7 +61,7 @@ std::vector<Figure> maps(const Evidence& evidence, const fs::path& folder) {
   figures.push_back({draw_chart(map_chart(cells, title + ", mean over the velocities",
                                           [](const MapCell& cell) { return mean_of(cell.distance); }),
                                 folder, "beyond_map"),
-                     "Mean over the velocities."});
+                     "Distance to Broberg over relaxation and damage zone, mean over the velocities."});
   for (const double v : cells.front().v) {
     const HeatMap map = map_chart(cells, fmt::format("{} at {:g} c_r", title, v),
                                   [v](const MapCell& cell) { return distance_at(cell, v); });
@@ -194,12 +194,12 @@ Chart own_problem_chart(const std::vector<OwnProblem>& points, bool over_efficie
   chart.series.resize(1);  // Broberg alone
   if (over_efficiency) chart.y_label = "G_{ID} / (G_{I0} {/Symbol h}) [-]";
   std::map<double, std::pair<ChartSeries, ChartSeries>> curves;
-  double finest = std::numeric_limits<double>::infinity();
-  for (const OwnProblem& p : points) finest = std::min(finest, p.radius_m);
+  double most = 0.0;
+  for (const OwnProblem& p : points) most = std::max(most, p.elements);
   for (const OwnProblem& p : points) {
-    if (p.radius_m > 1.01 * finest) continue;
+    if (p.elements < most) continue;
     auto& [measured, expected] = curves[p.zone];
-    measured.x.push_back(p.v), measured.y.push_back(over_efficiency ? p.ratio / p.efficiency : p.ratio);
+    measured.x.push_back(p.v), measured.y.push_back(over_efficiency ? p.over_efficiency() : mean_of(p.ratio));
     expected.x.push_back(p.v), expected.y.push_back(p.efficiency * p.broberg);
   }
   int colour = 0;
@@ -229,11 +229,13 @@ Chart size_chart(const std::vector<OwnProblem>& points) {
   for (const OwnProblem& p : points) {
     ChartSeries& curve = curves[{p.v, p.zone}];
     curve.x.push_back(p.radius_m / p.half_length_m);
-    curve.y.push_back(p.ratio / p.efficiency / p.broberg);
+    curve.y.push_back(p.over_efficiency() / p.broberg);
+    curve.error.push_back(p.ratio.size() > 1 ? deviation_of(p.ratio) / p.efficiency / p.broberg : nothing);
   }
   for (const Extrapolated& e : extrapolated(points)) {
     curves[{e.v, e.zone}].x.push_back(0.0);
     curves[{e.v, e.zone}].y.push_back(e.limit / e.broberg);
+    curves[{e.v, e.zone}].error.push_back(nothing);
   }
   double farthest = 0.0;
   int colour = 0;

@@ -8,7 +8,7 @@ namespace rift::studio {
 ChartSeries echo_marks() { return {"first echo back", {}, {}, {}, ChartSeries::Style::points, -1}; }
 
 void mark_echo(ChartSeries& marks, const ChartSeries& curve, double echo) {
-  if (std::isnan(echo)) return;
+  if (std::isnan(echo) || curve.x.empty() || echo < curve.x.front()) return;
   const auto after = std::lower_bound(curve.x.begin(), curve.x.end(), echo);
   if (after == curve.x.end()) return;
   marks.x.push_back(echo);

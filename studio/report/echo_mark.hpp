@@ -8,8 +8,8 @@ namespace rift::studio {
 /// a plate of any size would show the same.
 ChartSeries echo_marks();
 
-/// Adds the point of a curve (x ascending) at `echo`, in units of its x; none where it is NaN or does not come so
-/// far.
+/// Adds the point of a curve (x ascending) at `echo`, in units of its x; none where it is NaN or the curve is
+/// elsewhere.
 void mark_echo(ChartSeries& marks, const ChartSeries& curve, double echo);
 
 }  // namespace rift::studio

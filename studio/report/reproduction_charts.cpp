@@ -1,5 +1,6 @@
 #include "studio/report/reproduction_charts.hpp"
 
+#include "engine/fracture/release.hpp"
 #include "studio/report/position_chart.hpp"
 #include "studio/report/velocity_chart.hpp"
 
@@ -157,8 +158,30 @@ bool release_energies(Chart& chart, const Evidence& evidence) {
   return !chart.series.empty();
 }
 
+/// Stiffness left of a beam by its distance to the tip (Fig. 9), or by its own damage (Fig. 10), one curve a scheme.
+bool release_laws(Chart& chart, bool over_distance) {
+  chart.x_label = over_distance ? "distance ahead of the tip (s_b - a) / L_{CZM} [-]" : "damage b / l [-]";
+  chart.y_label = "stiffness left Y_1 / Y_2 [-]";
+  chart.y_range = {0.0, 1.1};
+  chart.key_outside = true;
+  int colour = 0;
+  for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {
+    ChartSeries curve{name, {}, {}, {}, Style::line, colour++};
+    const ReleaseLaw law{Technique::progressive, power, 1.0};
+    for (int k = over_distance ? -50 : 0; k <= (over_distance ? 150 : 100); ++k) {
+      const double x = 0.01 * k;
+      curve.x.push_back(x);
+      curve.y.push_back(over_distance ? stiffness_left(law, 0.0, x) : stiffness_left(law, x, 1.0));
+    }
+    chart.series.push_back(std::move(curve));
+  }
+  if (over_distance) chart.marks = {{0.0, 1.0, "damage zone"}};
+  return true;
+}
+
 /// Fills the chart which the claim asks for; false where there is none, or nothing in it.
 bool fill(Chart& chart, const Claim& claim, const Evidence& evidence) {
+  if (claim.name == "fig09" || claim.name == "fig10") return release_laws(chart, claim.name == "fig09");
   if (claim.name == "fig05") return energies(chart, evidence);
   if (claim.name == "sec5_residual") return release_energies(chart, evidence);
   if (claim.name == "fig06") return draw_ratio_against_position(chart, evidence, simple_release());
@@ -173,7 +196,7 @@ bool fill(Chart& chart, const Claim& claim, const Evidence& evidence) {
 
 std::vector<Figure> draw_figures(const Claim& claim, const Evidence& evidence, const std::string& stiffness,
                                  const fs::path& folder) {
-  const bool of_theory = claim.name == "fig01";
+  const bool of_theory = claim.name == "fig01" || claim.name == "fig09" || claim.name == "fig10";
   if (of_theory && stiffness != "bulk") return {};
   Chart chart;
   chart.title = of_theory ? claim.artefact : fmt::format("{}, {} stiffness", claim.artefact, stiffness);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace rift {
 namespace {
 
@@ -13,8 +15,9 @@ SummaryRow strip_row(double v, double zone, double ratio, long seed, double rela
           {"tips", 1}};
 }
 
-SummaryRow own_row(double v, double zone, double ratio, double radius, double broberg) {
-  SummaryRow row = strip_row(v, zone, ratio, 1);
+SummaryRow own_row(double v, double zone, double ratio, double radius, double broberg, long seed = 1) {
+  SummaryRow row = strip_row(v, zone, ratio, seed);
+  row["elements"] = std::lround(1.0 / radius);
   row["tips"] = 2, row["mean_radius_m"] = radius, row["broberg"] = broberg, row["length_m"] = 0.2;
   row["window_over_length"] = {0.1, 0.3};  // 40 mm in the middle
   return row;
@@ -41,6 +44,9 @@ TEST(Beyond, OwnProblemIsTakenStraightOnToNoRadius) {
   ASSERT_EQ(limits.size(), 1U);
   EXPECT_NEAR(limits[0].limit, broberg, 1e-12);
   EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::holds);
+  evidence.rows.push_back(own_row(0.5, 4, 0.8 * eta * broberg, 1e-3, broberg, 2));  // now they scatter
+  EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::not_decidable);
+  evidence.rows.pop_back();
   evidence.rows[0] = strip_row(0.5, 4, 0.9, 1);
   EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::does_not_hold);
 }

@@ -232,7 +232,7 @@ TEST(Claims, AreJudgedOrSayWhyNot) {
 
 TEST(Claims, WithoutAnyResultAreNotDecidable) {
   for (const Claim& claim : claims()) {
-    if (!claim.judge) continue;
+    if (!claim.judge || claim.needs.empty()) continue;  // of drawings and of theory
     EXPECT_EQ(claim.judge(Evidence{}).verdict, Verdict::not_decidable) << claim.name;
   }
 }

@@ -1,6 +1,7 @@
 #include "engine/study/passes.hpp"
 
 #include "engine/ensemble/instruction_set.hpp"
+#include "engine/scene/parameters.hpp"
 
 #include <gtest/gtest.h>
 
