@@ -13,13 +13,16 @@ h1 { font-size: 1.6em; } h2 { font-size: 1.25em; margin-top: 2em; border-bottom:
 table { border-collapse: collapse; font-size: 0.9em; font-variant-numeric: tabular-nums; }
 th, td { padding: 0.2em 0.8em; border-bottom: 1px solid #e4e4e4; text-align: left; white-space: nowrap; }
 th { border-bottom: 2px solid #888; }
-.n { text-align: right; }
+.n { text-align: right; } .t { white-space: normal; min-width: 16em; }
 figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; }
 figcaption { color: #555; font-size: 0.9em; }
 )";
 
+constexpr std::size_t longest_on_one_line = 40;
+
 std::string cell(const char* tag, const std::string& text, bool to_the_right) {
-  return fmt::format("<{0}{1}>{2}</{0}>", tag, to_the_right ? " class=\"n\"" : "", html_escape(text));
+  const char* look = to_the_right ? " class=\"n\"" : text.size() > longest_on_one_line ? " class=\"t\"" : "";
+  return fmt::format("<{0}{1}>{2}</{0}>", tag, look, html_escape(text));
 }
 
 }  // namespace
