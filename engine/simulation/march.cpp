@@ -83,7 +83,9 @@ class Run {
     for (const LanePlan& lane : p.lane)
       if (static_cast<int>(first.size()) < most) first.push_back(lane.scenario);
     return Ensemble<Real>(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, first,
-                          {.kinematics = p.preset.scene.solver.kinematics, .threads = std::max(1, threads)});
+                          {.kinematics = p.preset.scene.solver.kinematics,
+                           .threads = std::max(1, threads),
+                           .lanes = options.lanes > 0 ? lanes_for<Real>(options.lanes) : 0});
   }
 
   const Scene& scene() const { return prepared_.preset.scene; }

@@ -10,8 +10,9 @@
 namespace rift {
 namespace {
 
-/// Lanes as a part of most_lanes, and what a step of so many takes, in steps of a half   [rift bench, AVX-512,
-/// 20,000 elements]. One lane gathers its neighbours, so that it is hardly cheaper.
+/// Lanes as a part of most_lanes, and what a step of so many takes, in steps of a half   [measured with AVX-512,
+/// 20,000 elements]. One lane gathers its neighbours, so that it is little cheaper; a quarter is for processors
+/// with no wider registers.
 struct Width {
   int part;
   double step;
@@ -19,8 +20,8 @@ struct Width {
 
 template <class Real>
 std::vector<Width> widths() {
-  std::vector<Width> usable{{most_lanes<Real>, 0.75}};
-  for (const Width& width : {Width{4, 0.85}, Width{2, 1.0}, Width{1, 2.1}})
+  std::vector<Width> usable{{most_lanes<Real>, 0.7}};
+  for (const Width& width : {Width{4, 1.1}, Width{2, 1.0}, Width{1, 2.1}})
     if (most_lanes<Real> / width.part <= lanes_in_register<Real>(instruction_set())) usable.push_back(width);
   return usable;
 }
