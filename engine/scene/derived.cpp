@@ -89,7 +89,7 @@ double crack_end(const Scene& scene) {
   return window_over_length(scene)[1] * scene.specimen.length;
 }
 
-double echo_free_tip_m(const Scene& scene) {
+double echo_free_tip_m(const Scene& scene, double faster) {
   if (scene.crack.velocity.size() != 1) return std::numeric_limits<double>::quiet_NaN();
   const Scene::Material& m = scene.material;
   const theory::WaveSpeeds speeds =
@@ -97,7 +97,8 @@ double echo_free_tip_m(const Scene& scene) {
   const double path = path_height_m(scene), start = scene.crack.start;
   const double to_grip = std::min(path, scene.specimen.height - path);
   return start + theory::echo_free_advance(speed_m_s(scene.crack.velocity.front().speed, speeds.rayleigh),
-                                           2.0 * to_grip, way_of_tip_m(scene) - start, speeds.dilatational);
+                                           2.0 * to_grip, way_of_tip_m(scene) - start,
+                                           faster * speeds.dilatational);
 }
 
 }  // namespace rift

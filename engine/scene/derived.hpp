@@ -50,10 +50,10 @@ double way_of_tip_m(const Scene& scene);
 /// Where the crack's way ends [m]: as given, or the end of the window.
 double crack_end(const Scene& scene);
 
-/// Tip position at which the first echo of the crack's start is back [m], after theory::echo_free_advance
-/// with the material's own c_d (beams stiffer than the material, such as the bulk set in a thin plate, send
-/// it back earlier). With two tips it is a half length, and the ends of the plate are L/2 from the middle.
+/// Tip position at which the first echo of the crack's start is back [m], after theory::echo_free_advance.
+/// With two tips it is a half length, and the ends of the plate are L/2 from the middle.
 /// NaN where the crack changes its velocity on the way, infinity where no wave catches up with it.
-double echo_free_tip_m(const Scene& scene);
+/// @param[in] faster  speed of the plate's waves over that of the material's, whose beams may be stiffer
+double echo_free_tip_m(const Scene& scene, double faster = 1.0);
 
 }  // namespace rift

@@ -166,8 +166,7 @@ class Run {
 
   void read_books(Seat& seat) {
     LaneResult& lane = lane_of(seat);
-    results::Sample row =
-        plan(seat).units.of_lane(ensemble_.sample(index(seat), phase_at(steps(seat))));
+    results::Sample row = plan(seat).units.of_lane(ensemble_.sample(index(seat), phase_at(steps(seat))));
     row.lane = seat.scenario;
     lane.books.push_back(row);
     if (observer_.sample) observer_.sample(row);
@@ -200,9 +199,9 @@ class Run {
       moved[i] = ensemble_.motion(i, lane).z() - prepared_.displacement[i].z();
     }
     const Box& box = prepared_.lattice.box;
-    const std::array<double, 2> behind =
-        prepared_.path.tips == 2 ? std::array{0.5 * box.length - tip, 0.5 * box.length + tip}
-                                 : std::array{tip - 2.0 * box.height, tip};
+    const std::array<double, 2> behind = prepared_.path.tips == 2
+                                             ? std::array{0.5 * box.length - tip, 0.5 * box.length + tip}
+                                             : std::array{tip - 2.0 * box.height, tip};
     return wake_of(prepared_.lattice, behind, velocity, moved);
   }
 

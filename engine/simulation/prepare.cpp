@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <span>
@@ -195,7 +196,7 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
   p.displacement = statics.at_rest(present, "");
   p.scale = scale_against(scene, p.lattice,
-                     energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
+                          energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
   if (scene.crack.start > 0.0) {
     for (const Crossing& c : crossings(p.path, p.lattice))
       if (c.position <= scene.crack.start) present[c.beam] = 0;
@@ -298,6 +299,10 @@ RateScale scale_of(const Prepared& prepared, const LanePlan& lane) {
   scale.g_i0 *= lane.units.energy;
   scale.g_i0_slope *= lane.units.energy;
   return scale;
+}
+
+double wave_speed_ratio(const Prepared& prepared, const LanePlan& lane) {
+  return std::sqrt(prepared.strip_modulus * lane.units.energy / continuum_strip_modulus(lane.scene));
 }
 
 Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& cache,

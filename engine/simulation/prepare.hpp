@@ -67,4 +67,7 @@ void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
 /// What a lane's release rate is measured against, in its own units.
 RateScale scale_of(const Prepared& prepared, const LanePlan& lane);
 
+/// Speed of the waves in a lane's plate over that of the material's: 1 in situ, sqrt(E_mu / in-situ E_mu) else.
+double wave_speed_ratio(const Prepared& prepared, const LanePlan& lane);
+
 }  // namespace rift

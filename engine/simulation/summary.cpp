@@ -124,7 +124,7 @@ void add_rates(Json& j, const Prepared& p, const LanePlan& lane, const Rates& ra
   j["ratio_translation_only"] = rate(plateau.mean.ratio_translation_only);
   j["ratio_scatter"] = rate(plateau.scatter);
   j["window_over_length"] = {lane.window[0] / p.scale.length, lane.window[1] / p.scale.length};
-  j["echo_free_over_length"] = echo_free_tip_m(lane.scene) / p.scale.length;
+  j["echo_free_over_length"] = echo_free_tip_m(lane.scene, wave_speed_ratio(p, lane)) / p.scale.length;
   j["broberg"] = reference(theory::broberg);
   j["freund"] = reference(theory::freund);
   j["strip"] = reference(theory::strip);
@@ -147,7 +147,8 @@ void add_books(Json& j, const Prepared& p, const LanePlan& lane, const LaneResul
   j["ledger_residual"] = r.worst_residual;
   j["ledger_closes"] =
       r.worst_residual <= ledger_limit(lane.scene.solver.kinematics, lane.scene.solver.precision);
-  j["prestress_energy_over_static"] = ramped ? Json(r.energy_at_crack_start / (p.static_energy * lane.units.energy)) : Json(1.0);
+  j["prestress_energy_over_static"] =
+      ramped ? Json(r.energy_at_crack_start / (p.static_energy * lane.units.energy)) : Json(1.0);
   j["prestress_kinetic_fraction"] = ramped ? Json(r.prestress_kinetic) : Json(0.0);
   j["outcome"] = name_of(r.outcome);
   j["outcome_where"] = r.where.empty() ? Json(nullptr) : Json(r.where);

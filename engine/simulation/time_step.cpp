@@ -39,13 +39,15 @@ TimeStep choose_step(const Preset& preset, const Lattice& lattice, const StableS
   const char* key = scene.solver.dt            ? "solver.dt"
                     : scene.solver.dt_fraction ? "solver.dt_fraction"
                                                : "damping.alpha";
-  const std::string limit = damping.beam.empty()
-                                ? fmt::format("the critical step of this lattice is {:.4g} s", step.critical * time_unit)
-                                : fmt::format(
-                                      "the critical step of this lattice with this damping is "
-                                      "{:.4g} s ({:.4g} s undamped)",
-                                      step.critical_damped * time_unit, step.critical * time_unit);
-  throw InputError({issue_at(preset, key, fmt::format("makes a step of {:.4g} s, and {}", step.dt * time_unit, limit))});
+  const std::string limit =
+      damping.beam.empty()
+          ? fmt::format("the critical step of this lattice is {:.4g} s", step.critical * time_unit)
+          : fmt::format(
+                "the critical step of this lattice with this damping is "
+                "{:.4g} s ({:.4g} s undamped)",
+                step.critical_damped * time_unit, step.critical * time_unit);
+  throw InputError(
+      {issue_at(preset, key, fmt::format("makes a step of {:.4g} s, and {}", step.dt * time_unit, limit))});
 }
 
 }  // namespace rift

@@ -26,8 +26,8 @@ struct AccuracyRun {
 AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, Cache& cache,
                          const BuildInfo& build, const StudyObserver& observer);
 
-/// A variant as often as lanes side by side are fastest, in one pass: rows whose wall times are one scenario's share.
-/// Empty where it was stopped.
+/// A variant as often as lanes side by side are fastest, in one pass: rows whose wall times are one
+/// scenario's share. Empty where it was stopped.
 std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const Scene& scene, const StudyOptions& options,
                                    Cache& cache, const BuildInfo& build, const StudyObserver& observer);
 

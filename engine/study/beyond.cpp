@@ -62,7 +62,8 @@ std::vector<MapCell> map_of(const Evidence& evidence) {
 std::vector<double> zones_of(const Evidence& evidence) {
   std::map<long, double> zones;
   for (const SummaryRow& row : evidence.rows)
-    if (of_strip(row)) zones[key_of(number_in(row, "damage_zone_ratio"))] = number_in(row, "damage_zone_ratio");
+    if (of_strip(row))
+      zones[key_of(number_in(row, "damage_zone_ratio"))] = number_in(row, "damage_zone_ratio");
   std::vector<double> list;
   for (const auto& [key, zone] : zones) list.push_back(zone);
   return list;
@@ -101,7 +102,8 @@ std::vector<WakeBand> wake_bands(const SummaryRow& row) {
 
 std::vector<OwnProblem> own_problem(const Evidence& evidence) {
   const auto zones = by_zone(evidence);
-  std::map<std::tuple<long, long, long>, OwnProblem> points;  // the smallest elements of a velocity and zone last
+  std::map<std::tuple<long, long, long>, OwnProblem>
+      points;  // the smallest elements of a velocity and zone last
   std::map<std::tuple<long, long, long>, std::vector<double>> radii;
   for (const SummaryRow& row : evidence.rows) {
     if (!(number_in(row, "tips") > 1.5) || std::isnan(number_in(row, "ratio_with_damping"))) continue;
@@ -151,13 +153,16 @@ Judgement beyond_map(const Evidence& evidence) {
   const MapCell *best = nullptr, *paper = nullptr;
   for (const MapCell& cell : cells) {
     if (!best || mean_of(cell.distance) < mean_of(best->distance)) best = &cell;
-    if (key_of(cell.relaxation) == key_of(paper_relaxation) && key_of(cell.zone) == key_of(paper_zone)) paper = &cell;
+    if (key_of(cell.relaxation) == key_of(paper_relaxation) && key_of(cell.zone) == key_of(paper_zone))
+      paper = &cell;
   }
   if (!best || !paper) return {Verdict::not_decidable, "no result"};
   std::string each;
   for (std::size_t k = 0; k < best->v.size(); ++k)
     each += fmt::format("{}{:.3f} at {:g}", k == 0 ? "" : ", ", best->distance[k], best->v[k]);
-  const auto per_scenario = [](const MapCell& cell) { return cell.wall_s / static_cast<double>(cell.v.size()); };
+  const auto per_scenario = [](const MapCell& cell) {
+    return cell.wall_s / static_cast<double>(cell.v.size());
+  };
   return {mean_of(best->distance) <= near_margin ? Verdict::holds : Verdict::does_not_hold,
           fmt::format("best of {}: p = {:g}, r_l = {:g}, mean |delta| {:.3f} ({}), {:.2f} s a scenario; the "
                       "paper's p = 1, r_l = 1: {:.3f}, {:.2f} s",
@@ -170,7 +175,8 @@ Judgement beyond_efficiency(const Evidence& evidence) {
   if (zones.empty()) return {Verdict::not_decidable, "no result"};
   std::string text;
   for (const auto& [key, points] : zones)
-    text += fmt::format("{}r_l = {:g}: {}", text.empty() ? "" : "; ", 1e-6 * static_cast<double>(key), listed_at(points));
+    text += fmt::format("{}r_l = {:g}: {}", text.empty() ? "" : "; ", 1e-6 * static_cast<double>(key),
+                        listed_at(points));
   double farthest = 0.0, scatter = 0.0;
   for (const EfficiencyPoint& p : zones.rbegin()->second) {
     farthest = std::max(farthest, std::abs(mean_of(p.ratio) - 1.0));
@@ -178,7 +184,8 @@ Judgement beyond_efficiency(const Evidence& evidence) {
   }
   if (zones.rbegin()->second.empty()) return {Verdict::not_decidable, "no result"};
   return {farthest <= near_margin ? Verdict::holds : Verdict::does_not_hold,
-          fmt::format("{}; the longest zone is within {:.3f} of 1, scatter at most {:.3f}", text, farthest, scatter)};
+          fmt::format("{}; the longest zone is within {:.3f} of 1, scatter at most {:.3f}", text, farthest,
+                      scatter)};
 }
 
 Judgement beyond_broberg(const Evidence& evidence) {
@@ -196,13 +203,14 @@ Judgement beyond_broberg(const Evidence& evidence) {
   for (const Extrapolated& e : limits) {
     away.push_back(std::abs(e.limit / e.broberg - 1.0));
     scatter.push_back(e.scatter);
-    text += fmt::format(" {:.3f} \u00b1 {:.3f} at {:g}, r_l = {:g};", e.limit / e.broberg, e.scatter, e.v, e.zone);
+    text += fmt::format(" {:.3f} \u00b1 {:.3f} at {:g}, r_l = {:g};", e.limit / e.broberg, e.scatter, e.v,
+                        e.zone);
   }
   const Verdict verdict = mean_of(scatter) > broberg_goal ? Verdict::not_decidable
                           : mean_of(away) <= broberg_goal ? Verdict::holds
                                                           : Verdict::does_not_hold;
-  return {verdict, fmt::format("{} mean distance {:.1f} %, mean scatter {:.1f} %", text, 100.0 * mean_of(away),
-                               100.0 * mean_of(scatter))};
+  return {verdict, fmt::format("{} mean distance {:.1f} %, mean scatter {:.1f} %", text,
+                               100.0 * mean_of(away), 100.0 * mean_of(scatter))};
 }
 
 }  // namespace judges
@@ -211,24 +219,29 @@ std::vector<Claim> beyond_the_paper() {
   return {
       {.name = "beyond_map",
        .artefact = "Relaxation and damage zone",
-       .text = "Some power p of the relaxation and length r_l of the damage zone is near Broberg (mean |delta| at "
-               "most 0.05) at 0.1 to 0.9 c_r in the paper's plate. It says nothing about the physics: there the strip "
+       .text = "Some power p of the relaxation and length r_l of the damage zone is near Broberg (mean "
+               "|delta| at "
+               "most 0.05) at 0.1 to 0.9 c_r in the paper's plate. It says nothing about the physics: there "
+               "the strip "
                "limit is due.",
        .needs = {"beyond_map"},
        .judge = judges::beyond_map,
        .beyond = true},
       {.name = "beyond_efficiency",
        .artefact = "Lattice efficiency",
-       .text = "In a steady strip all stored energy arrives at the tip, so that the ratio is the lattice efficiency "
-               "eta(v, r_l, p). It tends to 1 (within 0.05 at every velocity) as the damage zone grows; what is "
-               "missing moves in short waves behind the tip.",
+       .text =
+           "In a steady strip all stored energy arrives at the tip, so that the ratio is the lattice "
+           "efficiency "
+           "eta(v, r_l, p). It tends to 1 (within 0.05 at every velocity) as the damage zone grows; what is "
+           "missing moves in short waves behind the tip.",
        .needs = {"beyond_efficiency", "beyond_relaxation"},
        .judge = judges::beyond_efficiency,
        .beyond = true},
       {.name = "beyond_broberg",
        .artefact = "Broberg's own problem",
-       .text = "A crack that opens from zero in the middle of a large plate, before any echo: G_ID is eta times "
-               "Broberg's factor, and G_ID / eta tends to Broberg (within 2 %) as the elements grow small.",
+       .text =
+           "A crack that opens from zero in the middle of a large plate, before any echo: G_ID is eta times "
+           "Broberg's factor, and G_ID / eta tends to Broberg (within 2 %) as the elements grow small.",
        .needs = {"beyond_broberg", "beyond_efficiency"},
        .judge = judges::beyond_broberg,
        .beyond = true},

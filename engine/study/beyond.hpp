@@ -5,15 +5,15 @@
 #include <cmath>
 #include <vector>
 
-/// What goes beyond the paper: which damage zone agrees best, what the lattice itself takes, and Broberg's own
-/// problem   [physics.md §9].
+/// What goes beyond the paper: which damage zone agrees best, what the lattice itself takes, and Broberg's
+/// own problem   [physics.md §9].
 namespace rift {
 
 /// One relaxation and damage zone in the paper's plate, at several velocities.
 struct MapCell {
-  double relaxation = 0, zone = 0;          // p and r_l
-  std::vector<double> v, ratio, distance;   // |ratio - Broberg|
-  double wall_s = 0;                        // of all its scenarios
+  double relaxation = 0, zone = 0;         // p and r_l
+  std::vector<double> v, ratio, distance;  // |ratio - Broberg|
+  double wall_s = 0;                       // of all its scenarios
 };
 std::vector<MapCell> map_of(const Evidence& evidence);
 
@@ -34,8 +34,8 @@ struct WakeBand {
 };
 std::vector<WakeBand> wake_bands(const SummaryRow& row);
 
-/// Broberg's own problem at one velocity, zone and number of elements, the mean over its specimens, beside the
-/// efficiency of the strip there (NaN: none).
+/// Broberg's own problem at one velocity, zone and number of elements, the mean over its specimens, beside
+/// the efficiency of the strip there (NaN: none).
 struct OwnProblem {
   double v = 0, zone = 0, elements = 0;
   double radius_m = 0, half_length_m = 0;  // in the middle of the window

@@ -50,7 +50,8 @@ std::vector<Claim> figures() {
        judges::fig08},
       {"fig09",
        "Fig. 9",
-       "The damage zone: beams are intact from L_CZM ahead of the tip on, soften within, and are gone at the tip.",
+       "The damage zone: beams are intact from L_CZM ahead of the tip on, soften within, and are gone at the "
+       "tip.",
        {},
        judges::fig09},
       {"fig10",
@@ -104,7 +105,8 @@ std::vector<Claim> tables() {
   return {
       {"table1",
        "Table 1",
-       "The velocity Verlet scheme, which conserves K + U - C: with it the books of the whole test of Fig. 5 close to "
+       "The velocity Verlet scheme, which conserves K + U - C: with it the books of the whole test of Fig. 5 "
+       "close to "
        "1e-10 of the energy (its second order is among the tests).",
        {"fig05_energy_balance"},
        judges::table1},

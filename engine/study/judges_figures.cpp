@@ -80,9 +80,10 @@ Judgement fig09(const Evidence&) {
   const ReleaseLaw law{Technique::progressive, 1.0, 1.0};
   const double ahead = stiffness_left(law, 0.0, 1.0), middle = stiffness_left(law, 0.0, 0.5),
                at_tip = stiffness_left(law, 0.0, 0.0);
-  return {ahead == 1.0 && middle > 0.0 && middle < 1.0 && at_tip == 0.0 ? Verdict::holds : Verdict::does_not_hold,
-          fmt::format("stiffness left {:g} at L_CZM ahead of the tip, {:g} half way, {:g} at the tip", ahead, middle,
-                      at_tip)};
+  return {
+      ahead == 1.0 && middle > 0.0 && middle < 1.0 && at_tip == 0.0 ? Verdict::holds : Verdict::does_not_hold,
+      fmt::format("stiffness left {:g} at L_CZM ahead of the tip, {:g} half way, {:g} at the tip", ahead,
+                  middle, at_tip)};
 }
 
 Judgement fig10(const Evidence&) {

@@ -253,7 +253,8 @@ Judgement sec5_bending(const Evidence& evidence) {
   if (slow.empty() || fast.empty()) return {Verdict::not_decidable, "no result"};
   const double low = mean_of(slow), high = mean_of(fast), scatter = deviation_of(slow);
   const std::string text = fmt::format(
-      "largest motion along z of a region 8 radii wide: {:.2f} % of the thickness at 0.1 c_r and below (scatter "
+      "largest motion along z of a region 8 radii wide: {:.2f} % of the thickness at 0.1 c_r and below "
+      "(scatter "
       "{:.2f} %), {:.2f} % at 0.5 c_r and above",
       100.0 * low, 100.0 * scatter, 100.0 * high);
   if (scatter > std::abs(low - high)) return {Verdict::not_decidable, text};

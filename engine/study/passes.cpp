@@ -10,9 +10,9 @@
 namespace rift {
 namespace {
 
-/// Lanes as a part of most_lanes, and what a step of so many takes, in steps of a half   [measured with AVX-512,
-/// 20,000 elements]. One lane gathers its neighbours, so that it is little cheaper; a quarter is for processors
-/// with no wider registers.
+/// Lanes as a part of most_lanes, and what a step of so many takes, in steps of a half   [measured with
+/// AVX-512, 20,000 elements]. One lane gathers its neighbours, so that it is little cheaper; a quarter is for
+/// processors with no wider registers.
 struct Width {
   int part;
   double step;
@@ -73,6 +73,8 @@ Queue soonest(const std::vector<std::int64_t>& steps, Precision precision) {
   return precision == Precision::single_precision ? soonest_in<float>(steps) : soonest_in<double>(steps);
 }
 
-int lanes_of_many(Precision precision) { return soonest(std::vector<std::int64_t>(1000, 1), precision).lanes; }
+int lanes_of_many(Precision precision) {
+  return soonest(std::vector<std::int64_t>(1000, 1), precision).lanes;
+}
 
 }  // namespace rift

@@ -8,8 +8,8 @@
 namespace rift {
 
 /// Positions of the scenarios that march together, the longest first so that none is left over at the end:
-/// those of equal step, the damped apart from those that are not. After a ramp no lane can be filled again, so that a
-/// pass then holds no more than march side by side.
+/// those of equal step, the damped apart from those that are not. After a ramp no lane can be filled again,
+/// so that a pass then holds no more than march side by side.
 std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lanes);
 
 /// How a queue of scenarios is done soonest.

@@ -30,7 +30,8 @@ std::string shared_text(Scene scene) {
   return text;
 }
 
-/// Scenarios of a group, of about equal step and damped or not, march in one pass: each costs its steps' share.
+/// Scenarios of a group, of about equal step and damped or not, march in one pass: each costs its steps'
+/// share.
 void share_costs(std::vector<StudyItem>& items) {
   std::map<std::tuple<int, long, bool>, std::vector<StudyItem*>> passes;
   for (StudyItem& item : items) {

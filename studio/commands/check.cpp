@@ -89,7 +89,7 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["crack_speed_m_s"] = fastest;
   j["crack_end_m"] = lane.crack_end;
   j["window_m"] = lane.window;
-  j["echo_free_m"] = echo_free_tip_m(lane.scene);
+  j["echo_free_m"] = echo_free_tip_m(lane.scene, wave_speed_ratio(p, lane));
   j["damage_zone_m"] = zone;
   j["dt_s"] = dt;
   j["dt_critical_s"] = p.step.critical * lane.units.time;

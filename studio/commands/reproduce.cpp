@@ -35,7 +35,8 @@ struct ReproduceOptions {
 
 Issue issue(std::string text) { return {.file = "rift reproduce", .key = {}, .text = std::move(text)}; }
 
-/// The claims of the names, in the table's order; for none or "all" all of the paper's, for "beyond" the others.
+/// The claims of the names, in the table's order; for none or "all" all of the paper's, for "beyond" the
+/// others.
 std::vector<const Claim*> chosen_claims(const std::vector<std::string>& names) {
   std::set<std::string> wanted(names.begin(), names.end());
   std::vector<std::string> known{"all", "beyond"};
@@ -53,7 +54,8 @@ std::vector<const Claim*> chosen_claims(const std::vector<std::string>& names) {
   std::vector<const Claim*> chosen;
   if (wanted.empty()) wanted.insert("all");
   for (const Claim& claim : claims())
-    if (wanted.contains(claim.beyond ? "beyond" : "all") || wanted.contains(claim.name)) chosen.push_back(&claim);
+    if (wanted.contains(claim.beyond ? "beyond" : "all") || wanted.contains(claim.name))
+      chosen.push_back(&claim);
   return chosen;
 }
 
@@ -105,8 +107,7 @@ JudgedClaim judged(const Claim& claim, const PaperStudy& study, const StudyResul
   JudgedClaim out;
   out.claim = &claim;
   if (!claim.judge) return out;
-  Evidence bulk{
-      .rows = {}, .elements = elements, .series = [&](const SummaryRow& row) {
+  Evidence bulk{.rows = {}, .elements = elements, .series = [&](const SummaryRow& row) {
                   return read_series(folder / text_in(row, "series"));
                 }};
   Evidence in_situ = bulk;
@@ -145,8 +146,9 @@ StudyResult compute(const ReproduceOptions& options, const PaperStudy& study, co
                                      return stop.received() == 0;
                                    },
                                .finished = {}};
-  StudyResult result = run_study(study.preset, {.folder = options.out, .threads = options.threads, .shared = true}, cache,
-                                 build_info(), observer);
+  StudyResult result =
+      run_study(study.preset, {.folder = options.out, .threads = options.threads, .shared = true}, cache,
+                build_info(), observer);
   line.clear();
   print_notes(cache);
   return result;
@@ -187,8 +189,7 @@ ExitCode reproduce(const ReproduceOptions& options) {
                       .wall_s = 0,
                       .claims = {}};
   for (const Claim* claim : chosen)
-    report.claims.push_back(
-        judged(*claim, study, result, report.elements, options.out));
+    report.claims.push_back(judged(*claim, study, result, report.elements, options.out));
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   write_report(report, options);
   return result.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
@@ -200,7 +201,9 @@ void add_reproduce(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "reproduce", "The paper's figures and claims, each judged by what is measured here");
   const auto options = std::make_shared<ReproduceOptions>();
-  command.add_option("names", options->names, "fig07, sec4_longer, ...: the claims to judge; all (default); beyond: what the paper does not have");
+  command.add_option(
+      "names", options->names,
+      "fig07, sec4_longer, ...: the claims to judge; all (default); beyond: what the paper does not have");
   command.add_flag("--quick", options->quick, "The same plate with 5,000 elements, a minute or two");
   command.add_option("--out", options->out, "Folder of runs, charts and report; continued if it is there")
       ->capture_default_str();

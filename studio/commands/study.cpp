@@ -185,10 +185,10 @@ ExitCode study(const StudyCommand& command) {
   options.shards = shard.of;
   const double seconds = estimated_seconds(preset, options, build_info());
   if (seconds > long_study_s && !command.yes && !budget)
-    refuse(
-        fmt::format("about {} for what is missing (at 100 M beams/s, lanes side by side): --yes starts it, --budget TIME "
-                    "does what fits",
-                    duration_text(seconds)));
+    refuse(fmt::format(
+        "about {} for what is missing (at 100 M beams/s, lanes side by side): --yes starts it, --budget TIME "
+        "does what fits",
+        duration_text(seconds)));
   return compute(command, preset, options, budget);
 }
 

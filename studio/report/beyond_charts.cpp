@@ -71,7 +71,8 @@ std::vector<Figure> maps(const Evidence& evidence, const fs::path& folder) {
   return figures;
 }
 
-ChartSeries efficiency_series(const std::string& label, const std::vector<EfficiencyPoint>& points, int colour) {
+ChartSeries efficiency_series(const std::string& label, const std::vector<EfficiencyPoint>& points,
+                              int colour) {
   ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
   for (const EfficiencyPoint& p : points) {
     series.x.push_back(p.v);
@@ -113,7 +114,8 @@ Chart efficiency_against_zone(const Evidence& evidence) {
     chart.series.push_back(std::move(curve));
   }
   if (!zones.empty())
-    chart.series.push_back({"all that is stored", {zones.front(), zones.back()}, {1.0, 1.0}, {}, Style::dashed, -1});
+    chart.series.push_back(
+        {"all that is stored", {zones.front(), zones.back()}, {1.0, 1.0}, {}, Style::dashed, -1});
   return chart;
 }
 
@@ -170,7 +172,8 @@ std::vector<Figure> efficiencies(const Evidence& evidence, const fs::path& folde
   for (const double zone : zones_of(evidence))
     velocity.series.push_back(
         efficiency_series(fmt::format("r_l = {:g}", zone), efficiency(evidence, 1.0, zone), colour++));
-  figures.push_back({draw_chart(velocity, folder, "beyond_efficiency_velocity"), "The same against velocity."});
+  figures.push_back(
+      {draw_chart(velocity, folder, "beyond_efficiency_velocity"), "The same against velocity."});
   for (const double zone : {1.0, 4.0, 16.0}) {
     Chart chart = efficiency_against_velocity(fmt::format("Lattice efficiency at r_l = {:g}", zone));
     colour = 0;
@@ -189,8 +192,9 @@ std::vector<Figure> efficiencies(const Evidence& evidence, const fs::path& folde
 
 /// Measured ratios and efficiency times Broberg, of the smallest elements; and ratio over efficiency.
 Chart own_problem_chart(const std::vector<OwnProblem>& points, bool over_efficiency) {
-  Chart chart = chart_of_references(over_efficiency ? "Broberg's own problem: G_{ID} over the lattice efficiency"
-                                                    : "Broberg's own problem");
+  Chart chart =
+      chart_of_references(over_efficiency ? "Broberg's own problem: G_{ID} over the lattice efficiency"
+                                          : "Broberg's own problem");
   chart.series.resize(1);  // Broberg alone
   if (over_efficiency) chart.y_label = "G_{ID} / (G_{I0} {/Symbol h}) [-]";
   std::map<double, std::pair<ChartSeries, ChartSeries>> curves;
@@ -255,13 +259,15 @@ std::vector<Figure> own_problems(const Evidence& evidence, const fs::path& folde
   const std::vector<OwnProblem> points = own_problem(evidence);
   std::vector<Figure> figures;
   if (points.empty()) return figures;
-  figures.push_back({draw_chart(own_problem_chart(points, false), folder, "beyond_broberg"),
-                     "Measured (points) and the efficiency times Broberg's factor (lines), smallest elements."});
+  figures.push_back(
+      {draw_chart(own_problem_chart(points, false), folder, "beyond_broberg"),
+       "Measured (points) and the efficiency times Broberg's factor (lines), smallest elements."});
   figures.push_back({draw_chart(own_problem_chart(points, true), folder, "beyond_broberg_over_efficiency"),
                      "The same over the efficiency."});
   const Chart sizes = size_chart(points);
   if (sizes.series.size() > 1)
-    figures.push_back({draw_chart(sizes, folder, "beyond_broberg_size"), "Two sizes, and straight on to R = 0."});
+    figures.push_back(
+        {draw_chart(sizes, folder, "beyond_broberg_size"), "Two sizes, and straight on to R = 0."});
   return figures;
 }
 

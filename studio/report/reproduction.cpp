@@ -13,26 +13,36 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* title_of(const Reproduction& r) {
-  const bool beyond = std::all_of(r.claims.begin(), r.claims.end(), [](const auto& c) { return c.claim->beyond; });
-  return beyond ? "Beyond the paper" : "The paper's claims, judged";
+bool is_beyond(const Reproduction& r) {
+  return std::all_of(r.claims.begin(), r.claims.end(), [](const auto& c) { return c.claim->beyond; });
 }
+
+const char* title_of(const Reproduction& r) {
+  return is_beyond(r) ? "Beyond the paper" : "The paper's claims, judged";
+}
+
+constexpr const char* of_the_paper =
+    " Every claim is judged with the paper's calibrated beams (bulk) and with beams scaled to the plate's "
+    "own modulus "
+    "(in-situ).";
+constexpr const char* of_our_own =
+    " These are findings of our own, with beams scaled to the plate's own modulus (in-situ).";
 
 /// How the numbers are to be read, and where they come from.
 std::string preamble(const Reproduction& r) {
   return fmt::format(
       "Made by `{}`, rift {}, in {}: {} scenarios, {} computed now, {} found. The plate has {} elements; "
-      "\"ratio\" "
-      "is G_ID/G_I0 with damping counted in, the mean of three specimens, and delta its distance to Broberg. "
-      "\"Near\" is a mean |delta| of at most {:g}, \"too low\" and \"too high\" a mean delta beyond {:g}, "
-      "\"no "
-      "influence\" at most {:g}, \"quasi-constant\" a scatter along the window of at most {:g}; not "
-      "decidable is "
-      "what the three specimens scatter about more than that. Every claim is judged with the paper's "
-      "calibrated "
-      "beams (bulk) and with beams scaled to the plate's own modulus (in-situ).",
+      "\"ratio\" is "
+      "G_ID/G_I0 with damping counted in, the mean of {} specimens, and delta its distance to Broberg. "
+      "\"Near\" is a "
+      "mean |delta| of at most {:g}, \"too low\" and \"too high\" a mean delta beyond {:g}, \"no influence\" "
+      "at most "
+      "{:g}, \"quasi-constant\" a scatter along the window of at most {:g}; not decidable is what the "
+      "specimens "
+      "scatter about more than that.{}",
       r.command, r.build.version, duration_text(r.wall_s), r.scenarios, r.computed, r.found, r.elements,
-      near_margin, offset_margin, influence_margin, constant_margin);
+      is_beyond(r) ? "the preset's" : "three", near_margin, offset_margin, influence_margin, constant_margin,
+      is_beyond(r) ? of_our_own : of_the_paper);
 }
 
 std::string time_text(const JudgedClaim& c) { return c.scenarios == 0 ? "-" : duration_text(c.wall_s); }

@@ -158,7 +158,8 @@ bool release_energies(Chart& chart, const Evidence& evidence) {
   return !chart.series.empty();
 }
 
-/// Stiffness left of a beam by its distance to the tip (Fig. 9), or by its own damage (Fig. 10), one curve a scheme.
+/// Stiffness left of a beam by its distance to the tip (Fig. 9), or by its own damage (Fig. 10), one curve a
+/// scheme.
 bool release_laws(Chart& chart, bool over_distance) {
   chart.x_label = over_distance ? "distance ahead of the tip (s_b - a) / L_{CZM} [-]" : "damage b / l [-]";
   chart.y_label = "stiffness left Y_1 / Y_2 [-]";

@@ -183,9 +183,10 @@ std::vector<NamedChart> tip_charts(const std::vector<SummaryRow>& rows,
       chart.x_label = "tip position [mm]";
       chart.y_label = "G_{ID} / G_{I0} [-]";
       chart.key_outside = true;
-      charts.push_back({numbered("ratio_tip", charts.size()),
-                        "Release rate against tip position, damping included; free of a boundary's echo up to the dot.",
-                        chart});
+      charts.push_back(
+          {numbered("ratio_tip", charts.size()),
+           "Release rate against tip position, damping included; free of a boundary's echo up to the dot.",
+           chart});
       echo.push_back(echo_marks());
     }
     std::vector<ChartSeries>& drawn = charts.back().chart.series;

@@ -142,6 +142,10 @@ TEST(EchoFreeTip, ComesFromTheNearerGripOrTheEndOfThePlate) {
               0.198 + 4e-3 * 0.2710 / 1.2710, 1e-7);
 }
 
+TEST(EchoFreeTip, DependsOnTheVelocityOverThatOfThePlatesOwnWaves) {
+  EXPECT_NEAR(echo_free_tip_m(scene_of({"crack.velocity=1 c_r"}), 2.0), echo_free_tip_m(scene_of({})), 1e-12);
+}
+
 TEST(EchoFreeTip, IsUnknownWhereTheCrackChangesItsVelocity) {
   EXPECT_TRUE(std::isnan(echo_free_tip_m(scene_of({"crack.velocity=0.2 c_r until 20 mm, 1 c_r"}))));
   EXPECT_TRUE(std::isinf(echo_free_tip_m(scene_of({"crack.velocity=1.9 c_r"}))));  // c_d = 1.845 c_r

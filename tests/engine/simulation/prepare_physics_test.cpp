@@ -33,9 +33,9 @@ TEST(PreStress, TakesWorkOfTheGripThatIsStoredOrDamped) {
 }
 
 /// The bulk set on a lattice of its own, which "bulk" does without.
-const std::vector<std::string> bulk_beams{"material.stiffness=explicit", "material.micro_young_modulus=356 GPa",
-                                          "material.micro_poisson_ratio=0.3",
-                                          "material.micro_radius_ratio=0.3"};
+const std::vector<std::string> bulk_beams{
+    "material.stiffness=explicit", "material.micro_young_modulus=356 GPa", "material.micro_poisson_ratio=0.3",
+    "material.micro_radius_ratio=0.3"};
 
 // Other stiffness, other time and energy, on one lattice.
 TEST(Scaling, BulkBeamsAreThoseOfALatticeOfTheirOwn) {
@@ -76,7 +76,8 @@ TEST(Scaling, BulkBeamsAtAVelocityAreInSituBeamsAtALowerOne) {
   plateau({}, in_situ_micro);
   for (const std::string technique : {"simple", "progressive"})
     for (const double v : {0.3, 0.7, 1.0}) {
-      std::vector<std::string> of_bulk{fmt::format("crack.velocity={} c_r", v), "crack.technique=" + technique};
+      std::vector<std::string> of_bulk{fmt::format("crack.velocity={} c_r", v),
+                                       "crack.technique=" + technique};
       of_bulk.insert(of_bulk.end(), bulk_beams.begin(), bulk_beams.end());
       const Plateau bulk = plateau(of_bulk, bulk_micro);
       const double scaled = v * std::sqrt(in_situ_micro / bulk_micro);

@@ -96,6 +96,7 @@ TEST(Prepare, BulkAndExplicitBeamsAreTakenAsTheyAre) {
   const LaneUnits units = bulk.lane[0].units;
   EXPECT_NEAR(bulk.micro.young_modulus * units.energy / 356e9, 1.0, 1e-12);
   EXPECT_GT(bulk.strip_modulus * units.energy, 1.2 * 10e9 / 0.91);  // a thin plate is stiffer than the bulk
+  EXPECT_NEAR(wave_speed_ratio(bulk, bulk.lane[0]), 1.0 / units.time, 1e-9);
   const Prepared own = small_plate({"material.stiffness=explicit", "material.micro_young_modulus=178 GPa",
                                     "material.micro_poisson_ratio=0.3", "material.micro_radius_ratio=0.3"});
   EXPECT_NEAR(own.strip_modulus / (bulk.strip_modulus * units.energy), 0.5, 1e-9);  // all go with E_mu

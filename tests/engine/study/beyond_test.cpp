@@ -1,4 +1,5 @@
 #include "engine/study/beyond.hpp"
+
 #include "engine/study/judges.hpp"
 
 #include <gtest/gtest.h>
@@ -9,10 +10,11 @@ namespace rift {
 namespace {
 
 SummaryRow strip_row(double v, double zone, double ratio, long seed, double relaxation = 1.0) {
-  return {{"technique", "progressive"}, {"relaxation", relaxation},     {"damage_zone_ratio", zone},
-          {"crack_velocity_over_cr", v}, {"ratio_with_damping", ratio}, {"ratio_scatter", 0.01},
-          {"error_broberg", ratio - 0.5}, {"seed", seed},               {"wall_fracture_s", 2.0},
-          {"tips", 1}};
+  return {{"technique", "progressive"},   {"relaxation", relaxation},
+          {"damage_zone_ratio", zone},    {"crack_velocity_over_cr", v},
+          {"ratio_with_damping", ratio},  {"ratio_scatter", 0.01},
+          {"error_broberg", ratio - 0.5}, {"seed", seed},
+          {"wall_fracture_s", 2.0},       {"tips", 1}};
 }
 
 SummaryRow own_row(double v, double zone, double ratio, double radius, double broberg, long seed = 1) {
@@ -24,9 +26,9 @@ SummaryRow own_row(double v, double zone, double ratio, double radius, double br
 }
 
 TEST(Beyond, EfficiencyIsTheStripsRatioOverItsSpecimens) {
-  const Evidence evidence{.rows = {strip_row(0.5, 4, 0.8, 1), strip_row(0.5, 4, 0.9, 2), strip_row(0.3, 4, 0.95, 1),
-                                   strip_row(0.5, 8, 0.99, 1), strip_row(0.5, 4, 0.1, 1, 2.0),
-                                   own_row(0.5, 4, 0.2, 1e-3, 0.5)}};
+  const Evidence evidence{.rows = {strip_row(0.5, 4, 0.8, 1), strip_row(0.5, 4, 0.9, 2),
+                                   strip_row(0.3, 4, 0.95, 1), strip_row(0.5, 8, 0.99, 1),
+                                   strip_row(0.5, 4, 0.1, 1, 2.0), own_row(0.5, 4, 0.2, 1e-3, 0.5)}};
   const std::vector<EfficiencyPoint> points = efficiency(evidence, 1.0, 4.0);
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[0].v, 0.3);
@@ -39,7 +41,8 @@ TEST(Beyond, OwnProblemIsTakenStraightOnToNoRadius) {
   const double eta = 0.8, broberg = 0.52, half_length = 0.04;
   Evidence evidence{.rows = {strip_row(0.5, 4, eta, 1)}};
   for (const double radius : {1e-3, 0.5e-3})
-    evidence.rows.push_back(own_row(0.5, 4, eta * broberg * (1.0 + 3.0 * radius / half_length), radius, broberg));
+    evidence.rows.push_back(
+        own_row(0.5, 4, eta * broberg * (1.0 + 3.0 * radius / half_length), radius, broberg));
   const std::vector<Extrapolated> limits = extrapolated(own_problem(evidence));
   ASSERT_EQ(limits.size(), 1U);
   EXPECT_NEAR(limits[0].limit, broberg, 1e-12);
@@ -79,8 +82,10 @@ TEST(Beyond, AZoneThatTakesAllLetsTheEfficiencyHold) {
 }
 
 TEST(Beyond, WakeBandsAreSharesOfAllThatMoves) {
-  const SummaryRow row{{"wake_cell_m", {2e-3, 4e-3}}, {"wake_kinetic_j", {5.0, 2.0, 1.0}},
-                       {"wake_rotation_j", 2.0},      {"mean_radius_m", 0.5e-3}};
+  const SummaryRow row{{"wake_cell_m", {2e-3, 4e-3}},
+                       {"wake_kinetic_j", {5.0, 2.0, 1.0}},
+                       {"wake_rotation_j", 2.0},
+                       {"mean_radius_m", 0.5e-3}};
   const std::vector<WakeBand> bands = wake_bands(row);
   ASSERT_EQ(bands.size(), 3U);
   EXPECT_EQ(bands[0].cell, 4.0);

@@ -47,7 +47,8 @@ LanePlan lane_of(double dt, double speed, DampingRegion region = DampingRegion::
 }
 
 TEST(Passes, HoldScenariosOfOneStepTheLongestFirst) {
-  const auto passes = passes_of({lane_of(2e-8, 900), lane_of(1e-8, 2000), lane_of(2e-8, 300), lane_of(2e-8, 600)});
+  const auto passes =
+      passes_of({lane_of(2e-8, 900), lane_of(1e-8, 2000), lane_of(2e-8, 300), lane_of(2e-8, 600)});
   EXPECT_EQ(passes, (std::vector<std::vector<std::size_t>>{{2, 3, 0}, {1}}));
 }
 

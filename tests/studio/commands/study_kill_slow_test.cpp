@@ -32,7 +32,8 @@ TEST(LongStudy, KilledAtTenRandomMomentsGivesTheSameTable) {
   write_text(preset, long_study);
   const auto study = [&](const std::string& wrapper, const fs::path& out, const std::string& cache) {
     return run_shell("env XDG_CACHE_HOME='" + (folder.path() / cache).string() + "' " + wrapper +
-                     " '" RIFT_EXE "' study '" + preset.string() + "' --yes --quiet --out '" + out.string() + "'");
+                     " '" RIFT_EXE "' study '" + preset.string() + "' --yes --quiet --out '" + out.string() +
+                     "'");
   };
   const auto start = std::chrono::steady_clock::now();
   ASSERT_EQ(study("", alone, "cache_alone").exit_code, 0);
@@ -43,7 +44,8 @@ TEST(LongStudy, KilledAtTenRandomMomentsGivesTheSameTable) {
   std::uniform_real_distribution<double> early(0.1, 3.0), any(0.5, whole / 7.0);
   for (int kill = 0; kill < 10; ++kill) {
     const double after = kill < 3 ? early(random) : any(random);
-    EXPECT_EQ(study("timeout -s KILL " + std::to_string(after), killed, "cache_killed").exit_code, 137) << after;
+    EXPECT_EQ(study("timeout -s KILL " + std::to_string(after), killed, "cache_killed").exit_code, 137)
+        << after;
   }
   const Ran ran = study("", killed, "cache_killed");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
