@@ -256,7 +256,7 @@ void Ensemble<Real>::foresee_softening() {
     for (int k = first; k < count && met_[k].position <= a + law.zone_length; ++k) {
       const Real before = factor_[at_crossing(k, lane)];
       const Real after = std::min(before, static_cast<Real>(stiffness_left(law, a, met_[k].position)));
-      if (after != before) softening_.push_back({k, lane, before, after, strain(k, lane)});
+      if (after != before) softening_.push_back({k, lane, before, after, strain(met_[k].beam, lane)});
     }
   }
 }
@@ -267,7 +267,7 @@ void Ensemble<Real>::soften() {
   for (const Softening& c : softening_) {
     const std::size_t at = at_crossing(c.crossing, c.lane);
     booked_[at] += (c.before - c.after) * bilinear_energy(lattice_->beam[met_[c.crossing].beam], c.strain,
-                                                          strain(c.crossing, c.lane));
+                                                          strain(met_[c.crossing].beam, c.lane));
     factor_[at] = static_cast<Real>(c.after);
   }
 }
@@ -366,12 +366,11 @@ Vector6 Ensemble<Real>::velocity(int element, int lane) {
 }
 
 template <class Real>
-BeamStrain Ensemble<Real>::strain(int crossing, int lane) const {
-  const int b = met_[crossing].beam;
-  const auto& [i, j] = lattice_->ends[b];
-  const Beam& beam = lattice_->beam[b];
-  if (marching_.kinematics == Kinematics::corotational) return strain_of(beam, pose(i, lane), pose(j, lane));
-  return strain_of(beam, motion(i, lane), motion(j, lane));
+BeamStrain Ensemble<Real>::strain(int beam, int lane) const {
+  const auto& [i, j] = lattice_->ends[beam];
+  const Beam& form = lattice_->beam[beam];
+  if (marching_.kinematics == Kinematics::corotational) return strain_of(form, pose(i, lane), pose(j, lane));
+  return strain_of(form, motion(i, lane), motion(j, lane));
 }
 
 template class Ensemble<double>;

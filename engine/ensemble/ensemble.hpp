@@ -72,6 +72,9 @@ class Ensemble {
   /// The books of a lane now; step, time, tip and speed included.
   results::Sample sample(int lane, results::Phase phase);
 
+  /// Of a beam that nothing has softened [J].
+  double beam_energy(int beam, int lane) const { return energy_of(lattice_->beam[beam], strain(beam, lane)); }
+
   Vector6 motion(int element, int lane) const;  // since the unloaded lattice; rotation vector
   Vector6 velocity(int element, int lane);      // of this moment
 
@@ -102,7 +105,7 @@ class Ensemble {
   }
   std::size_t at_crossing(int k, int lane) const { return static_cast<std::size_t>(k) * lanes_ + lane; }
   Pose pose(int element, int lane) const;
-  BeamStrain strain(int crossing, int lane) const;
+  BeamStrain strain(int beam, int lane) const;
   void put_to_rest(int lane);
   void build_parts();
   void add_up_spent();

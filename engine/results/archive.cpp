@@ -138,6 +138,7 @@ void write_vtkhdf(Group& root, const std::filesystem::path& journal, const Journ
 
   const std::size_t cells = geometry.position.size() + geometry.beam.size();
   TimeFields<float> vectors(point_data, geometry.position.size(), 3);
+  TimeFields<float> numbers(point_data, geometry.position.size(), 0);
   TimeFields<float> factors(cell_data, cells, 0);
   TimeFields<std::uint8_t> flags(cell_data, cells, 0);
   std::vector<double> times;
@@ -148,6 +149,7 @@ void write_vtkhdf(Group& root, const std::filesystem::path& journal, const Journ
       const auto name = [&](const char* field) { return lane_name(field, frame.lane, scan.lanes); };
       if (!frame.displacement.empty()) vectors.append(name("displacement"), step, flat(frame.displacement));
       if (!frame.velocity.empty()) vectors.append(name("velocity"), step, flat(frame.velocity));
+      if (!frame.elastic_energy.empty()) numbers.append(name("elastic_energy"), step, frame.elastic_energy);
       if (frame.damage_factor.empty()) continue;
       const auto spread = cell_fields(geometry, frame);
       factors.append(name("damage_factor"), step, spread.damage_factor);
@@ -161,6 +163,7 @@ void write_vtkhdf(Group& root, const std::filesystem::path& journal, const Journ
   auto cell_offsets = steps.group("CellDataOffsets");
   write_column(point_offsets, "radius", std::vector<std::int64_t>(times.size(), 0));
   vectors.write_offsets(point_offsets, times.size());
+  numbers.write_offsets(point_offsets, times.size());
   factors.write_offsets(cell_offsets, times.size());
   flags.write_offsets(cell_offsets, times.size());
 }

@@ -1,9 +1,8 @@
 #include "engine/results/journal_scan.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/results/agreement.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <type_traits>
@@ -11,13 +10,6 @@
 
 namespace rift::results {
 namespace {
-
-std::int32_t lanes_of_header(const std::string& header_json) {
-  const auto header = nlohmann::json::parse(header_json, nullptr, false);
-  if (!header.is_object()) return 0;
-  const auto lanes = header.find("lanes");
-  return lanes != header.end() && lanes->is_number_integer() ? lanes->get<std::int32_t>() : 0;
-}
 
 struct Collector {
   JournalScan scan;
@@ -44,16 +36,6 @@ struct Collector {
   void operator()(RateCurve&& curve) { scan.rates.push_back(std::move(curve)); }
   void operator()(RunEnd&& end) { scan.summary_json = std::move(end.summary_json); }
 };
-
-void check_fit(const std::filesystem::path& path, const Geometry& geometry, const Frame& frame) {
-  const auto fits = [](const auto& field, std::size_t count) {
-    return field.empty() || field.size() == count;
-  };
-  const std::size_t elements = geometry.position.size();
-  if (!fits(frame.displacement, elements) || !fits(frame.velocity, elements) ||
-      !fits(frame.damage_factor, geometry.crossing.size()))
-    throw WorldError("use", path, fmt::format("the frame of step {} does not fit the geometry", frame.step));
-}
 
 }  // namespace
 

@@ -29,6 +29,11 @@ struct Encoder {
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
   void operator()(const std::string& text) { bytes.append(text); }
+  /// An array that older journals do not have, at the end of its record.
+  template <typename T>
+  void where_any(const std::vector<T>& values) {
+    if (!values.empty()) (*this)(values);
+  }
 };
 
 /// Takes numbers and arrays off a payload; `good` falls where it holds less than they need.
@@ -58,6 +63,10 @@ struct Decoder {
     values.resize(count);
     take(values.data(), count * sizeof(T));
   }
+  template <typename T>
+  void where_any(std::vector<T>& values) {
+    if (!bytes.empty()) (*this)(values);
+  }
   void operator()(std::string& text) {
     text = bytes;
     bytes = {};
@@ -82,6 +91,7 @@ void fields(Codec& code, R& record) {
   } else if constexpr (std::is_same_v<T, Frame>) {
     all(record.step, record.time_s, record.lane, record.tip_m, record.displacement, record.velocity,
         record.damage_factor);
+    code.where_any(record.elastic_energy);
   } else if constexpr (std::is_same_v<T, ReleaseEvent>) {
     all(record.beam, record.lane, record.time_s, record.position_m, record.energy_j);
   } else if constexpr (std::is_same_v<T, RateCurve>) {

@@ -55,6 +55,7 @@ struct Frame {
   std::vector<std::array<float, 3>> displacement;  // N [m]
   std::vector<std::array<float, 3>> velocity;      // N [m/s]
   std::vector<float> damage_factor;                // per crossing beam, 1 intact, 0 broken
+  std::vector<float> elastic_energy;               // N [J], half of each beam's to each of its elements
 };
 
 /// A beam that the crack has released for good.

@@ -79,6 +79,8 @@ void write_vtp(const std::filesystem::path& path, const Geometry& geometry, std:
     if (!frame.displacement.empty())
       document.array(lane_name("displacement", frame.lane, lanes), frame.displacement);
     if (!frame.velocity.empty()) document.array(lane_name("velocity", frame.lane, lanes), frame.velocity);
+    if (!frame.elastic_energy.empty())
+      document.array(lane_name("elastic_energy", frame.lane, lanes), frame.elastic_energy);
   }
   document.xml += "      </PointData>\n      <CellData>\n";
   for (const auto& frame : frames) {

@@ -220,8 +220,23 @@ class Run {
       if (field == "velocity")
         for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(ensemble_.velocity(i, lane) / time_unit));
       if (field == "damage") frame.damage_factor = damage_by_beam(lane);
+      if (field == "energy") frame.elastic_energy = elastic_by_element(lane, plan(seat).units.energy);
     }
     return frame;
+  }
+
+  /// Each beam's elastic energy, half to each of its elements.
+  std::vector<float> elastic_by_element(int lane, double energy_unit) const {
+    std::vector<double> factor(prepared_.lattice.ends.size(), 1.0);
+    for (int k = 0; k < static_cast<int>(ensemble_.met().size()); ++k)
+      factor[ensemble_.met()[k].beam] = ensemble_.factor(k, lane);
+    std::vector<double> energy(prepared_.lattice.centre.size(), 0.0);
+    for (int b = 0; b < static_cast<int>(factor.size()); ++b) {
+      if (factor[b] == 0.0) continue;
+      const double half = 0.5 * factor[b] * ensemble_.beam_energy(b, lane) * energy_unit;
+      for (const int i : prepared_.lattice.ends[b]) energy[i] += half;
+    }
+    return {energy.begin(), energy.end()};
   }
 
   std::vector<float> damage_by_beam(int lane) const {

@@ -308,7 +308,7 @@ TEST(Archive, LargeFramesComeBackWhole) {
   Geometry geometry{std::vector<std::array<float, 3>>(count), std::vector<float>(count, 1.0F), {}, {}};
   std::vector<Record> records{RunHeader{"{}"}, geometry};
   for (int step = 0; step < 2; ++step) {
-    Frame frame{step, static_cast<double>(step), 0, 0, {}, {}, {}};
+    Frame frame{step, static_cast<double>(step), 0, 0, {}, {}, {}, {}};
     for (std::size_t i = 0; i < count; ++i)
       frame.displacement.push_back({static_cast<float>(i), 1, static_cast<float>(step)});
     records.emplace_back(frame);

@@ -73,6 +73,29 @@ TEST(March, WritesFramesOfTheFieldsAskedFor) {
     EXPECT_TRUE(frame.displacement.empty() && frame.velocity.empty() && frame.damage_factor.empty());
 }
 
+// The energy of the elements of a frame is all of the books' elastic energy, softened beams and those of bulk
+// units included.
+TEST(March, SpreadsTheElasticEnergyOfItsBooksOverTheElements) {
+  for (const char* kinematics : {"linear", "corotational"}) {
+    const Prepared p =
+        small_plate({"output.fields=[\"energy\"]", "output.samples=400", "material.stiffness=bulk",
+                     std::string("solver.kinematics=") + kinematics});
+    Heard heard;
+    march(p, heard.observer());
+    ASSERT_EQ(heard.frames.size(), 5U);
+    int compared = 0;
+    for (const results::Frame& frame : heard.frames)
+      for (const results::Sample& sample : heard.samples) {
+        if (sample.step != frame.step) continue;
+        double sum = 0;
+        for (const float energy : frame.elastic_energy) sum += energy;
+        EXPECT_NEAR(sum / sample.elastic_j, 1.0, 1e-6) << kinematics << " at step " << frame.step;
+        ++compared;
+      }
+    EXPECT_GE(compared, 2) << kinematics;
+  }
+}
+
 // The damage of a frame stands in the order of geometry_of().crossing, ascending beams, not in the crack's.
 TEST(March, GivesTheDamageOfAFrameToTheRightBeams) {
   const Prepared p = small_plate({"crack.technique=simple"});
