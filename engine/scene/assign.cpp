@@ -134,6 +134,19 @@ struct Assign {
   std::string operator()(std::vector<std::string>* out) const { return read_words(row, value, *out); }
   std::string operator()(std::optional<std::array<double, 2>>* out) const { return read_window(value, *out); }
 
+  std::string operator()(bool* out) const {
+    const auto* truth = std::get_if<bool>(&value.held);
+    if (truth) *out = *truth;
+    return truth ? std::string{} : wrong_type("true or false", value);
+  }
+  std::string operator()(Word out) const {
+    const auto* word = std::get_if<std::string>(&value.held);
+    if (!word) return wrong_type(row.choices.empty() ? "text" : choices_text(row, "or"), value);
+    if (!row.choices.empty() && std::find(row.choices.begin(), row.choices.end(), *word) == row.choices.end())
+      return "must be " + choices_text(row, "or");
+    *out.p = *word;
+    return {};
+  }
   std::string operator()(Exponent exponent) const {
     if (const auto* name = std::get_if<std::string>(&value.held))
       return take(read_relaxation(*name), *exponent.p);
@@ -165,6 +178,20 @@ struct Assign {
   }
 };
 
+/// A text as a basic string of TOML.
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      out += fmt::format("\\u{:04x}", byte);
+    } else {
+      out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    }
+  }
+  return out + '"';
+}
+
 /// And one way of writing.
 struct Write {
   const Parameter& row;
@@ -176,6 +203,8 @@ struct Write {
   std::string operator()(const std::optional<double>* x) const { return *x ? (*this)(&**x) : std::string{}; }
   std::string operator()(const int* i) const { return fmt::format("{}", *i); }
   std::string operator()(const long* i) const { return fmt::format("{}", *i); }
+  std::string operator()(const bool* truth) const { return *truth ? "true" : "false"; }
+  std::string operator()(Word word) const { return quoted(*word.p); }
   std::string operator()(Exponent exponent) const {
     const std::string name = relaxation_name(*exponent.p);
     return read_relaxation(name).value ? '"' + name + '"' : fmt::format("{}", *exponent.p);
@@ -207,6 +236,8 @@ struct Allowed {
   std::string operator()(const std::vector<std::string>*) const {
     return "any of " + choices_text(row, "and");
   }
+  std::string operator()(const bool*) const { return "true or false"; }
+  std::string operator()(Word) const { return row.choices.empty() ? "any text" : choices_text(row, "or"); }
   std::string operator()(Exponent) const {
     return "\"linear\", \"square-root\", \"quadratic\" or a number in " + range_text(row);
   }

@@ -183,16 +183,17 @@ std::vector<Parameter> solver_rows() {
 std::vector<Parameter> output_rows() {
   return {
       {"output.samples", "400", [](Scene& s) -> Slot { return &s.output.samples; },
-       "Samples of the energies and the release rate over the run, at least; a power of two of steps apart.", none, closed(10, 1e6)},
+       "Samples of the energies and the release rate over the run, at least; a power of two of steps apart.",
+       none, closed(10, 1e6)},
       {"output.frames", "40", [](Scene& s) -> Slot { return &s.output.frames; },
        "Frames of the fields over the run; 0 for none.", none, closed(0, 1e5)},
       {"output.fields",
        R"(["displacement", "damage"])",
        [](Scene& s) -> Slot { return &s.output.fields; },
-       "Fields of a frame.",
+       "Fields of a frame; energy is the elastic energy by element.",
        none,
        {},
-       {"displacement", "velocity", "damage"}},
+       {"displacement", "velocity", "damage", "energy"}},
       {"output.window", "", [](Scene& s) -> Slot { return &s.output.window; },
        "Window of the plateau as two fractions of the length; without it [0.2, 0.4], or [0.4, 0.6] above 0.8 "
        "c_r; with two tips from five damage zones (simple: five mean radii) past the start to the first "
@@ -209,10 +210,53 @@ std::vector<Parameter> output_rows() {
   };
 }
 
+std::vector<Parameter> film_rows() {
+  return {
+      {"film.title", "", [](Scene& s) -> Slot { return Word{&s.film.title}; }, "Title over the film."},
+      {"film.field",
+       "uy",
+       [](Scene& s) -> Slot { return Word{&s.film.field}; },
+       "Field that gives the colours: displacements, velocities, energy densities or damage.",
+       none,
+       {},
+       {"ux", "uy", "uz", "u", "vx", "vy", "vz", "v", "kinetic", "elastic", "damage"}},
+      {"film.colours",
+       "of the field",
+       [](Scene& s) -> Slot { return Word{&s.film.colours}; },
+       "Colour map; the field's own is coolwarm where it has two signs, else viridis.",
+       none,
+       {},
+       {"of the field", "coolwarm", "vik", "viridis", "inferno", "cividis"}},
+      {"film.camera",
+       "plate",
+       [](Scene& s) -> Slot { return Word{&s.film.camera}; },
+       "The whole plate; a close-up that follows the tip; or from the side, what leaves the plane.",
+       none,
+       {},
+       {"plate", "tip", "side"}},
+      {"film.beams",
+       "none",
+       [](Scene& s) -> Slot { return Word{&s.film.beams}; },
+       "Beams that are drawn: none, those that the crack crosses, or all.",
+       none,
+       {},
+       {"none", "crossing", "all"}},
+      {"film.magnification", "1", [](Scene& s) -> Slot { return &s.film.magnification; },
+       "Magnification of the displacements; from the side only of those out of the plane.", none,
+       closed(0, 1000)},
+      {"film.close_up", "20 mm", [](Scene& s) -> Slot { return &s.film.close_up; },
+       "Height of what a close-up shows.", length, above(0, 100)},
+      {"film.chart", "true", [](Scene& s) -> Slot { return &s.film.chart; },
+       "Whether the energy budget grows in a chart under the picture."},
+      {"film.boundaries", "false", [](Scene& s) -> Slot { return &s.film.boundaries; },
+       "Whether grips, measures and the crack's path are drawn around the plate."},
+  };
+}
+
 std::vector<Parameter> all_rows() {
   std::vector<Parameter> rows;
-  for (const auto part :
-       {specimen_rows, material_rows, loading_rows, crack_rows, damping_rows, solver_rows, output_rows}) {
+  for (const auto part : {specimen_rows, material_rows, loading_rows, crack_rows, damping_rows, solver_rows,
+                          output_rows, film_rows}) {
     const std::vector<Parameter> table = part();
     rows.insert(rows.end(), table.begin(), table.end());
   }

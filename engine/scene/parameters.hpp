@@ -25,8 +25,13 @@ struct Exponent {
   double* p;
 };
 
+/// A member that is one of the row's words, by its name; or any text where the row has none.
+struct Word {
+  std::string* p;
+};
+
 /// Where a parameter lives in a Scene. The kind of the member decides how its text is read and written.
-using Slot = std::variant<double*, std::optional<double>*, int*, long*, Exponent, Shape*, Plane*,
+using Slot = std::variant<double*, std::optional<double>*, int*, long*, bool*, Word, Exponent, Shape*, Plane*,
                           StiffnessChoice*, LoadingMethod*, Technique*, DampingRegion*, Kinematics*,
                           Precision*, ReleaseRateReference*, std::vector<VelocityPiece>*, PathHeight*,
                           std::vector<std::string>*, std::optional<std::array<double, 2>>*>;

@@ -40,7 +40,7 @@ struct PathHeight {
   bool operator==(const PathHeight&) const = default;
 };
 
-/// All that a preset says, in SI units: what the run depends on and nothing else.
+/// All that a preset says, in SI units: what the run depends on, and how it is shown.
 /// Each member is one row of the parameter table (scene/parameters), which holds its key, unit, default,
 /// range and doc.
 struct Scene {
@@ -96,10 +96,18 @@ struct Scene {
   } solver;
   struct Output {
     int samples, frames;
-    std::vector<std::string> fields;              // of "displacement", "velocity", "damage"
+    std::vector<std::string> fields;              // of "displacement", "velocity", "damage", "energy"
     std::optional<std::array<double, 2>> window;  // fractions of the length
     ReleaseRateReference g_i0_reference;
   } output;
+  /// How a film of the run is to look; no number of the run depends on it.
+  struct Film {
+    std::string title;
+    std::string field, colours, camera, beams;  // names of the renderer's (viz/)
+    double magnification;
+    double close_up;  // [m]
+    bool chart, boundaries;
+  } film;
 };
 
 }  // namespace rift

@@ -192,6 +192,27 @@ Rates rates_of(const Prepared& prepared, const RunResult& result, int lane) {
   return {plateau_of(rows, plan.window, scale), rate_curve(rows, scale)};
 }
 
+/// How the preset wants to be shown, for whoever makes a film of the run.
+Json film_of(const Scene& scene) {
+  const Scene::Film& f = scene.film;
+  return {{"title", f.title},         {"field", f.field}, {"colours", f.colours},
+          {"camera", f.camera},       {"beams", f.beams}, {"magnification", f.magnification},
+          {"close_up_m", f.close_up}, {"chart", f.chart}, {"boundaries", f.boundaries}};
+}
+
+/// The polyline of the crack's path [m].
+Json path_of(const Prepared& prepared) {
+  Json path = Json::array();
+  for (const Eigen::Vector2d& p : prepared.path.point) path.push_back({p.x(), p.y()});
+  return path;
+}
+
+Json scenarios_of(const Prepared& prepared) {
+  Json scenarios = Json::array();
+  for (const LanePlan& lane : prepared.lane) add_scenario(scenarios.emplace_back(), lane);
+  return scenarios;
+}
+
 Json header_of(const Prepared& prepared, const BuildInfo& build) {
   const Scene& scene = prepared.preset.scene;
   const LanePlan& first = prepared.lane.front();
@@ -210,7 +231,15 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"height_m", prepared.lattice.box.height},
           {"thickness_m", prepared.lattice.box.thickness},
           {"g_i0_j_m2", mean_g_i0(scale_of(prepared, first), first.window[0], first.window[1])},
-          {"rayleigh_speed_m_s", prepared.rayleigh_speed}};
+          {"rayleigh_speed_m_s", prepared.rayleigh_speed},
+          {"tips", prepared.path.tips},
+          {"path", path_of(prepared)},
+          {"displacement_m", scene.loading.displacement},
+          {"mean_radius_m", prepared.lattice.mean_radius},
+          {"density_kg_m3", prepared.density},
+          {"solid_fraction", prepared.specimen.packing.solid_fraction},
+          {"scenarios", scenarios_of(prepared)},
+          {"film", film_of(scene)}};
 }
 
 Json lane_summary(const Prepared& prepared, const RunResult& result, int k, const Rates& rates,

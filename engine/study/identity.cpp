@@ -2,12 +2,23 @@
 
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/scene/axes.hpp"
+#include "engine/scene/parameters.hpp"
 
 #include <fmt/format.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
 namespace rift {
+
+namespace {
+
+/// How a scene is shown says nothing of its numbers.
+std::string text_without_film(Scene scene) {
+  scene.film = default_scene().film;
+  return preset_text(scene);
+}
+
+}  // namespace
 
 std::string hash_text(std::string_view text) {
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
@@ -29,13 +40,13 @@ StudyRow study_row_of(const Scene& scene) {
 }
 
 std::string result_key(const Scene& scene, const std::string& version) {
-  return fmt::format("{}\nversion {}\ninstruction set {}\n", preset_text(scene), version,
+  return fmt::format("{}\nversion {}\ninstruction set {}\n", text_without_film(scene), version,
                      name_of(instruction_set()));
 }
 
 std::string study_hash(const Preset& preset) {
   std::string text = "version " RIFT_VERSION "\n";
-  for (const Scene& scene : scenes_of_study(preset)) text += preset_text(scene);
+  for (const Scene& scene : scenes_of_study(preset)) text += text_without_film(scene);
   return hash_text(text);
 }
 

@@ -40,10 +40,10 @@ TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
   Scene scene{};
   std::set<const void*> members;
   const auto address = [](auto slot) -> const void* {
-    if constexpr (std::is_same_v<decltype(slot), Exponent>) {
-      return slot.p;
-    } else {
+    if constexpr (std::is_pointer_v<decltype(slot)>) {
       return slot;
+    } else {
+      return slot.p;
     }
   };
   for (const Parameter& row : parameters()) {

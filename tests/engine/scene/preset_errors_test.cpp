@@ -97,7 +97,19 @@ TEST(PresetErrors, PointFromUnknownNamesToTheNearestOne) {
 TEST(PresetErrors, ListTheTablesWhereNoneIsNear) {
   EXPECT_EQ(complaints("[geometry]\n"),
             "x.toml:1: unknown table [geometry]: a preset has specimen, material, loading, crack, damping, "
-            "solver, output, study and lanes\n");
+            "solver, output, film, study and lanes\n");
+}
+
+TEST(PresetErrors, OfAFilmsLookNameTheWordsThereAre) {
+  const Preset preset =
+      read_preset_text("[film]\ncamera = \"top\"\nchart = 1\ntitle = 3\nfeild = \"uy\"\n", "x.toml");
+  ASSERT_EQ(preset.issues.size(), 4u);
+  EXPECT_EQ(to_text(preset.issues[0]),
+            "x.toml:2: film.camera = \"top\": must be \"plate\", \"tip\" or \"side\"");
+  EXPECT_EQ(to_text(preset.issues[1]),
+            "x.toml:3: film.chart = 1: expected true or false, got a whole number");
+  EXPECT_EQ(to_text(preset.issues[2]), "x.toml:4: film.title = 3: expected text, got a whole number");
+  EXPECT_EQ(to_text(preset.issues[3]), "x.toml:5: unknown key 'feild', did you mean 'field'?");
 }
 
 TEST(PresetErrors, OfSyntaxHaveLineAndColumn) {

@@ -19,10 +19,10 @@ void expect_same(Scene a, Scene b) {
   const auto same = [](auto x, auto y) {
     if constexpr (!std::is_same_v<decltype(x), decltype(y)>) {
       return false;
-    } else if constexpr (std::is_same_v<decltype(x), Exponent>) {
-      return *x.p == *y.p;
-    } else {
+    } else if constexpr (std::is_pointer_v<decltype(x)>) {
       return *x == *y;
+    } else {
+      return *x.p == *y.p;
     }
   };
   for (const Parameter& row : parameters())
@@ -168,6 +168,12 @@ TEST(PresetText, ReadsBackToAnySceneBitForBit) {
   expect_same(again.scene, scene);
   expect_same(read_preset_text(preset_text(scene_of({"solver.dt_fraction=0.17"})), "again.toml").scene,
               scene_of({"solver.dt_fraction=0.17"}));
+}
+
+TEST(PresetText, KeepsATitleWithQuotesAndLineBreaks) {
+  Scene scene = default_scene();
+  scene.film.title = "a \"crack\"\n\\ at α = 0";
+  expect_same(read_preset_text(preset_text(scene), "x.toml").scene, scene);
 }
 
 TEST(PresetText, ExplainsEveryKey) {
