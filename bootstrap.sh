@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-# Debian package | what it is for. A renderer will add VTK here; --no-viz then leaves it out.
+# Debian package | what it is for
 packages=(
   'g++|C++20 compiler'
   'cmake|3.25 or later'
@@ -20,6 +20,13 @@ packages=(
   'libxxhash-dev|checksums'
   'libgtest-dev|tests'
   'gnuplot-nox|charts of reports'
+)
+viz_packages=(  # --no-viz leaves them out
+  'libvtk9-dev|pictures and films'
+  'libosmesa6-dev|OpenGL without a display'
+  'libegl-dev|the same where OSMesa is gone'
+  'libpng-dev|pictures'
+  'ffmpeg|films'
 )
 
 usage() {
@@ -73,6 +80,7 @@ for argument in "$@"; do
   esac
 done
 [ -n "$what" ] || usage
+[ $viz = OFF ] || packages+=("${viz_packages[@]}")
 
 install_missing
 if [ "$what" = demo ]; then

@@ -20,30 +20,34 @@ enum class Scale : std::uint8_t {
 };
 
 struct Field {
-  std::string_view name;     // "uy", as the user asks for it
-  std::string_view title;    // "vertical displacement"
-  std::string_view unit;     // "mm", as it is shown
-  double unit_in_si;         // 1e-3
+  std::string_view name;   // "uy", as the user asks for it
+  std::string_view title;  // "vertical displacement"
+  std::string_view unit;   // "mm", as it is shown
+  double unit_in_si;       // 1e-3
   Scale scale;
-  std::string_view stored;   // the entry of output.fields that it needs: "displacement", ...
+  std::string_view stored;  // the entry of output.fields that it needs: "displacement", ...
 };
 
-/// All fields: ux, uy, uz, u (magnitude), vx, vy, vz, v, kinetic and elastic (energy densities of the plate, J/m³), damage.
+/// All fields: ux, uy, uz, u (magnitude), vx, vy, vz, v, kinetic and elastic (energy densities of the plate,
+/// J/m³), damage.
 [[nodiscard]] const std::vector<Field>& fields();
 
 /// The field of a name, or null.
 [[nodiscard]] const Field* find_field(std::string_view name);
 
-/// The field's value at each element, in SI. @param header  of the run; densities need what it says of the elements
-/// Empty where the frame does not hold what the field needs. Cost O(elements).
+/// The field's value at each element, in SI. @param header  of the run; densities need what it says of the
+/// elements Empty where the frame does not hold what the field needs. Cost O(elements).
 [[nodiscard]] std::vector<float> values_of(const Field& field, const results::Frame& frame,
-                                           const results::Geometry& geometry, const nlohmann::ordered_json& header);
+                                           const results::Geometry& geometry,
+                                           const nlohmann::ordered_json& header);
 
-/// The range that is known before anything was computed: half the grip's displacement each way for uy, [0, 1] for damage.
-[[nodiscard]] std::optional<std::array<double, 2>> known_range(const Field& field, const nlohmann::ordered_json& header);
+/// The range that is known before anything was computed: half the grip's displacement each way for uy, [0, 1]
+/// for damage.
+[[nodiscard]] std::optional<std::array<double, 2>> known_range(const Field& field,
+                                                               const nlohmann::ordered_json& header);
 
-/// The range of these values [SI] without the outermost 0.2 %: symmetric about zero for a diverging scale, from zero for a
-/// sequential one. @param values  of one or several frames; reordered
+/// The range of these values [SI] without the outermost 0.2 %: symmetric about zero for a diverging scale,
+/// from zero for a sequential one. @param values  of one or several frames; reordered
 [[nodiscard]] std::array<double, 2> range_of(const Field& field, std::vector<float>& values);
 
 }  // namespace rift::viz

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-/// What is to be drawn, as plain data: the order that the program gives to the renderer, a process of its own.
+/// What is to be drawn, as plain data: the order that the program gives to the renderer, a process of its
+/// own.
 namespace rift::viz {
 
 /// From where the plate is seen.
@@ -28,23 +29,23 @@ struct Pane {
 };
 
 struct Look {
-  std::string field = "uy";         // a name of viz/field.hpp
-  std::array<double, 2> range{};    // of the colours, in the field's SI unit; the same for all panes
-  std::string colours;              // a name of viz/colour_map.hpp
+  std::string field = "uy";       // a name of viz/field.hpp
+  std::array<double, 2> range{};  // of the colours, in the field's SI unit; the same for all panes
+  std::string colours;            // a name of viz/colour_map.hpp
   Camera camera = Camera::plate;
   Beams beams = Beams::none;
-  bool spheres = true;              // elements; false leaves the beams alone
-  double magnification = 1;         // of displacements
-  double close_up_m = 0.02;         // height of what a close-up shows [m]
-  bool chart = true;                // the energy budget under the picture
-  bool boundaries = false;          // grips, free faces and measures drawn around the plate
-  bool large_text = false;          // for lecture halls
+  bool spheres = true;       // elements; false leaves the beams alone
+  double magnification = 1;  // of displacements
+  double close_up_m = 0.02;  // height of what a close-up shows [m]
+  bool chart = true;         // the energy budget under the picture
+  bool boundaries = false;   // grips, free faces and measures drawn around the plate
+  bool large_text = false;   // for lecture halls
   std::string title;
 };
 
-/// Frames of up to four panes on one clock. The renderer reads it as the first line of its input, then a time [s] a line,
-/// and answers each time with one frame: width · height · 3 bytes, RGB, rows from the top. At a time each pane shows its
-/// last stored moment until then.
+/// Frames of up to four panes on one clock. The renderer reads it as the first line of its input, then a time
+/// [s] a line, and answers each time with one frame: width · height · 3 bytes, RGB, rows from the top. At a
+/// time each pane shows its last stored moment until then.
 struct Job {
   std::vector<Pane> panes;
   Look look;

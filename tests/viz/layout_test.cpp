@@ -1,0 +1,97 @@
+#include "viz/layout.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rift::viz {
+namespace {
+
+constexpr Extent paper_plate{.length = 0.2, .height = 0.042, .middle = 0.02};
+
+Job job_of(int panes, int width, int height, bool chart = true, bool large = false) {
+  Job job;
+  job.panes.resize(panes);
+  job.width = width;
+  job.height = height;
+  job.look.chart = chart;
+  job.look.large_text = large;
+  return job;
+}
+
+/// Beyond the rounding of boxes that touch.
+bool overlap(const Box& a, const Box& b) {
+  constexpr double tiny = 1e-6;
+  return a.x0 + tiny < b.x1 && b.x0 + tiny < a.x1 && a.y0 + tiny < b.y1 && b.y0 + tiny < a.y1;
+}
+
+std::vector<Box> boxes_of(const Layout& layout) {
+  std::vector<Box> all{layout.title, layout.colour_bar, layout.scale_bar};
+  for (const PaneLayout& pane : layout.panes) all.insert(all.end(), {pane.title, pane.moment, pane.picture});
+  all.insert(all.end(), layout.chart.begin(), layout.chart.end());
+  if (!layout.chart.empty()) all.push_back(layout.key);
+  return all;
+}
+
+TEST(Layout, NothingOverlapsAndNothingLeavesTheFrame) {
+  for (int panes = 1; panes <= 4; ++panes)
+    for (const auto& [width, height] :
+         {std::pair{1280, 720}, {1920, 1080}, {640, 360}, {720, 720}, {1080, 1920}})
+      for (const bool chart : {true, false})
+        for (const bool large : {true, false})
+          for (const Camera camera : {Camera::plate, Camera::tip, Camera::side}) {
+            Job job = job_of(panes, width, height, chart, large);
+            job.look.camera = camera;
+            const std::vector<Box> boxes = boxes_of(layout_of(job, paper_plate));
+            for (std::size_t a = 0; a < boxes.size(); ++a) {
+              EXPECT_GT(boxes[a].width(), 0)
+                  << panes << " panes, " << width << "x" << height << ", box " << a;
+              EXPECT_GT(boxes[a].height(), 0)
+                  << panes << " panes, " << width << "x" << height << ", box " << a;
+              EXPECT_TRUE(boxes[a].x0 >= 0 && boxes[a].y0 >= 0 && boxes[a].x1 <= width &&
+                          boxes[a].y1 <= height);
+              for (std::size_t b = a + 1; b < boxes.size(); ++b)
+                EXPECT_FALSE(overlap(boxes[a], boxes[b]))
+                    << panes << " panes, " << width << "x" << height << ", boxes " << a << " and " << b;
+            }
+          }
+}
+
+TEST(Layout, OnePlateFillsFourFifthsOfTheWidth) {
+  for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}}) {
+    const Job job = job_of(1, width, height);
+    const Box picture = layout_of(job, paper_plate).panes.front().picture;
+    const Window shown = window_of(job.look, picture, paper_plate, {0, 0});
+    EXPECT_GE(paper_plate.length / shown.width * picture.width(), 0.8 * width);
+  }
+}
+
+TEST(Layout, ThePlateKeepsItsProportions) {
+  const Job job = job_of(3, 1280, 720);
+  const Box picture = layout_of(job, paper_plate).panes.front().picture;
+  const Window shown = window_of(job.look, picture, paper_plate, {0, 0});
+  EXPECT_NEAR(shown.width / picture.width(), shown.height / picture.height(), 1e-12);
+  EXPECT_GE(shown.height, paper_plate.height);
+}
+
+TEST(Layout, ACloseUpHasTheTipInItsMiddle) {
+  Job job = job_of(1, 1280, 720);
+  job.look.camera = Camera::tip;
+  const Box picture = layout_of(job, paper_plate).panes.front().picture;
+  const std::array<double, 2> tip{0.031, 0.021};
+  const auto pixel =
+      to_pixels(job.look, window_of(job.look, picture, paper_plate, tip), picture, paper_plate, tip);
+  EXPECT_NEAR(pixel[0], 0.5 * (picture.x0 + picture.x1), 1e-9);
+  EXPECT_NEAR(pixel[1], 0.5 * (picture.y0 + picture.y1), 1e-9);
+}
+
+TEST(Layout, TheSideCameraForeshortensThePlate) {
+  Look look;
+  const Box picture{0, 0, 100, 100};
+  const Window shown{.x = 0.1, .y = 0.02, .width = 0.2, .height = 0.2};
+  const double front = to_pixels(look, shown, picture, paper_plate, {0.1, 0.04})[1] - 50;
+  look.camera = Camera::side;
+  EXPECT_NEAR(to_pixels(look, shown, picture, paper_plate, {0.1, 0.04})[1] - 50, front * std::cos(side_tilt),
+              1e-9);
+}
+
+}  // namespace
+}  // namespace rift::viz

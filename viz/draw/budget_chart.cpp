@@ -1,0 +1,98 @@
+#include "viz/draw/budget_chart.hpp"
+
+#include "viz/draw/annotation.hpp"
+
+#include <vtkAxis.h>
+#include <vtkChartXY.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkFloatArray.h>
+#include <vtkPlot.h>
+#include <vtkRenderer.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+namespace rift::viz {
+namespace {
+
+/// A line of the budget. Colours after Okabe and Ito (2008), apart for the colour-blind.
+struct Entry {
+  const char* name;
+  double results::Sample::*energy;
+  std::array<unsigned char, 3> colour;
+};
+constexpr Entry entries[] = {{"elastic", &results::Sample::elastic_j, {0, 114, 178}},
+                             {"kinetic", &results::Sample::kinetic_translation_j, {230, 159, 0}},
+                             {"fracture", &results::Sample::fracture_j, {213, 94, 0}},
+                             {"damping", &results::Sample::damping_j, {0, 158, 115}}};
+constexpr double microsecond = 1e-6;
+
+double energy_of(const Entry& entry, const results::Sample& s) {
+  const bool kinetic = entry.energy == &results::Sample::kinetic_translation_j;
+  return s.*entry.energy + (kinetic ? s.kinetic_rotation_j : 0);
+}
+
+void style(vtkAxis& axis, int text_px, const char* title, double least, double most) {
+  axis.SetTitle(title);
+  axis.SetRange(least, most);
+  axis.SetBehavior(vtkAxis::FIXED);
+  axis.SetGridVisible(false);
+  for (vtkTextProperty* text : {axis.GetLabelProperties(), axis.GetTitleProperties()}) {
+    text->SetFontSize(text_px);
+    text->SetFontFamilyToArial();
+    text->SetBold(false);
+    text->SetColor(ink[0], ink[1], ink[2]);
+  }
+}
+
+}  // namespace
+
+std::vector<KeyEntry> budget_key(bool damping) {
+  std::vector<KeyEntry> key;
+  for (const Entry& entry : entries)
+    key.push_back({entry.name, {entry.colour[0] / 255.0, entry.colour[1] / 255.0, entry.colour[2] / 255.0}});
+  if (!damping) key.pop_back();
+  return key;
+}
+
+BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px,
+                         const std::array<double, 2>& times, double most_j, bool damping)
+    : start_s_(times[0]), entries_(damping ? std::size(entries) : std::size(entries) - 1) {
+  vtkNew<vtkFloatArray> time;
+  time->SetName("t");
+  table_->AddColumn(time);
+  style(*chart_->GetAxis(vtkAxis::BOTTOM), text_px, "time since the crack's start [µs]", 0,
+        (times[1] - times[0]) / microsecond);
+  style(*chart_->GetAxis(vtkAxis::LEFT), text_px, "energy [J]", 0, 1.05 * most_j);
+  for (std::size_t k = 0; k < entries_; ++k) {
+    vtkNew<vtkFloatArray> column;
+    column->SetName(entries[k].name);
+    table_->AddColumn(column);
+    vtkPlot* line = chart_->AddPlot(vtkChart::LINE);
+    line->SetInputData(table_, 0, static_cast<vtkIdType>(k + 1));
+    line->SetColor(entries[k].colour[0], entries[k].colour[1], entries[k].colour[2], 255);
+    line->SetWidth(static_cast<float>(0.16 * text_px));
+  }
+  chart_->SetAutoSize(false);
+  chart_->SetSize(vtkRectf(0, 0, static_cast<float>(box.width()), static_cast<float>(box.height())));
+  vtkNew<vtkContextActor> actor;
+  actor->GetScene()->AddItem(chart_);
+  renderer.AddActor(actor);
+}
+
+void BudgetChart::show(std::span<const results::Sample> books) {
+  // A line has two points: the first row stands twice.
+  const std::size_t rows = books.empty() ? 0 : books.size() + 1;
+  table_->SetNumberOfRows(static_cast<vtkIdType>(rows));
+  for (std::size_t row = 0; row < rows; ++row) {
+    const results::Sample& s = books[row == 0 ? 0 : row - 1];
+    const auto r = static_cast<vtkIdType>(row);
+    table_->SetValue(r, 0, (s.time_s - start_s_) / microsecond);
+    for (std::size_t k = 0; k < entries_; ++k)
+      table_->SetValue(r, static_cast<vtkIdType>(k + 1), energy_of(entries[k], s));
+  }
+  for (std::size_t k = 0; k < entries_; ++k) chart_->GetPlot(static_cast<vtkIdType>(k))->SetVisible(rows > 0);
+  table_->Modified();
+}
+
+}  // namespace rift::viz

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "engine/results/schema.hpp"
+#include "viz/draw/annotation.hpp"
+
+#include <vtkChartXY.h>
+#include <vtkNew.h>
+#include <vtkTable.h>
+
+#include <span>
+#include <vector>
+
+class vtkRenderer;
+
+namespace rift::viz {
+
+/// The names and colours of the budget's lines. @param damping  whether anything is damped
+[[nodiscard]] std::vector<KeyEntry> budget_key(bool damping);
+
+/// The energy budget of a pane, growing with time: elastic, kinetic, fracture and, where there is any,
+/// damping [J].
+class BudgetChart {
+ public:
+  /// @param times  of the whole axis [s];  @param most_j  its energy
+  BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, const std::array<double, 2>& times,
+              double most_j, bool damping);
+
+  void show(std::span<const results::Sample> books);
+
+ private:
+  double start_s_;
+  std::size_t entries_;
+  vtkNew<vtkTable> table_;
+  vtkNew<vtkChartXY> chart_;
+};
+
+}  // namespace rift::viz

@@ -1,0 +1,66 @@
+#include "viz/draw/moment.hpp"
+
+#include "engine/results/archive.hpp"
+
+#include <algorithm>
+
+namespace rift::viz {
+namespace {
+
+template <typename Row>
+auto first_after(const std::vector<Row>& rows, double time_s) {
+  return std::upper_bound(rows.begin(), rows.end(), time_s,
+                          [](double t, const Row& row) { return t < row.time_s; });
+}
+
+}  // namespace
+
+LaneReader::LaneReader(const Pane& pane, const Look& look)
+    : index_(pane.run / results::journal_name),
+      lane_(pane.lane),
+      header_(nlohmann::ordered_json::parse(index_.header_json())),
+      field_(*find_field(look.field)),
+      moves_(look.magnification != 0) {}
+
+std::vector<results::Sample> LaneReader::books_until(double time_s) const {
+  const auto& books = index_.samples(lane_);
+  const auto start = std::find_if(books.begin(), books.end(), [](const results::Sample& s) {
+    return s.phase == results::Phase::fracture;
+  });
+  const auto end = first_after(books, time_s);
+  return start < end ? std::vector(start, end) : std::vector<results::Sample>{};
+}
+
+std::array<double, 2> LaneReader::times() const {
+  const auto& frames = index_.frames(lane_);
+  if (frames.empty()) return {0, 0};
+  const double planned = header_.value("steps", 0.0) * header_.value("dt_s", 0.0);
+  return {frames.front().time_s,
+          index_.summary_json() ? frames.back().time_s : std::max(planned, frames.back().time_s)};
+}
+
+double LaneReader::velocity_at(double time_s) const {
+  const auto& books = index_.samples(lane_);
+  const auto after = first_after(books, time_s);
+  return after == books.begin() ? 0 : std::prev(after)->velocity_m_s;
+}
+
+Moment LaneReader::at(double time_s) {
+  if (!index_.summary_json() && (index_.frames(lane_).empty() || index_.frames(lane_).back().time_s < time_s))
+    index_.extend();
+  const auto& frames = index_.frames(lane_);
+  if (frames.empty()) throw std::runtime_error("lane " + std::to_string(lane_) + " holds no frames yet");
+  const auto after = first_after(frames, time_s);
+  const results::FrameEntry& entry = after == frames.begin() ? *after : *std::prev(after);
+  results::Frame frame = index_.frame(entry);
+  Moment moment;
+  moment.time_s = entry.time_s;
+  moment.tip_m = entry.tip_m;
+  moment.velocity_m_s = velocity_at(entry.time_s);
+  moment.value = values_of(field_, frame, geometry(), header_);
+  if (moves_) moment.displacement = std::move(frame.displacement);
+  moment.damage_factor = std::move(frame.damage_factor);
+  return moment;
+}
+
+}  // namespace rift::viz

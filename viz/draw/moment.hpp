@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/results/journal_index.hpp"
+#include "viz/field.hpp"
+#include "viz/job.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// One lane of a run, as its pane shows it.
+namespace rift::viz {
+
+/// What a pane shows of one moment.
+struct Moment {
+  double time_s = 0, tip_m = 0, velocity_m_s = 0;
+  std::vector<std::array<float, 3>> displacement;  // N [m]
+  std::vector<float> value;                        // N, of the field that gives the colours [SI]
+  std::vector<float> damage_factor;                // of each crossing beam; only where beams are drawn
+};
+
+/// Reads the moments of a lane, only the fields that the look needs.
+class LaneReader {
+ public:
+  LaneReader(const Pane& pane, const Look& look);
+
+  [[nodiscard]] const results::Geometry& geometry() const { return index_.geometry(); }
+  [[nodiscard]] const nlohmann::ordered_json& header() const { return header_; }
+  /// The books up to a time.
+  [[nodiscard]] std::vector<results::Sample> books_until(double time_s) const;
+  /// From the crack's start to its end, as far as is known.
+  [[nodiscard]] std::array<double, 2> times() const;
+  /// The last stored moment until `time_s`, or the first. Asked of a run that goes on it looks what has been
+  /// added.
+  [[nodiscard]] Moment at(double time_s);
+
+ private:
+  [[nodiscard]] double velocity_at(double time_s) const;
+
+  results::JournalIndex index_;
+  std::int32_t lane_;
+  nlohmann::ordered_json header_;
+  const Field& field_;
+  bool moves_;
+};
+
+}  // namespace rift::viz

@@ -1,0 +1,119 @@
+#include "viz/draw/picture.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace rift::viz {
+namespace {
+
+/// The largest plate of the panes, as its displacements magnify it.
+Extent extent_of(const std::vector<std::unique_ptr<LaneReader>>& readers, const Look& look) {
+  Extent plate;
+  for (const auto& reader : readers) {
+    const auto& header = reader->header();
+    const double height = header.at("height_m").get<double>();
+    const double pulled = look.camera == Camera::side ? 1 : look.magnification;
+    plate.length = std::max(plate.length, header.at("length_m").get<double>());
+    plate.height = std::max(plate.height, height + pulled * header.value("displacement_m", 0.0));
+    plate.middle = std::max(plate.middle, 0.5 * height);
+  }
+  return plate;
+}
+
+double most_energy(LaneReader& reader) {
+  double most = 0;
+  for (const results::Sample& s : reader.books_until(1e300))
+    most = std::max({most, s.elastic_j, s.fracture_j, s.damping_j});
+  return most;
+}
+
+bool damps(LaneReader& reader) {
+  const auto books = reader.books_until(1e300);
+  return std::any_of(books.begin(), books.end(), [](const results::Sample& s) { return s.damping_j != 0; });
+}
+
+}  // namespace
+
+Picture::Picture(const Job& job) : job_(job) {
+  for (const Pane& pane : job_.panes) reader_.push_back(std::make_unique<LaneReader>(pane, job_.look));
+  plate_ = extent_of(reader_, job_.look);
+  layout_ = layout_of(job_, plate_);
+
+  window_->SetReadyForRendering(true);
+  window_->SetIsCurrent(true);
+  window_->SetOwnContext(0);
+  window_->SetMapped(1);
+  window_->SetMultiSamples(0);
+  window_->SetSize(job_.width, job_.height);
+  if (!window_->InitializeFromCurrentContext()) throw std::runtime_error("VTK cannot use this OpenGL");
+  overlay_->SetLayer(1);
+  overlay_->InteractiveOff();
+  window_->SetNumberOfLayers(2);
+  background_->SetBackground(1, 1, 1);
+  window_->AddRenderer(background_);
+  window_->AddRenderer(overlay_);
+  add_panes();
+  if (job_.look.chart) add_charts();
+}
+
+Picture::~Picture() = default;
+
+void Picture::add_panes() {
+  const Field& field = *find_field(job_.look.field);
+  const ColourMap* named = find_colour_map(job_.look.colours);
+  const ColourMap& map = named != nullptr ? *named : colour_map_of(field);
+  const auto colours = lookup_table(map, job_.look.range);
+  for (std::size_t k = 0; k < job_.panes.size(); ++k)
+    pane_.push_back(
+        std::make_unique<PaneView>(job_, layout_, k, plate_, *reader_[k], *colours, *window_, *overlay_));
+  if (job_.look.camera != Camera::side) {
+    const Box& box = layout_.panes.front().picture;
+    add_scale_bar(*overlay_, layout_.scale_bar, layout_.text_px,
+                  window_of(job_.look, box, plate_, {0, 0}).height / box.height());
+  }
+  add_colour_bar(*overlay_, layout_.colour_bar, layout_.text_px, field, map, job_.look.range);
+  const auto title = text_at(layout_.title.x0, layout_.title.y0, static_cast<int>(1.35 * layout_.text_px),
+                             Align::left, job_.look.title, true);
+  overlay_->AddActor2D(title);
+  fit(*title, *overlay_, layout_.title.width());
+}
+
+void Picture::add_charts() {
+  std::array<double, 2> times{1e300, 0};
+  double most = 0;
+  bool damping = false;
+  for (const auto& reader : reader_) {
+    times = {std::min(times[0], reader->times()[0]), std::max(times[1], reader->times()[1])};
+    most = std::max(most, most_energy(*reader));
+    damping = damping || damps(*reader);
+  }
+  add_key(*overlay_, layout_.key, layout_.text_px, budget_key(damping));
+  for (const Box& box : layout_.chart) {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetViewport(box.x0 / job_.width, box.y0 / job_.height, box.x1 / job_.width,
+                          box.y1 / job_.height);
+    renderer->SetBackground(1, 1, 1);
+    window_->AddRenderer(renderer);
+    chart_.push_back(std::make_unique<BudgetChart>(*renderer, box, layout_.text_px, times, most, damping));
+  }
+}
+
+void Picture::draw(double time_s, std::span<std::uint8_t> rgb) {
+  for (std::size_t k = 0; k < pane_.size(); ++k) {
+    pane_[k]->show(reader_[k]->at(time_s));
+    if (!chart_.empty()) chart_[k]->show(reader_[k]->books_until(time_s));
+  }
+  window_->Render();
+  read(rgb);
+}
+
+void Picture::read(std::span<std::uint8_t> rgb) {
+  window_->GetPixelData(0, 0, job_.width - 1, job_.height - 1, 0, pixels_, 0);
+  const std::size_t row = std::size_t{3} * job_.width;
+  const unsigned char* from = pixels_->GetPointer(0);
+  for (int y = 0; y < job_.height; ++y)
+    std::memcpy(rgb.data() + y * row, from + (job_.height - 1 - y) * row, row);
+}
+
+}  // namespace rift::viz

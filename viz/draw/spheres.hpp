@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/results/schema.hpp"
+#include "viz/colour_map.hpp"
+#include "viz/job.hpp"
+
+#include <vtkActor.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <span>
+#include <vector>
+
+class vtkLookupTable;
+
+namespace rift::viz {
+
+/// 256 colours of a map over a range.
+[[nodiscard]] vtkNew<vtkLookupTable> lookup_table(const ColourMap& map, const std::array<double, 2>& range);
+
+/// Elements as sphere impostors: a frame only swaps positions and values.
+class Spheres {
+ public:
+  /// @param shown  the elements that are drawn;  @param scale  of their radii
+  Spheres(const results::Geometry& geometry, std::vector<std::int32_t> shown, float scale,
+          vtkLookupTable& colours);
+
+  /// @param displacement, value  of all elements;  @param magnification  of displacements
+  void show(std::span<const std::array<float, 3>> displacement, std::span<const float> value,
+            const std::array<float, 3>& magnification);
+  [[nodiscard]] vtkActor& actor() { return *actor_; }
+
+ private:
+  const results::Geometry& geometry_;
+  std::vector<std::int32_t> shown_;
+  vtkNew<vtkPolyData> cloud_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkFloatArray> value_;
+  vtkNew<vtkActor> actor_;
+};
+
+}  // namespace rift::viz

@@ -1,0 +1,27 @@
+#include "viz/job.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <stdexcept>
+
+namespace rift::viz {
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Camera, {{Camera::plate, "plate"}, {Camera::tip, "tip"}, {Camera::side, "side"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Beams,
+                             {{Beams::none, "none"}, {Beams::crossing, "crossing"}, {Beams::all, "all"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pane, run, lane, title)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Look, field, range, colours, camera, beams, spheres, magnification,
+                                   close_up_m, chart, boundaries, large_text, title)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, panes, look, width, height)
+
+std::string to_json(const Job& job) { return nlohmann::json(job).dump(); }
+
+Job job_from_json(std::string_view text) {
+  try {
+    return nlohmann::json::parse(text).get<Job>();
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+}  // namespace rift::viz
