@@ -1,0 +1,56 @@
+#include "viz/renderer.hpp"
+
+#include "engine/results/world_error.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace rift::viz {
+namespace {
+
+constexpr int no_opengl = 3;  // viz/draw/main.cpp
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+}  // namespace
+
+std::filesystem::path own_folder() { return std::filesystem::canonical("/proc/self/exe").parent_path(); }
+
+Renderer::Renderer(Job job, Gl gl, bool idle, std::filesystem::path programs)
+    : job_(std::move(job)), idle_(idle), may_turn_to_egl_(gl == Gl::any), programs_(std::move(programs)) {
+  start(gl == Gl::egl ? "egl" : "osmesa");
+}
+
+void Renderer::start(const std::string& gl) {
+  program_ = programs_ / ("rift-frames-" + gl);
+  child_ = std::make_unique<Child>(std::vector{program_.string()}, idle_);
+  (void)child_->write(bytes_of(to_json(job_) + "\n"));  // where it has ended, next() tells
+}
+
+void Renderer::send(double time_s) { (void)child_->write(bytes_of(fmt::format("{}\n", time_s))); }
+
+void Renderer::ask(double time_s) {
+  asked_.push_back(time_s);
+  send(time_s);
+}
+
+Image Renderer::next() {
+  Image image{job_.width, job_.height, std::vector<std::uint8_t>(std::size_t{3} * job_.width * job_.height)};
+  if (child_->read(image.rgb) == image.rgb.size()) {
+    asked_.pop_front();
+    may_turn_to_egl_ = false;
+    return image;
+  }
+  const Child::End end = child_->wait();
+  if (end.code != no_opengl || !may_turn_to_egl_)
+    throw results::WorldError("draw with", program_, "it " + end.text);
+  may_turn_to_egl_ = false;
+  start("egl");
+  for (const double time_s : asked_) send(time_s);
+  return next();
+}
+
+}  // namespace rift::viz
