@@ -14,6 +14,21 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Look, field, range, colours, camera, beams, s
                                    close_up_m, chart, boundaries, large_text, title)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, panes, look, width, height)
 
+namespace {
+
+/// An enum of JSON takes its first value for what it does not know: here that is an error.
+template <typename Enum>
+Enum named(const std::string& word) {
+  const auto value = nlohmann::json(word).get<Enum>();
+  if (nlohmann::json(value) != word) throw std::invalid_argument("unknown word '" + word + "'");
+  return value;
+}
+
+}  // namespace
+
+Camera camera_named(const std::string& word) { return named<Camera>(word); }
+Beams beams_named(const std::string& word) { return named<Beams>(word); }
+
 std::string to_json(const Job& job) { return nlohmann::json(job).dump(); }
 
 Job job_from_json(std::string_view text) {

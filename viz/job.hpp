@@ -52,6 +52,10 @@ struct Job {
   int width = 1280, height = 720;
 };
 
+/// The value of a word as presets and options have it ("plate", "crossing"). Throws std::invalid_argument.
+[[nodiscard]] Camera camera_named(const std::string& word);
+[[nodiscard]] Beams beams_named(const std::string& word);
+
 /// As JSON text of one line and back. Throws std::invalid_argument where the text is no job.
 [[nodiscard]] std::string to_json(const Job& job);
 [[nodiscard]] Job job_from_json(std::string_view text);

@@ -55,14 +55,14 @@ std::vector<KeyEntry> budget_key(bool damping) {
   return key;
 }
 
-BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px,
-                         const std::array<double, 2>& times, double most_j, bool damping)
-    : start_s_(times[0]), entries_(damping ? std::size(entries) : std::size(entries) - 1) {
+BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, double lasts_s, double most_j,
+                         bool damping)
+    : entries_(damping ? std::size(entries) : std::size(entries) - 1) {
   vtkNew<vtkFloatArray> time;
   time->SetName("t");
   table_->AddColumn(time);
   style(*chart_->GetAxis(vtkAxis::BOTTOM), text_px, "time since the crack's start [µs]", 0,
-        (times[1] - times[0]) / microsecond);
+        lasts_s / microsecond);
   style(*chart_->GetAxis(vtkAxis::LEFT), text_px, "energy [J]", 0, 1.05 * most_j);
   for (std::size_t k = 0; k < entries_; ++k) {
     vtkNew<vtkFloatArray> column;
@@ -80,14 +80,14 @@ BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px,
   renderer.AddActor(actor);
 }
 
-void BudgetChart::show(std::span<const results::Sample> books) {
+void BudgetChart::show(std::span<const results::Sample> books, double start_s) {
   // A line has two points: the first row stands twice.
   const std::size_t rows = books.empty() ? 0 : books.size() + 1;
   table_->SetNumberOfRows(static_cast<vtkIdType>(rows));
   for (std::size_t row = 0; row < rows; ++row) {
     const results::Sample& s = books[row == 0 ? 0 : row - 1];
     const auto r = static_cast<vtkIdType>(row);
-    table_->SetValue(r, 0, (s.time_s - start_s_) / microsecond);
+    table_->SetValue(r, 0, (s.time_s - start_s) / microsecond);
     for (std::size_t k = 0; k < entries_; ++k)
       table_->SetValue(r, static_cast<vtkIdType>(k + 1), energy_of(entries[k], s));
   }

@@ -21,14 +21,14 @@ namespace rift::viz {
 /// damping [J].
 class BudgetChart {
  public:
-  /// @param times  of the whole axis [s];  @param most_j  its energy
-  BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, const std::array<double, 2>& times,
-              double most_j, bool damping);
+  /// @param lasts_s  the whole axis of time;  @param most_j  of the axis of energy
+  BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, double lasts_s, double most_j,
+              bool damping);
 
-  void show(std::span<const results::Sample> books);
+  /// @param start_s  when the crack started
+  void show(std::span<const results::Sample> books, double start_s);
 
  private:
-  double start_s_;
   std::size_t entries_;
   vtkNew<vtkTable> table_;
   vtkNew<vtkChartXY> chart_;

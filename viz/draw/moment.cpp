@@ -22,21 +22,25 @@ LaneReader::LaneReader(const Pane& pane, const Look& look)
       field_(*find_field(look.field)),
       moves_(look.magnification != 0) {}
 
-std::vector<results::Sample> LaneReader::books_until(double time_s) const {
+std::vector<results::Sample> LaneReader::books_until(double since_start_s) const {
   const auto& books = index_.samples(lane_);
   const auto start = std::find_if(books.begin(), books.end(), [](const results::Sample& s) {
     return s.phase == results::Phase::fracture;
   });
-  const auto end = first_after(books, time_s);
+  const auto end = first_after(books, start_s() + since_start_s);
   return start < end ? std::vector(start, end) : std::vector<results::Sample>{};
 }
 
-std::array<double, 2> LaneReader::times() const {
+double LaneReader::start_s() const {
   const auto& frames = index_.frames(lane_);
-  if (frames.empty()) return {0, 0};
+  if (frames.empty()) throw std::runtime_error("lane " + std::to_string(lane_) + " holds no frames yet");
+  return frames.front().time_s;
+}
+
+double LaneReader::lasts_s() const {
+  const double end = index_.frames(lane_).back().time_s;
   const double planned = header_.value("steps", 0.0) * header_.value("dt_s", 0.0);
-  return {frames.front().time_s,
-          index_.summary_json() ? frames.back().time_s : std::max(planned, frames.back().time_s)};
+  return (index_.summary_json() ? end : std::max(planned, end)) - start_s();
 }
 
 double LaneReader::velocity_at(double time_s) const {
@@ -45,16 +49,15 @@ double LaneReader::velocity_at(double time_s) const {
   return after == books.begin() ? 0 : std::prev(after)->velocity_m_s;
 }
 
-Moment LaneReader::at(double time_s) {
-  if (!index_.summary_json() && (index_.frames(lane_).empty() || index_.frames(lane_).back().time_s < time_s))
-    index_.extend();
-  const auto& frames = index_.frames(lane_);
-  if (frames.empty()) throw std::runtime_error("lane " + std::to_string(lane_) + " holds no frames yet");
-  const auto after = first_after(frames, time_s);
-  const results::FrameEntry& entry = after == frames.begin() ? *after : *std::prev(after);
+Moment LaneReader::at(double since_start_s) {
+  const double time_s = start_s() + since_start_s;
+  if (!index_.summary_json() && index_.frames(lane_).back().time_s < time_s) index_.extend();
+  // A time that came as a difference may lie a rounding before the frame it means.
+  const auto after = first_after(index_.frames(lane_), time_s * (1 + 1e-12));
+  const results::FrameEntry& entry = after == index_.frames(lane_).begin() ? *after : *std::prev(after);
   results::Frame frame = index_.frame(entry);
   Moment moment;
-  moment.time_s = entry.time_s;
+  moment.since_start_s = entry.time_s - start_s();
   moment.tip_m = entry.tip_m;
   moment.velocity_m_s = velocity_at(entry.time_s);
   moment.value = values_of(field_, frame, geometry(), header_);

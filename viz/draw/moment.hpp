@@ -15,7 +15,7 @@ namespace rift::viz {
 
 /// What a pane shows of one moment.
 struct Moment {
-  double time_s = 0, tip_m = 0, velocity_m_s = 0;
+  double since_start_s = 0, tip_m = 0, velocity_m_s = 0;
   std::vector<std::array<float, 3>> displacement;  // N [m]
   std::vector<float> value;                        // N, of the field that gives the colours [SI]
   std::vector<float> damage_factor;                // of each crossing beam; only where beams are drawn
@@ -28,13 +28,14 @@ class LaneReader {
 
   [[nodiscard]] const results::Geometry& geometry() const { return index_.geometry(); }
   [[nodiscard]] const nlohmann::ordered_json& header() const { return header_; }
-  /// The books up to a time.
-  [[nodiscard]] std::vector<results::Sample> books_until(double time_s) const;
-  /// From the crack's start to its end, as far as is known.
-  [[nodiscard]] std::array<double, 2> times() const;
-  /// The last stored moment until `time_s`, or the first. Asked of a run that goes on it looks what has been
-  /// added.
-  [[nodiscard]] Moment at(double time_s);
+  /// The books of the crack up to a time since its start [s].
+  [[nodiscard]] std::vector<results::Sample> books_until(double since_start_s) const;
+  /// When the crack starts [s], and how long it lasts as far as is known.
+  [[nodiscard]] double start_s() const;
+  [[nodiscard]] double lasts_s() const;
+  /// The last stored moment until a time since the crack's start [s], or the first. Asked of a run that goes
+  /// on it looks what has been added.
+  [[nodiscard]] Moment at(double since_start_s);
 
  private:
   [[nodiscard]] double velocity_at(double time_s) const;

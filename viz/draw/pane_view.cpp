@@ -40,11 +40,7 @@ void place(vtkRenderer& renderer, const Box& box, const Job& job) {
 
 PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_frame, const Extent& plate,
                    LaneReader& reader, vtkLookupTable& colours, vtkRenderWindow& window, vtkRenderer& overlay)
-    : look_(job.look),
-      place_(layout.panes[place_in_frame]),
-      plate_(plate),
-      reader_(reader),
-      start_s_(reader.times()[0]) {
+    : look_(job.look), place_(layout.panes[place_in_frame]), plate_(plate), reader_(reader) {
   place(*renderer_, place_.picture, job);
   window.AddRenderer(renderer_);
   const results::Geometry& geometry = reader.geometry();
@@ -127,7 +123,7 @@ void PaneView::look_at(const Window& shown) {
 std::string PaneView::caption(const Moment& moment) const {
   const double rayleigh = reader_.header().value("rayleigh_speed_m_s", 0.0);
   std::string text =
-      fmt::format("t = {:.1f} µs   tip {:.1f} mm", (moment.time_s - start_s_) * 1e6, moment.tip_m * 1e3);
+      fmt::format("t = {:.1f} µs   tip {:.1f} mm", moment.since_start_s * 1e6, moment.tip_m * 1e3);
   if (rayleigh > 0)
     text += fmt::format("   {:.0f} m/s = {:.2f} c_r", moment.velocity_m_s, moment.velocity_m_s / rayleigh);
   return text;

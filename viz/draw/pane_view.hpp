@@ -37,7 +37,6 @@ class PaneView {
   PaneLayout place_;
   Extent plate_;
   LaneReader& reader_;
-  double start_s_;
   vtkNew<vtkRenderer> renderer_;
   std::optional<Spheres> spheres_;
   std::optional<BeamLines> beams_;

@@ -80,11 +80,10 @@ void Picture::add_panes() {
 }
 
 void Picture::add_charts() {
-  std::array<double, 2> times{1e300, 0};
-  double most = 0;
+  double lasts = 0, most = 0;
   bool damping = false;
   for (const auto& reader : reader_) {
-    times = {std::min(times[0], reader->times()[0]), std::max(times[1], reader->times()[1])};
+    lasts = std::max(lasts, reader->lasts_s());
     most = std::max(most, most_energy(*reader));
     damping = damping || damps(*reader);
   }
@@ -95,14 +94,14 @@ void Picture::add_charts() {
                           box.y1 / job_.height);
     renderer->SetBackground(1, 1, 1);
     window_->AddRenderer(renderer);
-    chart_.push_back(std::make_unique<BudgetChart>(*renderer, box, layout_.text_px, times, most, damping));
+    chart_.push_back(std::make_unique<BudgetChart>(*renderer, box, layout_.text_px, lasts, most, damping));
   }
 }
 
-void Picture::draw(double time_s, std::span<std::uint8_t> rgb) {
+void Picture::draw(double since_start_s, std::span<std::uint8_t> rgb) {
   for (std::size_t k = 0; k < pane_.size(); ++k) {
-    pane_[k]->show(reader_[k]->at(time_s));
-    if (!chart_.empty()) chart_[k]->show(reader_[k]->books_until(time_s));
+    pane_[k]->show(reader_[k]->at(since_start_s));
+    if (!chart_.empty()) chart_[k]->show(reader_[k]->books_until(since_start_s), reader_[k]->start_s());
   }
   window_->Render();
   read(rgb);

@@ -24,8 +24,9 @@ class Picture {
   Picture& operator=(const Picture&) = delete;
   ~Picture();
 
+  /// @param since_start_s  time since the crack's start [s]
   /// @param[out] rgb  width · height · 3 bytes, rows from the top
-  void draw(double time_s, std::span<std::uint8_t> rgb);
+  void draw(double since_start_s, std::span<std::uint8_t> rgb);
 
  private:
   void add_panes();

@@ -1,0 +1,207 @@
+#include "viz/plan.hpp"
+
+#include "engine/results/archive.hpp"
+#include "viz/colour_map.hpp"
+#include "viz/pane_title.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace rift::viz {
+namespace {
+
+using Header = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_panes = 4;
+
+std::shared_ptr<results::JournalIndex> open(const fs::path& run, std::vector<std::string>& notes) {
+  const fs::path path = run / results::journal_name;
+  if (!fs::exists(run)) throw BadWish(fmt::format("{}: there is no such run", run.string()));
+  if (!fs::exists(path))
+    throw BadWish(fmt::format("{} holds no run: no {}", run.string(), results::journal_name));
+  auto journal = std::make_shared<results::JournalIndex>(path);
+  if (journal->state() == results::JournalState::damaged)
+    notes.push_back(
+        fmt::format("{} is damaged ({}): shown is what lies before", path.string(), journal->reason()));
+  return journal;
+}
+
+/// The lanes of the runs in their order.
+std::vector<Shown> lanes_shown(const Wish& wish, std::vector<std::string>& notes) {
+  std::vector<Shown> shown;
+  for (const fs::path& run : wish.runs) {
+    const auto journal = open(run, notes);
+    const Header header = Header::parse(journal->header_json());
+    if (!header.contains("path"))
+      throw BadWish(fmt::format(
+          "{} was written by an older version, which does not say where its crack runs: run it again",
+          run.string()));
+    std::vector<int> lanes = wish.lanes;
+    for (int k = 0; wish.lanes.empty() && k < journal->lanes(); ++k) lanes.push_back(k);
+    for (const int lane : lanes) {
+      if (lane < 0 || lane >= journal->lanes())
+        throw BadWish(fmt::format("{} has no lane {}: its lanes are 0 to {}", run.string(), lane,
+                                  journal->lanes() - 1));
+      shown.push_back({run, lane, journal, header});
+    }
+  }
+  if (shown.size() > most_panes)
+    throw BadWish(
+        fmt::format("{} lanes, and a frame shows up to {}: choose by --lane", shown.size(), most_panes));
+  return shown;
+}
+
+std::set<std::string> stored_in(const Shown& shown) {
+  const results::Frame frame = shown.journal->frame(shown.frames().front());
+  std::set<std::string> stored;
+  if (!frame.displacement.empty()) stored.insert("displacement");
+  if (!frame.velocity.empty()) stored.insert("velocity");
+  if (!frame.damage_factor.empty()) stored.insert("damage");
+  if (!frame.elastic_energy.empty()) stored.insert("energy");
+  return stored;
+}
+
+void check_stored(const Shown& shown, const Field& field, const Look& look) {
+  if (shown.frames().empty())
+    throw BadWish(fmt::format("{} holds no frames: run it with --set output.frames=100", shown.run.string()));
+  std::set<std::string> stored = stored_in(shown);
+  std::string missing;
+  if (!stored.contains(std::string(field.stored))) missing = field.stored;
+  if (look.beams != Beams::none && !stored.contains("damage")) missing = "damage";
+  if (missing.empty()) return;
+  std::vector<std::string_view> names;
+  for (const Field& other : fields())
+    if (stored.contains(std::string(other.stored))) names.push_back(other.name);
+  stored.insert(missing);
+  throw BadWish(
+      fmt::format("{} holds no {}; its fields are {}. To have it, run with --set 'output.fields=[\"{}\"]'",
+                  shown.run.string(), missing == field.stored ? fmt::format("field {}", field.name) : missing,
+                  fmt::join(names, ", "), fmt::join(stored, "\", \"")));
+}
+
+const Field& field_named(const std::string& name) {
+  if (const Field* field = find_field(name)) return *field;
+  std::vector<std::string_view> names;
+  for (const Field& field : fields()) names.push_back(field.name);
+  throw BadWish(fmt::format("no field is called '{}': {}", name, fmt::join(names, ", ")));
+}
+
+/// The look that the first run's preset asks for, and over it what the user asks for.
+Look look_for(const Wish& wish, const Header& header) {
+  const Header film = header.value("film", Header::object());
+  Look look;
+  look.title = wish.title.value_or(film.value("title", std::string{}));
+  if (look.title.empty()) look.title = fs::path(header.value("preset_name", std::string{})).stem().string();
+  look.field = wish.field.value_or(film.value("field", look.field));
+  look.colours = wish.colours.value_or(film.value("colours", look.colours));
+  look.camera = camera_named(wish.camera.value_or(film.value("camera", std::string("plate"))));
+  look.beams = beams_named(wish.beams.value_or(film.value("beams", std::string("none"))));
+  look.magnification = wish.magnification.value_or(film.value("magnification", look.magnification));
+  look.close_up_m = wish.close_up_m.value_or(film.value("close_up_m", look.close_up_m));
+  look.chart = wish.chart.value_or(film.value("chart", look.chart));
+  look.boundaries = wish.boundaries.value_or(film.value("boundaries", look.boundaries));
+  look.large_text = wish.large_text;
+  return look;
+}
+
+std::array<double, 2> joined(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  return {std::min(a[0], b[0]), std::max(a[1], b[1])};
+}
+
+/// Over moments spread evenly over the frames of all panes.
+std::array<double, 2> range_in(const std::vector<Shown>& shown, const Field& field) {
+  constexpr std::size_t most_moments = 24;
+  std::array<double, 2> range{1e300, -1e300};
+  for (const Shown& pane : shown) {
+    const auto& frames = pane.frames();
+    const std::size_t moments = std::min(most_moments, frames.size());
+    std::vector<float> values;
+    for (std::size_t k = 0; k < moments; ++k) {
+      const std::size_t at = moments == 1 ? 0 : k * (frames.size() - 1) / (moments - 1);
+      const auto more =
+          values_of(field, pane.journal->frame(frames[at]), pane.journal->geometry(), pane.header);
+      values.insert(values.end(), more.begin(), more.end());
+    }
+    range = joined(range, range_of(field, values));
+  }
+  if (range[1] > range[0]) return range;
+  return {range[0] - field.unit_in_si, range[0] + field.unit_in_si};  // all the same: any range shows it
+}
+
+void choose_range(Plan& plan, const Wish& wish, const std::vector<Shown>& shown, const Field& field) {
+  if (wish.range) {
+    const auto [low, high] = *wish.range;
+    if (!(low < high)) throw BadWish(fmt::format("--range {},{}: must rise", low, high));
+    plan.job.look.range = {low * field.unit_in_si, high * field.unit_in_si};
+    return;
+  }
+  std::array<double, 2> range{1e300, -1e300};
+  for (const Shown& pane : shown)
+    if (const auto known = known_range(field, pane.header)) {
+      range = joined(range, *known);
+    } else {
+      plan.range_known = false;
+    }
+  plan.job.look.range = plan.range_known ? range : range_in(shown, field);
+}
+
+void choose_clock(Plan& plan, const std::vector<Shown>& shown) {
+  const auto lasts = [](const Shown& pane) {
+    return pane.frames().back().time_s - pane.frames().front().time_s;
+  };
+  const Shown& longest = *std::max_element(
+      shown.begin(), shown.end(), [&](const Shown& a, const Shown& b) { return lasts(a) < lasts(b); });
+  for (const results::FrameEntry& frame : longest.frames()) {
+    plan.times_s.push_back(frame.time_s - longest.frames().front().time_s);
+    plan.tips_m.push_back(frame.tip_m);
+  }
+}
+
+std::vector<Pane> panes_of(const std::vector<Shown>& shown) {
+  std::vector<Header> scenarios;
+  for (const Shown& pane : shown) {
+    const Header all = pane.header.value("scenarios", Header::array());
+    scenarios.push_back(pane.lane < static_cast<int>(all.size()) ? all[pane.lane] : Header::object());
+  }
+  const std::vector<std::string> titles = pane_titles(scenarios);
+  std::vector<Pane> panes;
+  for (std::size_t k = 0; k < shown.size(); ++k) panes.push_back({shown[k].run, shown[k].lane, titles[k]});
+  return panes;
+}
+
+}  // namespace
+
+Plan plan_of(const Wish& wish) {
+  Plan plan;
+  const std::vector<Shown> shown = lanes_shown(wish, plan.notes);
+  plan.job.look = look_for(wish, shown.front().header);
+  plan.job.width = wish.width;
+  plan.job.height = wish.height;
+  const Field& field = field_named(plan.job.look.field);
+  for (const Shown& pane : shown) check_stored(pane, field, plan.job.look);
+  plan.job.panes = panes_of(shown);
+  choose_range(plan, wish, shown, field);
+  choose_clock(plan, shown);
+  return plan;
+}
+
+std::vector<double> evenly_chosen(const std::vector<double>& times_s, int count) {
+  const auto stored = static_cast<int>(times_s.size());
+  if (count > stored)
+    throw BadWish(fmt::format(
+        "--frames {}: the run holds {} moments, and a frame is never made up between two; run it with "
+        "--set output.frames={}",
+        count, stored, count));
+  std::vector<double> chosen;
+  for (int k = 0; k < count; ++k)
+    chosen.push_back(
+        times_s[count == 1 ? stored - 1 : static_cast<std::size_t>(k) * (stored - 1) / (count - 1)]);
+  return chosen;
+}
+
+}  // namespace rift::viz

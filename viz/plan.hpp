@@ -1,0 +1,64 @@
+#pragma once
+
+#include "engine/results/journal_index.hpp"
+#include "viz/field.hpp"
+#include "viz/job.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// From what the user asks for to what the renderer is told.
+namespace rift::viz {
+
+/// The user asked for something that cannot be: names what there is instead. Exit code 2.
+struct BadWish : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What is asked for. What is not given is as the run's preset has it ([film]).
+struct Wish {
+  std::vector<std::filesystem::path> runs;
+  std::vector<int> lanes;  // none: all, up to four panes
+  std::optional<std::string> title, field, colours, camera, beams;
+  std::optional<double> magnification, close_up_m;
+  std::optional<std::array<double, 2>> range;  // in the unit that is shown
+  std::optional<bool> chart, boundaries;
+  bool large_text = false;
+  int width = 1280, height = 720;
+};
+
+/// A lane of a run, open for reading.
+struct Shown {
+  std::filesystem::path run;
+  std::int32_t lane = 0;
+  std::shared_ptr<results::JournalIndex> journal;
+  nlohmann::ordered_json header;
+
+  [[nodiscard]] const std::vector<results::FrameEntry>& frames() const { return journal->frames(lane); }
+};
+
+/// What will be drawn.
+struct Plan {
+  Job job;
+  std::vector<double> times_s;     // of every moment since the crack's start, ascending
+  std::vector<double> tips_m;      // of the pane that gives the clock, at these times
+  std::vector<std::string> notes;  // for the user
+  bool range_known = true;         // or read off the frames that there are
+};
+
+/// Opens the runs and reads what the picture needs to be planned. The clock is that of the pane that lasts
+/// longest. Throws BadWish, or WorldError where a run cannot be read.
+[[nodiscard]] Plan plan_of(const Wish& wish);
+
+/// `count` of the moments, evenly chosen, first and last among them. Throws BadWish where there are not so
+/// many: a frame is a stored moment, never something between two.
+[[nodiscard]] std::vector<double> evenly_chosen(const std::vector<double>& times_s, int count);
+
+}  // namespace rift::viz
