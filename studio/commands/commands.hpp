@@ -17,13 +17,14 @@ void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_check(CLI::App& app, ExitCode& exit_code);
 void add_export(CLI::App& app, ExitCode& exit_code);
 void add_list(CLI::App& app, ExitCode& exit_code);
+void add_render(CLI::App& app, ExitCode& exit_code);
 void add_reproduce(CLI::App& app, ExitCode& exit_code);
 void add_run(CLI::App& app, ExitCode& exit_code);
 void add_study(CLI::App& app, ExitCode& exit_code);
 void add_theory(CLI::App& app, ExitCode& exit_code);
 
 /// All subcommands, in the order of `rift --help`.
-inline constexpr std::array all_commands = {add_run,  add_study,  add_reproduce, add_accuracy, add_check,
-                                            add_list, add_theory, add_export,    add_bench};
+inline constexpr std::array all_commands = {add_run,   add_render, add_study,  add_reproduce, add_accuracy,
+                                            add_check, add_list,   add_theory, add_export,    add_bench};
 
 }  // namespace rift::studio

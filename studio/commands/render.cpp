@@ -1,0 +1,169 @@
+#include "engine/results/run_folder.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/film_options.hpp"
+#include "studio/commands/scene_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+struct RenderOptions {
+  FilmOptions look;
+  std::vector<std::string> runs;
+  std::string film, pictures, picture;
+  std::optional<double> at;
+  int frames = 0;
+  bool poster = false, force = false, quiet = false, json = false;
+};
+
+void refuse_to_overwrite(const fs::path& path, bool force) {
+  if (force || !fs::exists(path) || (fs::is_directory(path) && fs::is_empty(path))) return;
+  throw results::FolderExists(fmt::format("{} is there already: --force replaces it", path.string()));
+}
+
+/// The progress of frames on one line, and Ctrl-C.
+viz::Making making_of(const RenderOptions& options, ProgressLine& line, const StopSignal& stop,
+                      std::string what) {
+  const auto start = std::chrono::steady_clock::now();
+  return {.gl = gl_of(options.look),
+          .go_on = [&line, &stop, start, what = std::move(what)](std::size_t done, std::size_t all) {
+            const double seconds =
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            const double rate = static_cast<double>(done) / seconds;
+            line.tell(what, static_cast<double>(done) / static_cast<double>(all),
+                      done > 0 ? fmt::format("{:.1f} frames/s", rate) : std::string{});
+            return stop.received() == 0;
+          }};
+}
+
+/// The moment when the crack has made six tenths of its way: enough is cut to be seen, and something is left.
+double poster_time(const viz::Plan& plan) {
+  const double way = plan.tips_m.front() + 0.6 * (plan.tips_m.back() - plan.tips_m.front());
+  for (std::size_t k = 0; k < plan.tips_m.size(); ++k)
+    if (plan.tips_m[k] >= way) return plan.times_s[k];
+  return plan.times_s.back();
+}
+
+void draw_picture(const RenderOptions& options, const viz::Plan& plan, double time_s, const fs::path& path,
+                  const viz::Making& making) {
+  refuse_to_overwrite(path, options.force);
+  viz::make_picture(plan.job, time_s, path, making);
+  fmt::print("{}\n", path.string());
+}
+
+/// Where ffmpeg fails, the frames are kept as pictures.
+ExitCode draw_film(const RenderOptions& options, const viz::Plan& plan, const std::vector<double>& times,
+                   const fs::path& path, ProgressLine& line, const StopSignal& stop) {
+  if (!viz::is_film_name(path))
+    throw viz::BadWish(fmt::format("--film {}: must end in .mp4, .webm or .gif", path.string()));
+  refuse_to_overwrite(path, options.force);
+  try {
+    viz::make_film(plan.job, times, rate_of(options.look, times.size()), path,
+                   making_of(options, line, stop, path.filename().string()));
+    line.clear();
+    fmt::print("{}\n", path.string());
+    return ExitCode::done;
+  } catch (const viz::FilmFailed& failure) {
+    line.clear();
+    fs::path folder = path;
+    folder.replace_extension();
+    folder += "_frames";
+    fmt::print(stderr, "rift render: {}; the frames are kept as pictures\n", failure.what());
+    refuse_to_overwrite(folder, options.force);
+    viz::make_pictures(plan.job, times, folder, making_of(options, line, stop, folder.filename().string()));
+    line.clear();
+    fmt::print("{}\n", folder.string());
+    return ExitCode::world_failed;
+  }
+}
+
+ExitCode draw(const RenderOptions& options, const viz::Plan& plan, ProgressLine& line,
+              const StopSignal& stop) {
+  const fs::path run = options.runs.front();
+  const std::string& field = plan.job.look.field;
+  if (options.at) {
+    const auto k =
+        static_cast<std::size_t>(std::lround(*options.at * static_cast<double>(plan.times_s.size() - 1)));
+    const fs::path path = options.picture.empty() ? run / fmt::format("{}_at_{:.2f}.png", field, *options.at)
+                                                  : fs::path(options.picture);
+    draw_picture(options, plan, plan.times_s[k], path, making_of(options, line, stop, "picture"));
+  }
+  const std::vector<double> times =
+      options.frames > 0 ? viz::evenly_chosen(plan.times_s, options.frames) : plan.times_s;
+  if (!options.pictures.empty()) {
+    refuse_to_overwrite(options.pictures, options.force);
+    viz::make_pictures(plan.job, times, options.pictures, making_of(options, line, stop, "pictures"));
+    fmt::print("{}\n", options.pictures);
+  }
+  const bool nothing_else = !options.at && options.pictures.empty() && !options.poster;
+  fs::path film = options.film;
+  if (film.empty() && nothing_else) film = run / fmt::format("film_{}.mp4", field);
+  ExitCode code = ExitCode::done;
+  if (!film.empty()) code = draw_film(options, plan, times, film, line, stop);
+  if (options.poster) {
+    viz::Plan large = plan;
+    large.job.look.large_text = true;
+    fs::path path = film.empty() ? run / fmt::format("poster_{}.png", field) : film;
+    draw_picture(options, large, poster_time(plan), path.replace_extension(".png"),
+                 making_of(options, line, stop, "poster"));
+  }
+  return code;
+}
+
+ExitCode render(RenderOptions options) try {
+  for (const std::string& note : read_wish(options.look)) fmt::print(stderr, "rift render: {}\n", note);
+  for (const std::string& run : options.runs) options.look.wish.runs.emplace_back(run);
+  const viz::Plan plan = viz::plan_of(options.look.wish);
+  for (const std::string& note : plan.notes) fmt::print(stderr, "rift render: {}\n", note);
+  const StopSignal stop;
+  ProgressLine line(progress_style(options.quiet, options.json));
+  try {
+    return draw(options, plan, line, stop);
+  } catch (const viz::Stopped&) {
+    line.clear();
+    fmt::print(stderr, "rift render: stopped; nothing half-made is left\n");
+    return static_cast<ExitCode>(128 + stop.received());
+  }
+} catch (const viz::BadWish& wish) {
+  fmt::print(stderr, "rift render: {}\n", wish.what());
+  return ExitCode::bad_input;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command = *app.add_subcommand("render", "Films and pictures of a run, without a display");
+  const auto options = std::make_shared<RenderOptions>();
+  command
+      .add_option("run", options->runs,
+                  "Folders of one to four runs, drawn on one clock and one scale of colours")
+      ->required();
+  command.add_option("--lane", options->look.wish.lanes, "Lane of each run; again for more (default: all)")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--film", options->film,
+                     "Film: .mp4, .webm or .gif (default: film_FIELD.mp4 in the run's folder)");
+  command
+      .add_option("--frames", options->frames, "Frames, evenly chosen from the stored moments (default: all)")
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--png", options->pictures, "Folder for the frames as pictures");
+  command.add_option("--at", options->at, "One picture, at this fraction of the moments")
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--picture", options->picture, "File of the one picture (default: in the run's folder)");
+  command.add_flag("--poster", options->poster,
+                   "A picture with large text when six tenths of the way are cut");
+  command.add_flag("--force", options->force, "Replace what is there");
+  command.add_flag("--quiet", options->quiet, "No progress");
+  command.add_flag("--json", options->json, "Progress as JSON lines on standard error");
+  add_film_options(command, options->look);
+  command.callback([options, &exit_code] { exit_code = render(*options); });
+}
+
+}  // namespace rift::studio
