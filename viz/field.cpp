@@ -63,6 +63,15 @@ std::vector<float> damage(const std::vector<float>& factor, const results::Geome
   return values;
 }
 
+/// Up to a number whose quarters are short.
+double rounded_up(double x) {
+  if (x <= 0) return 0;
+  const double decade = std::pow(10.0, std::floor(std::log10(x)));
+  for (const double step : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (x <= step * decade * (1 + 1e-6)) return step * decade;
+  return 10 * decade;
+}
+
 }  // namespace
 
 const std::vector<Field>& fields() {
@@ -110,9 +119,10 @@ std::array<double, 2> range_of(const Field& field, std::vector<float>& values) {
   if (values.empty()) return {0, 0};
   for (float& v : values) v = std::abs(v);
   const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(0.998 * static_cast<double>(values.size() - 1));
+      values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
-  return {field.scale == Scale::diverging ? -*at : 0.0, *at};
+  const double most = rounded_up(*at);
+  return {field.scale == Scale::diverging ? -most : 0.0, most};
 }
 
 }  // namespace rift::viz

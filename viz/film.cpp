@@ -20,7 +20,7 @@ Words encoder(const std::string& ending) {
   if (ending == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-f",
             "gif"};
-  return {"-c:v",     "libx264", "-preset",   "veryfast",   "-crf", "20",
+  return {"-c:v",     "libx264", "-preset",   "veryfast",   "-crf", "23",
           "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",   "mp4"};
 }
 

@@ -28,7 +28,7 @@ std::string damping(const Scenario& s) {
   const double alpha = s.value("damping_alpha", 0.0);
   if (alpha == 0) return "undamped";
   const std::string region = s.value("damping_region", "");
-  return fmt::format("α = {:g} {}", alpha, region == "all" ? "everywhere" : "along the crack");
+  return fmt::format("alpha = {:g} {}", alpha, region == "all" ? "everywhere" : "along the crack");
 }
 
 std::string plain(const Scenario& s, const char* name) {

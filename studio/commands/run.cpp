@@ -4,6 +4,7 @@
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/film_of_run.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/run_table.hpp"
 
@@ -26,6 +27,7 @@ struct RunOptions {
   SceneOptions scene;
   std::string out;
   bool force = false;
+  std::unique_ptr<FilmOfRun> film;
 };
 
 /// Where the user said, else the first of runs/NAME, runs/NAME-2, ... that does not exist yet.
@@ -84,7 +86,8 @@ Observer observer_for(results::RunWriter& writer, ProgressLine& line, const Stop
               }};
 }
 
-void print_result(const RunOptions& options, const Json& summary, const fs::path& folder) {
+void print_result(const RunOptions& options, const Json& summary, const fs::path& folder,
+                  const std::string& film) {
   if (options.scene.json) {
     fmt::print("{}\n", summary.dump(2));
     return;
@@ -93,6 +96,7 @@ void print_result(const RunOptions& options, const Json& summary, const fs::path
     fmt::print("{}", run_table(scenario, wants_color(options.scene.color, stdout)));
   fmt::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
              folder.string());
+  if (!film.empty()) fmt::print("  {:<22}{}\n", "film", film);
 }
 
 ExitCode exit_code_of(Outcome outcome, const StopSignal& stop) {
@@ -109,6 +113,11 @@ ExitCode run(const RunOptions& options) {
     return ExitCode::done;
   }
   const std::vector<Scene> lanes = scenes_of_run(preset);
+  if (options.film->wanted())
+    if (const std::string trouble = options.film->trouble_with(preset); !trouble.empty()) {
+      fmt::print(stderr, "rift run: {}\n", trouble);
+      return ExitCode::bad_input;
+    }
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
   ClaimedFolder folder(folder_for(options), options.force);
@@ -127,6 +136,7 @@ ExitCode run(const RunOptions& options) {
   const BuildInfo build = build_info();
   const fs::path path = folder.keep();
   results::RunWriter writer(path, header_of(prepared, build), geometry_of(prepared));
+  if (options.film->wanted()) options.film->begin(path);
   const RunResult result = march(prepared, observer_for(writer, line, stop, prepared.lattice.centre.size()),
                                  {.threads = options.scene.threads});
   std::vector<Rates> rates;
@@ -138,10 +148,14 @@ ExitCode run(const RunOptions& options) {
   const double total = std::chrono::duration<double>(Clock::now() - start).count();
   const Json summary = summary_of(prepared, result, rates, build, total);
   writer.finish(summary, curves);
+  FilmOfRun::Result film;
+  if (options.film->wanted()) film = options.film->finish(line, [&] { return stop.received() == 0; });
   line.clear();
   print_notes(cache);
-  print_result(options, summary, path);
-  return exit_code_of(result.outcome, stop);
+  print_result(options, summary, path, film.path);
+  if (!film.trouble.empty()) fmt::print(stderr, "rift run: no film: {}\n", film.trouble);
+  const ExitCode code = exit_code_of(result.outcome, stop);
+  return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
 }
 
 }  // namespace
@@ -151,6 +165,7 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
       *app.add_subcommand("run", "One scene: a plate, a crack, its dynamic energy release rate");
   const auto options = std::make_shared<RunOptions>();
   add_scene_options(command, options->scene);
+  options->film = std::make_unique<FilmOfRun>(command);
   command.add_option("--out", options->out, "Folder of the run (default: runs/NAME, numbered if it exists)");
   command.add_flag("--force", options->force, "Replace the run that is in the folder");
   command.callback([options, &exit_code] { exit_code = run(*options); });

@@ -60,6 +60,7 @@ Moment LaneReader::at(double since_start_s) {
   moment.since_start_s = entry.time_s - start_s();
   moment.tip_m = entry.tip_m;
   moment.velocity_m_s = velocity_at(entry.time_s);
+  moment.is_last = index_.summary_json() && after == index_.frames(lane_).end();
   moment.value = values_of(field_, frame, geometry(), header_);
   if (moves_) moment.displacement = std::move(frame.displacement);
   moment.damage_factor = std::move(frame.damage_factor);

@@ -16,6 +16,7 @@ namespace rift::viz {
 /// What a pane shows of one moment.
 struct Moment {
   double since_start_s = 0, tip_m = 0, velocity_m_s = 0;
+  bool is_last = false;                            // the run has ended and nothing comes after
   std::vector<std::array<float, 3>> displacement;  // N [m]
   std::vector<float> value;                        // N, of the field that gives the colours [SI]
   std::vector<float> damage_factor;                // of each crossing beam; only where beams are drawn

@@ -22,8 +22,12 @@ std::vector<std::int32_t> elements_shown(const Look& look, const results::Geomet
   return all;
 }
 
-/// Where every beam is drawn, elements are small balls between them.
-float sphere_scale(const Look& look) { return look.beams == Beams::all ? 0.45F : 1.0F; }
+/// Where every beam is drawn, elements are small balls between them; seen from far they are drawn a little
+/// larger than they are, so that the gaps between them do not glitter.
+float sphere_scale(const Look& look) {
+  if (look.beams == Beams::all) return 0.45F;
+  return look.camera == Camera::plate ? 1.15F : 1.0F;
+}
 
 /// The side camera magnifies what leaves the plane and nothing else.
 std::array<float, 3> magnification_of(const Look& look) {
@@ -70,7 +74,7 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
     add_boundaries(overlay, {low[0], low[1], high[0], high[1]}, text, reader.header());
   }
   for (std::size_t k = 0; k < tips_at(reader.header(), 0).size(); ++k) {
-    dots_.push_back(dot(0.7 * text));
+    dots_.push_back(dot(0.55 * text));
     overlay.AddActor2D(dots_.back());
   }
 }
@@ -126,7 +130,7 @@ std::string PaneView::caption(const Moment& moment) const {
       fmt::format("t = {:.1f} µs   tip {:.1f} mm", moment.since_start_s * 1e6, moment.tip_m * 1e3);
   if (rayleigh > 0)
     text += fmt::format("   {:.0f} m/s = {:.2f} c_r", moment.velocity_m_s, moment.velocity_m_s / rayleigh);
-  return text;
+  return moment.is_last ? text + "   (end)" : text;
 }
 
 }  // namespace rift::viz

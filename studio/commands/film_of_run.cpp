@@ -1,0 +1,146 @@
+#include "studio/commands/film_of_run.hpp"
+
+#include "engine/results/archive.hpp"
+#include "engine/results/world_error.hpp"
+#include "studio/commands/film_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr auto between_looks = std::chrono::milliseconds(200);
+
+}  // namespace
+
+struct FilmOfRun::Maker {
+  bool wanted = false;
+  std::string film;
+  FilmOptions options;
+  std::atomic<bool> run_ended = false, given_up = false, made = false;
+  std::atomic<std::size_t> done = 0, all = 1;
+  std::size_t frames_expected = 0;
+  Result result;
+  std::jthread thread;
+
+  viz::Making making() {
+    return {.gl = gl_of(options), .idle = !run_ended, .go_on = [this](std::size_t now, std::size_t of) {
+              done = now;
+              all = of;
+              return !given_up;
+            }};
+  }
+
+  void wait_for_the_run() const {
+    while (!run_ended && !given_up) std::this_thread::sleep_for(between_looks);
+  }
+
+  /// One lane whose colours are known beforehand is drawn while the run goes on; anything else when it has
+  /// ended.
+  void make() {
+    viz::Plan plan = first_plan();
+    const fs::path path = film.empty()
+                              ? plan.job.panes.front().run / fmt::format("film_{}.mp4", plan.job.look.field)
+                              : fs::path(film);
+    if (plan.job.panes.size() == 1 && plan.range_known && !run_ended) {
+      viz::follow_film(plan.job, rate_of(options, frames_expected), path, making(), run_ended);
+    } else {
+      wait_for_the_run();
+      plan = viz::plan_of(options.wish);
+      viz::make_film(plan.job, plan.times_s, rate_of(options, plan.times_s.size()), path, making());
+    }
+    result.path = path.string();
+  }
+
+  /// A plan needs a frame, which the run may not have stored yet.
+  viz::Plan first_plan() {
+    while (!run_ended && !given_up && !fs::exists(options.wish.runs.front() / results::journal_name))
+      std::this_thread::sleep_for(between_looks);
+    for (;;) {
+      const bool last = run_ended || given_up;
+      try {
+        return viz::plan_of(options.wish);
+      } catch (const viz::BadWish&) {
+        if (last) throw;
+      } catch (const results::WorldError&) {
+        if (last) throw;
+      }
+      std::this_thread::sleep_for(between_looks);
+    }
+  }
+
+  void run() {
+    try {
+      make();
+    } catch (const viz::Stopped&) {
+      result.trouble = "stopped; nothing half-made is left";
+    } catch (const std::exception& error) {
+      result.trouble = error.what();
+    }
+    made = true;
+  }
+};
+
+FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
+  command.add_flag("--render", maker_->wanted, "Make a film, while the run goes on as far as can be");
+  command.add_option("--film", maker_->film,
+                     "The film's file: .mp4, .webm or .gif (default: in the run's folder)");
+  add_film_options(command, maker_->options);
+}
+
+FilmOfRun::~FilmOfRun() { maker_->given_up = true; }
+
+bool FilmOfRun::wanted() const { return maker_->wanted || !maker_->film.empty(); }
+
+std::string FilmOfRun::trouble_with(const Preset& preset) {
+  const Scene& scene = preset.scene;
+  const viz::Field* field = viz::find_field(maker_->options.wish.field.value_or(scene.film.field));
+  const std::string beams = maker_->options.wish.beams.value_or(scene.film.beams);
+  const auto stored = [&](std::string_view name) {
+    return std::find(scene.output.fields.begin(), scene.output.fields.end(), name) !=
+           scene.output.fields.end();
+  };
+  maker_->frames_expected = static_cast<std::size_t>(scene.output.frames);
+  try {
+    for (const std::string& note : read_wish(maker_->options)) fmt::print(stderr, "rift run: {}\n", note);
+  } catch (const viz::BadWish& wish) {
+    return wish.what();
+  }
+  if (!maker_->film.empty() && !viz::is_film_name(maker_->film))
+    return fmt::format("--film {}: must end in .mp4, .webm or .gif", maker_->film);
+  if (scene.output.frames < 2)
+    return fmt::format("--render: output.frames = {} makes no film", scene.output.frames);
+  if (!stored(field->stored))
+    return fmt::format("--render: output.fields has no \"{}\", which the field {} needs", field->stored,
+                       field->name);
+  if (beams != "none" && !stored("damage"))
+    return "--render: output.fields has no \"damage\", which beams need";
+  if (preset.lanes.size() > 4)
+    return "--render: a frame shows up to four lanes; make the film by rift render --lane";
+  return "";
+}
+
+void FilmOfRun::begin(const fs::path& run) {
+  maker_->options.wish.runs = {run};
+  maker_->thread = std::jthread([maker = maker_.get()] { maker->run(); });
+}
+
+FilmOfRun::Result FilmOfRun::finish(ProgressLine& line, const std::function<bool()>& go_on) {
+  maker_->run_ended = true;
+  while (!maker_->made) {
+    if (!go_on()) maker_->given_up = true;
+    line.tell("film",
+              static_cast<double>(maker_->done) / static_cast<double>(std::max<std::size_t>(1, maker_->all)));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return maker_->result;
+}
+
+}  // namespace rift::studio

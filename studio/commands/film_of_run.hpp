@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/scene/preset.hpp"
+#include "studio/report/progress.hpp"
+
+#include <CLI/App.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace rift::studio {
+
+/// `rift run --render`: the film of a run, made while it goes on as far as can be. What goes wrong with it
+/// never touches the run.
+class FilmOfRun {
+ public:
+  /// Adds --render and the options of a film's look to a command; a build without the renderer says so when
+  /// it is asked.
+  explicit FilmOfRun(CLI::App& command);
+  ~FilmOfRun();
+
+  [[nodiscard]] bool wanted() const;
+  /// Reads the options. @return what is wrong with them for this preset, before anything was computed; empty:
+  /// nothing
+  [[nodiscard]] std::string trouble_with(const Preset& preset);
+  /// The run's journal is there and will grow.
+  void begin(const std::filesystem::path& run);
+
+  /// How it ended: the film, or what went wrong.
+  struct Result {
+    std::string path, trouble;
+  };
+  /// The run has ended: waits for the film, telling how far it is. @param go_on  false gives it up
+  Result finish(ProgressLine& line, const std::function<bool()>& go_on);
+
+ private:
+  struct Maker;
+  std::unique_ptr<Maker> maker_;
+};
+
+}  // namespace rift::studio
