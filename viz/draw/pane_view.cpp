@@ -74,7 +74,7 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
     add_boundaries(overlay, {low[0], low[1], high[0], high[1]}, text, reader.header());
   }
   for (std::size_t k = 0; k < tips_at(reader.header(), 0).size(); ++k) {
-    dots_.push_back(dot(0.55 * text));
+    dots_.push_back(dot(std::max(8.0, 0.55 * text)));
     overlay.AddActor2D(dots_.back());
   }
 }
