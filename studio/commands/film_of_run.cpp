@@ -21,7 +21,7 @@ constexpr auto between_looks = std::chrono::milliseconds(200);
 }  // namespace
 
 struct FilmOfRun::Maker {
-  bool wanted = false;
+  bool asked = false;
   std::string film;
   FilmOptions options;
   std::atomic<bool> run_ended = false, given_up = false, made = false;
@@ -29,6 +29,8 @@ struct FilmOfRun::Maker {
   std::size_t frames_expected = 0;
   Result result;
   std::jthread thread;
+
+  [[nodiscard]] bool wanted() const { return asked || !film.empty(); }
 
   viz::Making making() {
     return {.gl = gl_of(options), .idle = !run_ended, .go_on = [this](std::size_t now, std::size_t of) {
@@ -89,7 +91,7 @@ struct FilmOfRun::Maker {
 };
 
 FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
-  command.add_flag("--render", maker_->wanted, "Make a film, while the run goes on as far as can be");
+  command.add_flag("--render", maker_->asked, "Make a film, while the run goes on as far as can be");
   command.add_option("--film", maker_->film,
                      "The film's file: .mp4, .webm or .gif (default: in the run's folder)");
   add_film_options(command, maker_->options);
@@ -97,9 +99,8 @@ FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
 
 FilmOfRun::~FilmOfRun() { maker_->given_up = true; }
 
-bool FilmOfRun::wanted() const { return maker_->wanted || !maker_->film.empty(); }
-
 std::string FilmOfRun::trouble_with(const Preset& preset) {
+  if (!maker_->wanted()) return "";
   const Scene& scene = preset.scene;
   const viz::Field* field = viz::find_field(maker_->options.wish.field.value_or(scene.film.field));
   const std::string beams = maker_->options.wish.beams.value_or(scene.film.beams);
@@ -128,11 +129,13 @@ std::string FilmOfRun::trouble_with(const Preset& preset) {
 }
 
 void FilmOfRun::begin(const fs::path& run) {
+  if (!maker_->wanted()) return;
   maker_->options.wish.runs = {run};
   maker_->thread = std::jthread([maker = maker_.get()] { maker->run(); });
 }
 
 FilmOfRun::Result FilmOfRun::finish(ProgressLine& line, const std::function<bool()>& go_on) {
+  if (!maker_->wanted()) return {};
   maker_->run_ended = true;
   while (!maker_->made) {
     if (!go_on()) maker_->given_up = true;

@@ -21,7 +21,6 @@ class FilmOfRun {
   explicit FilmOfRun(CLI::App& command);
   ~FilmOfRun();
 
-  [[nodiscard]] bool wanted() const;
   /// Reads the options. @return what is wrong with them for this preset, before anything was computed; empty:
   /// nothing
   [[nodiscard]] std::string trouble_with(const Preset& preset);

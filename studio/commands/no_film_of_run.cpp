@@ -14,11 +14,11 @@ FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
 }
 
 FilmOfRun::~FilmOfRun() = default;
-bool FilmOfRun::wanted() const { return maker_->wanted; }
 void FilmOfRun::begin(const std::filesystem::path&) {}
 FilmOfRun::Result FilmOfRun::finish(ProgressLine&, const std::function<bool()>&) { return {}; }
 
 std::string FilmOfRun::trouble_with(const Preset&) {
+  if (!maker_->wanted) return "";
   return "--render: this rift was built without its renderer; build it with -DRIFT_VIZ=ON (it needs VTK)";
 }
 

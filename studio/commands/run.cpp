@@ -1,8 +1,6 @@
 #include "engine/interrupted.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/results/run_writer.hpp"
-#include "engine/simulation/march.hpp"
-#include "engine/simulation/summary.hpp"
+#include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
 #include "studio/commands/scene_options.hpp"
@@ -14,7 +12,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace rift::studio {
 namespace fs = std::filesystem;
@@ -71,19 +71,15 @@ std::string stage_name(results::Phase phase) {
                                           : "crack";
 }
 
-Observer observer_for(results::RunWriter& writer, ProgressLine& line, const StopSignal& stop,
-                      std::size_t elements) {
-  return {.sample = [&](const results::Sample& s) { writer.sample(s); },
-          .frame = [&](const results::Frame& f) { writer.frame(f); },
-          .event = [&](const results::ReleaseEvent& e) { writer.event(e); },
-          .go_on =
-              [&, elements](const Progress& p) {
-                writer.flush();
-                const double speed = static_cast<double>(p.step) * static_cast<double>(elements) / p.seconds;
-                line.tell(stage_name(p.phase), static_cast<double>(p.step) / static_cast<double>(p.total),
-                          magnitude_text(speed) + " element-steps/s");
-                return stop.received() == 0;
-              }};
+/// Told a few times a second; Ctrl-C is heard here.
+std::function<bool(const Progress&)> telling(ProgressLine& line, const StopSignal& stop,
+                                             std::size_t elements) {
+  return [&line, &stop, elements](const Progress& p) {
+    const double speed = static_cast<double>(p.step) * static_cast<double>(elements) / p.seconds;
+    line.tell(stage_name(p.phase), static_cast<double>(p.step) / static_cast<double>(p.total),
+              magnitude_text(speed) + " element-steps/s");
+    return stop.received() == 0;
+  };
 }
 
 void print_result(const RunOptions& options, const Json& summary, const fs::path& folder,
@@ -105,6 +101,21 @@ ExitCode exit_code_of(Outcome outcome, const StopSignal& stop) {
   return ExitCode::done;
 }
 
+/// Nothing where the user stopped it.
+std::optional<Prepared> prepared_for(const Preset& preset, Cache& cache, ProgressLine& line,
+                                     const StopSignal& stop) {
+  try {
+    return prepare(preset, scenes_of_run(preset), cache, [&](std::string_view stage, double done) {
+      line.tell(stage, done);
+      return stop.received() == 0;
+    });
+  } catch (const Interrupted& interrupted) {
+    line.clear();
+    fmt::print(stderr, "rift run: {}; nothing was written\n", interrupted.what());
+    return std::nullopt;
+  }
+}
+
 ExitCode run(const RunOptions& options) {
   const auto start = Clock::now();
   const Preset preset = read_scene(options.scene);
@@ -112,49 +123,30 @@ ExitCode run(const RunOptions& options) {
     fmt::print("{}", preset_text(preset));
     return ExitCode::done;
   }
-  const std::vector<Scene> lanes = scenes_of_run(preset);
-  if (options.film->wanted())
-    if (const std::string trouble = options.film->trouble_with(preset); !trouble.empty()) {
-      fmt::print(stderr, "rift run: {}\n", trouble);
-      return ExitCode::bad_input;
-    }
+  (void)scenes_of_run(preset);  // a study is refused before a folder is claimed
+  if (const std::string trouble = options.film->trouble_with(preset); !trouble.empty()) {
+    fmt::print(stderr, "rift run: {}\n", trouble);
+    return ExitCode::bad_input;
+  }
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
   ClaimedFolder folder(folder_for(options), options.force);
   Cache cache = cache_for(options.scene);
-  Prepared prepared;
-  try {
-    prepared = prepare(preset, lanes, cache, [&](std::string_view stage, double done) {
-      line.tell(stage, done);
-      return stop.received() == 0;
-    });
-  } catch (const Interrupted& interrupted) {
-    line.clear();
-    fmt::print(stderr, "rift run: {}; nothing was written\n", interrupted.what());
-    return static_cast<ExitCode>(128 + stop.received());
-  }
-  const BuildInfo build = build_info();
+  const std::optional<Prepared> prepared = prepared_for(preset, cache, line, stop);
+  if (!prepared) return static_cast<ExitCode>(128 + stop.received());
+
   const fs::path path = folder.keep();
-  results::RunWriter writer(path, header_of(prepared, build), geometry_of(prepared));
-  if (options.film->wanted()) options.film->begin(path);
-  const RunResult result = march(prepared, observer_for(writer, line, stop, prepared.lattice.centre.size()),
-                                 {.threads = options.scene.threads});
-  std::vector<Rates> rates;
-  std::vector<std::vector<results::RatePoint>> curves;
-  for (int lane = 0; lane < static_cast<int>(prepared.lane.size()); ++lane) {
-    rates.push_back(rates_of(prepared, result, lane));
-    curves.push_back(rates.back().curve);
-  }
-  const double total = std::chrono::duration<double>(Clock::now() - start).count();
-  const Json summary = summary_of(prepared, result, rates, build, total);
-  writer.finish(summary, curves);
-  FilmOfRun::Result film;
-  if (options.film->wanted()) film = options.film->finish(line, [&] { return stop.received() == 0; });
+  options.film->begin(path);
+  const double preparation = std::chrono::duration<double>(Clock::now() - start).count();
+  const Recorded ran =
+      record_run(*prepared, path, build_info(), telling(line, stop, prepared->lattice.centre.size()),
+                 {.threads = options.scene.threads}, preparation);
+  const FilmOfRun::Result film = options.film->finish(line, [&] { return stop.received() == 0; });
   line.clear();
   print_notes(cache);
-  print_result(options, summary, path, film.path);
+  print_result(options, ran.summary, path, film.path);
   if (!film.trouble.empty()) fmt::print(stderr, "rift run: no film: {}\n", film.trouble);
-  const ExitCode code = exit_code_of(result.outcome, stop);
+  const ExitCode code = exit_code_of(ran.result.outcome, stop);
   return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
 }
 
