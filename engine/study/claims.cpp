@@ -9,6 +9,14 @@
 namespace rift {
 namespace {
 
+Claim picture(std::string name, std::string artefact, std::string text, std::string preset,
+              std::vector<double> at) {
+  Claim claim{std::move(name), std::move(artefact), std::move(text), {std::move(preset)}};
+  claim.standing = "a picture";
+  claim.pictures_at = std::move(at);
+  return claim;
+}
+
 std::vector<Claim> figures() {
   return {
       {"fig01",
@@ -16,14 +24,13 @@ std::vector<Claim> figures() {
        "The analytic correction factor falls quasi-linearly from 1 at 0 to 0 at c_r (Broberg).",
        {},
        judges::fig01},
-      {"fig02", "Fig. 2", "A discrete lattice: elements and their beams, drawn.", {}, {}, "a picture"},
-      {"fig03", "Fig. 3", "The plate's geometry with its boundary conditions, drawn.", {}, {}, "a picture"},
-      {"fig04",
-       "Fig. 4",
-       "Frames of the running crack, coloured by vertical displacement, the tip marked.",
-       {},
-       {},
-       "pictures"},
+      picture("fig02", "Fig. 2", "A discrete lattice: elements and their beams, drawn.", "fig02_lattice",
+              {0}),
+      picture("fig03", "Fig. 3", "The plate's geometry with its boundary conditions, drawn.",
+              "fig03_geometry", {0}),
+      picture("fig04", "Fig. 4",
+              "Frames of the running crack, coloured by vertical displacement, the tip marked.",
+              "fig04_frames", {0.25, 0.6, 0.95}),
       {"fig05",
        "Fig. 5",
        "Energy balance at 0.2 c_r: tension to 0.47 ms, stabilisation to 0.71 ms, fracture to 1.16 ms; "

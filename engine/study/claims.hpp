@@ -23,10 +23,12 @@ struct Claim {
   std::string artefact;            // "Fig. 7"
   std::string text;                // what the paper says
   std::vector<std::string> needs;  // presets whose scenarios it looks at
-  /// The verdict for one stiffness; empty for a claim that is not yet there.
+  /// The verdict for one stiffness; empty for a picture, and for a claim that is not yet there.
   std::function<Judgement(const Evidence&)> judge = {};
   std::string standing = {};  // why it is not yet there, or what stands for it
-  bool beyond = false;        // not the paper's but a finding of our own, with in-situ beams only
+  /// Of a claim that is a picture: at which fractions of the moments of the preset that it needs.
+  std::vector<double> pictures_at = {};
+  bool beyond = false;  // not the paper's but a finding of our own, with in-situ beams only
 };
 
 /// All claims, in the order of the paper's artefacts and then of its sections, and what goes beyond it.

@@ -1,3 +1,4 @@
+#include "engine/interrupted.hpp"
 #include "engine/results/files.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/wording.hpp"
@@ -5,6 +6,7 @@
 #include "engine/study/paper_study.hpp"
 #include "engine/study/runner.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/draw_claim.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/beyond_charts.hpp"
 #include "studio/report/reproduction.hpp"
@@ -130,6 +132,21 @@ JudgedClaim judged(const Claim& claim, const PaperStudy& study, const StudyResul
   return out;
 }
 
+/// Draws the claims that are pictures.
+void draw_pictures(Reproduction& report, const ReproduceOptions& options, const StopSignal& stop) {
+  ProgressLine line(progress_style(options.quiet, options.json));
+  Cache cache = options.no_cache ? Cache{} : user_cache();
+  for (JudgedClaim& claim : report.claims) {
+    if (claim.claim->pictures_at.empty()) continue;
+    draw_claim(claim, options.out, report.elements, cache, options.threads,
+               [&](std::string_view stage, double done) {
+                 line.tell(stage, done);
+                 return stop.received() == 0;
+               });
+  }
+  line.clear();
+}
+
 std::string command_text(const ReproduceOptions& options) {
   std::string text = "rift reproduce";
   for (const std::string& name : options.names) text += " " + name;
@@ -190,6 +207,13 @@ ExitCode reproduce(const ReproduceOptions& options) {
                       .claims = {}};
   for (const Claim* claim : chosen)
     report.claims.push_back(judged(*claim, study, result, report.elements, options.out));
+  try {
+    draw_pictures(report, options, stop);
+  } catch (const Interrupted& interrupted) {
+    fmt::print(stderr, "rift reproduce: {}; what was computed is kept in {}\n", interrupted.what(),
+               options.out);
+    return static_cast<ExitCode>(128 + stop.received());
+  }
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   write_report(report, options);
   return result.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;

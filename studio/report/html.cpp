@@ -1,6 +1,11 @@
 #include "studio/report/html.hpp"
 
+#include "engine/results/files.hpp"
+
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
 
 namespace rift::studio {
 namespace {
@@ -14,7 +19,7 @@ table { border-collapse: collapse; font-size: 0.9em; font-variant-numeric: tabul
 th, td { padding: 0.2em 0.8em; border-bottom: 1px solid #e4e4e4; text-align: left; white-space: nowrap; }
 th { border-bottom: 2px solid #888; }
 .n { text-align: right; } .t { white-space: normal; min-width: 16em; }
-figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; }
+figure { margin: 1em 0; } figure svg, figure img { max-width: 100%; height: auto; }
 figcaption { color: #555; font-size: 0.9em; }
 )";
 
@@ -23,6 +28,20 @@ constexpr std::size_t longest_on_one_line = 40;
 std::string cell(const char* tag, const std::string& text, bool to_the_right) {
   const char* look = to_the_right ? " class=\"n\"" : text.size() > longest_on_one_line ? " class=\"t\"" : "";
   return fmt::format("<{0}{1}>{2}</{0}>", tag, look, html_escape(text));
+}
+
+/// Base64   [RFC 4648, section 4].
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const std::size_t here = std::min<std::size_t>(3, bytes.size() - at);
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      three = three << 8 | (k < here ? static_cast<unsigned char>(bytes[at + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= here ? letters[three >> (18 - 6 * k) & 63] : '=';
+  }
+  return out;
 }
 
 }  // namespace
@@ -78,6 +97,13 @@ std::string html_table(const Table& table) {
 
 std::string html_figure(std::string_view svg, std::string_view caption) {
   return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", svg, html_escape(caption));
+}
+
+std::string html_picture(const std::filesystem::path& png, std::string_view caption) {
+  return fmt::format(
+      "<figure>\n<img alt=\"{0}\" "
+      "src=\"data:image/png;base64,{1}\">\n<figcaption>{0}</figcaption>\n</figure>\n",
+      html_escape(caption), base64(results::read_whole_file(png)));
 }
 
 }  // namespace rift::studio

@@ -2,6 +2,7 @@
 
 #include "studio/report/table.hpp"
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -24,5 +25,8 @@ std::string html_table(const Table& table);
 
 /// A picture under which stands a caption. @param svg  as it is; ids must be unique in the page
 std::string html_figure(std::string_view svg, std::string_view caption);
+
+/// A PNG, written into the page itself. Throws WorldError where it cannot be read.
+std::string html_picture(const std::filesystem::path& png, std::string_view caption);
 
 }  // namespace rift::studio

@@ -51,9 +51,21 @@ struct Line {
   std::string stiffness, verdict, measured;
 };
 
+bool is_picture(const JudgedClaim& c) { return !c.claim->pictures_at.empty(); }
+
+/// What stands for a claim that has no verdict.
+std::string state_of(const JudgedClaim& c) {
+  return !is_picture(c) ? "not yet there" : c.pictures.empty() ? "not drawn" : "drawn";
+}
+
+/// "holds", "does not hold", "not decidable", or what stands for a verdict.
+std::string verdict_text(const JudgedClaim& c, const Judgement& judgement) {
+  return c.claim->judge ? name_of(judgement.verdict) : state_of(c);
+}
+
 /// One line per stiffness; one line alone where the claim is not yet there, or beyond the paper.
 std::vector<Line> lines_of(const JudgedClaim& c) {
-  if (!c.claim->judge) return {{"", "not yet there", c.claim->standing}};
+  if (!c.claim->judge) return {{"", state_of(c), c.not_drawn.empty() ? c.claim->standing : c.not_drawn}};
   const Line in_situ{"in-situ", name_of(c.in_situ.verdict), c.in_situ.measured};
   if (c.claim->beyond) return {in_situ};
   return {{"bulk", name_of(c.bulk.verdict), c.bulk.measured}, in_situ};
@@ -63,8 +75,8 @@ std::vector<std::string> overview_row(const JudgedClaim& c) {
   return {c.claim->name,
           c.claim->artefact,
           c.claim->text,
-          c.claim->beyond ? "-" : verdict_text(*c.claim, c.bulk),
-          verdict_text(*c.claim, c.in_situ),
+          c.claim->beyond ? "-" : verdict_text(c, c.bulk),
+          verdict_text(c, c.in_situ),
           time_text(c)};
 }
 
@@ -80,6 +92,7 @@ std::string section_html(const JudgedClaim& c) {
   for (const Figure& figure : c.figures)
     body += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption></figure>\n", figure.chart.svg_text,
                         html_escape(figure.caption));
+  for (const Picture& picture : c.pictures) body += html_picture(picture.png, picture.caption);
   return html_section(fmt::format("{} ({})", c.claim->artefact, c.claim->name), body);
 }
 
@@ -111,13 +124,17 @@ std::string section_markdown(const JudgedClaim& c) {
   if (c.scenarios > 0) text += fmt::format("\n{} scenarios, {} of computing.\n", c.scenarios, time_text(c));
   for (const Figure& figure : c.figures)
     text += fmt::format("\n![{}](charts/{})\n", figure.caption, figure.chart.svg.filename().string());
+  for (const Picture& picture : c.pictures)
+    text += fmt::format("\n![{}](charts/{})\n", picture.caption, picture.png.filename().string());
   return text;
 }
 
 std::string colored(const std::string& verdict, bool color) {
   const std::string padded = fmt::format("{:<14}", verdict);
   if (!color) return padded;
-  const char* code = verdict == "holds" ? "32" : verdict == "does not hold" ? "31" : "33";
+  const char* code = verdict == "holds" || verdict == "drawn" ? "32"
+                     : verdict == "does not hold"             ? "31"
+                                                              : "33";
   return fmt::format("\x1b[{}m{}\x1b[0m", code, padded);
 }
 
@@ -126,10 +143,6 @@ Json judgement_json(const Judgement& j) {
 }
 
 }  // namespace
-
-std::string verdict_text(const Claim& claim, const Judgement& judgement) {
-  return claim.judge ? name_of(judgement.verdict) : "not yet there";
-}
 
 std::string reproduction_html(const Reproduction& r) {
   std::vector<std::vector<std::string>> overview;
@@ -168,6 +181,10 @@ Json reproduction_json(const Reproduction& r) {
     if (c.claim->judge) {
       if (!c.claim->beyond) claim["bulk"] = judgement_json(c.bulk);
       claim["in-situ"] = judgement_json(c.in_situ);
+    } else if (is_picture(c)) {
+      claim["drawn"] = Json::array();
+      for (const Picture& picture : c.pictures) claim["drawn"].push_back(picture.png.string());
+      if (!c.not_drawn.empty()) claim["not_drawn"] = c.not_drawn;
     } else {
       claim["not_yet_there"] = c.claim->standing;
     }

@@ -17,6 +17,12 @@ struct Figure {
   std::string caption;
 };
 
+/// A picture of the report, beside its charts.
+struct Picture {
+  std::filesystem::path png;
+  std::string caption;
+};
+
 /// A claim with its verdicts; those of a claim that is not yet there mean nothing.
 struct JudgedClaim {
   const Claim* claim = nullptr;
@@ -24,6 +30,8 @@ struct JudgedClaim {
   int scenarios = 0;
   double wall_s = 0;  // computing time of its scenarios, shared ones counted for each claim
   std::vector<Figure> figures;
+  std::vector<Picture> pictures;
+  std::string not_drawn;  // of a claim that is a picture: why there is none
 };
 
 /// All that the report tells.
@@ -35,9 +43,6 @@ struct Reproduction {
   double wall_s = 0;
   std::vector<JudgedClaim> claims;
 };
-
-/// "holds", "does not hold", "not decidable", or "not yet there".
-std::string verdict_text(const Claim& claim, const Judgement& judgement);
 
 /// One self-contained page: the verdicts in one table, then a section per claim with its charts as inline
 /// SVG.

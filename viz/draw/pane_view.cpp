@@ -25,7 +25,7 @@ std::vector<std::int32_t> elements_shown(const Look& look, const results::Geomet
 /// Where every beam is drawn, elements are small balls between them; seen from far they are drawn a little
 /// larger than they are, so that the gaps between them do not glitter.
 float sphere_scale(const Look& look) {
-  if (look.beams == Beams::all) return 0.45F;
+  if (look.beams == Beams::all) return 0.6F;
   return look.camera == Camera::plate ? 1.15F : 1.0F;
 }
 

@@ -230,6 +230,18 @@ TEST(Claims, AreJudgedOrSayWhyNot) {
     EXPECT_NE(static_cast<bool>(claim.judge), !claim.standing.empty()) << claim.name;
 }
 
+TEST(Claims, ThatArePicturesNameOnePresetAndItsMoments) {
+  int pictures = 0;
+  for (const Claim& claim : claims()) {
+    if (claim.pictures_at.empty()) continue;
+    ++pictures;
+    EXPECT_EQ(claim.needs.size(), 1U) << claim.name;
+    EXPECT_FALSE(claim.judge) << claim.name;
+    for (const double at : claim.pictures_at) EXPECT_TRUE(at >= 0 && at <= 1) << claim.name;
+  }
+  EXPECT_EQ(pictures, 3);
+}
+
 TEST(Claims, WithoutAnyResultAreNotDecidable) {
   for (const Claim& claim : claims()) {
     if (!claim.judge || claim.needs.empty()) continue;  // of drawings and of theory

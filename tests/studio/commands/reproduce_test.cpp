@@ -22,7 +22,8 @@ TEST(Reproduce, AnUnknownNameIsBadInputAndNamesTheNearest) {
 TEST(Reproduce, ANameThatResemblesNothingGetsTheList) {
   const Ran ran = run_rift("reproduce nonsense_of_a_name");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_TRUE(contains(ran.err, "unknown name 'nonsense_of_a_name': the names are all, beyond, fig01, fig02"));
+  EXPECT_TRUE(
+      contains(ran.err, "unknown name 'nonsense_of_a_name': the names are all, beyond, fig01, fig02"));
   EXPECT_TRUE(contains(ran.err, "sec5_bending, beyond_map"));
 }
 
@@ -67,6 +68,18 @@ TEST(Reproduce, DrawsChartsIntoTheReport) {
     EXPECT_TRUE(std::filesystem::exists(out / "charts" / (std::string("fig01.") + ending))) << ending;
   EXPECT_TRUE(contains(read_text(out / "report.html"), "<svg"));
   EXPECT_TRUE(contains(read_text(out / "reproduction.md"), "(charts/fig01.svg)"));
+}
+
+TEST(Reproduce, DrawsThePaperPicturesOrSaysThatItCannot) {
+  const TemporaryFolder folder;
+  const std::filesystem::path out = folder.path() / "out";
+  const Ran ran = run_rift("reproduce fig02 --quick --out '" + out.string() + "'");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  if (contains(ran.out, "built without its renderer")) GTEST_SKIP() << "no renderer";
+  EXPECT_TRUE(contains(ran.out, "drawn"));
+  EXPECT_TRUE(std::filesystem::file_size(out / "charts" / "fig02_at_0.00.png") > 10000);
+  EXPECT_TRUE(contains(read_text(out / "report.html"), "src=\"data:image/png;base64,iVBORw0KGgo"));
+  EXPECT_TRUE(contains(read_text(out / "reproduction.md"), "(charts/fig02_at_0.00.png)"));
 }
 
 }  // namespace

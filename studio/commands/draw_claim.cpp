@@ -1,0 +1,78 @@
+#include "studio/commands/draw_claim.hpp"
+
+#include "engine/interrupted.hpp"
+#include "engine/results/run_folder.hpp"
+#include "engine/results/world_error.hpp"
+#include "engine/scene/issue.hpp"
+#include "engine/simulation/record.hpp"
+#include "studio/commands/common.hpp"
+#include "studio/commands/scene_options.hpp"
+#include "viz/plan.hpp"
+#include "viz/record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+using Telling = std::function<bool(std::string_view stage, double done)>;
+
+Preset preset_for(const std::string& name, int elements) {
+  Preset preset = read_preset(resolve_preset(name));
+  if (!preset.issues.empty()) throw InputError(preset.issues);
+  preset.scene.specimen.elements = std::min(preset.scene.specimen.elements, elements);
+  return preset;
+}
+
+/// The finished run of the preset in this folder, found or made.
+void run_if_need_be(const Preset& preset, const fs::path& run, Cache& cache, int threads,
+                    const Telling& go_on) {
+  if (results::inspect_run(run).condition == results::RunCondition::finished) return;
+  const Prepared prepared = prepare(preset, scenes_of_run(preset), cache, go_on);
+  results::create_run_folder(run, true);
+  const Recorded ran =
+      record_run(prepared, run, build_info(),
+                 [&](const Progress& p) {
+                   return go_on("crack", static_cast<double>(p.step) / static_cast<double>(p.total));
+                 },
+                 {.threads = threads});
+  if (ran.result.outcome == Outcome::stopped) throw Interrupted("a crack was running");
+}
+
+Picture draw(const viz::Plan& plan, const Claim& claim, double at, const fs::path& charts) {
+  const auto k = static_cast<std::size_t>(std::lround(at * static_cast<double>(plan.times_s.size() - 1)));
+  const fs::path png = charts / fmt::format("{}_at_{:.2f}.png", claim.name, at);
+  viz::make_picture(plan.job, plan.times_s[k], png, {});
+  return {png,
+          fmt::format("{}, {}: tip at {:.0f} mm", claim.artefact, plan.job.look.title, 1e3 * plan.tips_m[k])};
+}
+
+}  // namespace
+
+void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, Cache& cache, int threads,
+                const Telling& go_on) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string& name = claim.claim->needs.front();
+  const fs::path run = folder / "pictures" / fmt::format("{}_{}", name, elements);
+  try {
+    run_if_need_be(preset_for(name, elements), run, cache, threads, go_on);
+    viz::Wish wish;
+    wish.runs = {run};
+    const viz::Plan plan = viz::plan_of(wish);
+    fs::create_directories(folder / "charts");
+    for (const double at : claim.claim->pictures_at) {
+      if (!go_on("drawing " + claim.claim->name, at)) throw Interrupted("pictures were drawn");
+      claim.pictures.push_back(draw(plan, *claim.claim, at, folder / "charts"));
+    }
+  } catch (const results::WorldError& error) {
+    claim.not_drawn = error.what();
+  }
+  claim.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace rift::studio
