@@ -86,7 +86,12 @@ install_missing
 if [ "$what" = demo ]; then
   build rift
   say 'running presets/quickstart.toml'
-  ./rift run quickstart
+  if [ $viz = ON ]; then
+    ./rift run quickstart --out runs/demo --force --render
+    ./rift render runs/demo --poster --force --quiet
+  else
+    ./rift run quickstart --out runs/demo --force
+  fi
   say 'next: ./rift list, ./rift check plate_pnrt, ./rift run plate_pnrt'
 else
   build all

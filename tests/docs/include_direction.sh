@@ -12,8 +12,8 @@ refuse() { # WHAT PATTERN FOLDERS...
   wrong=1
 }
 refuse 'engine reaches upwards' '#include "(viz|studio)/' engine
-refuse 'results reaches into the engine' '#include "engine/(scene|lattice|mechanics|fracture|theory|study|simulation)/' engine/results
-refuse 'viz knows more than results' '#include "(studio|engine/(scene|lattice|mechanics|fracture|theory|study|simulation))/' viz
+refuse 'results reaches into the engine' '#include "engine/(scene|lattice|mechanics|fracture|theory|ensemble|study|simulation)/' engine/results
+refuse 'viz knows more than results' '#include "(studio|engine/(scene|lattice|mechanics|fracture|theory|ensemble|study|simulation))/' viz
 refuse 'VTK outside viz' '#include <vtk' engine studio
 refuse 'ncurses outside studio' '#include <n?curses' engine viz
 refuse 'CLI11 outside studio' '#include <CLI/' engine viz
