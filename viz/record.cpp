@@ -24,7 +24,7 @@ void ask_whether_to_go_on(const Making& making, std::size_t done, std::size_t al
 
 void draw_each(const Job& job, std::span<const double> times_s, const Making& making,
                const std::function<void(const Image&)>& take) {
-  Renderer renderer(job, making.gl, making.idle);
+  Renderer renderer(job, making.gl, making.idle, making.programs);
   std::size_t asked = 0;
   for (std::size_t done = 0; done < times_s.size(); ++done) {
     ask_whether_to_go_on(making, done, times_s.size());
@@ -58,7 +58,7 @@ void follow_film(const Job& job, double frames_per_second, const std::filesystem
                  const Making& making, const std::atomic<bool>& run_ended) {
   const Pane& pane = job.panes.front();
   results::JournalIndex journal(pane.run / results::journal_name);
-  Renderer renderer(job, making.gl, making.idle);
+  Renderer renderer(job, making.gl, making.idle, making.programs);
   Film film(path, job.width, job.height, frames_per_second, making.idle);
   std::size_t asked = 0, done = 0;
   for (;;) {

@@ -18,8 +18,9 @@ struct Stopped {};
 struct Making {
   Gl gl = Gl::any;
   bool idle = false;  // only take the time that nobody else wants
-  std::function<bool(std::size_t done, std::size_t all)>
-      go_on{};  // asked after each frame; false throws Stopped
+  /// Asked before each frame; false throws Stopped.
+  std::function<bool(std::size_t done, std::size_t all)> go_on{};
+  std::filesystem::path programs = own_folder();  // that draw
 };
 
 /// Draws the frame of each time and hands it over, in order; the next ones are drawn meanwhile.

@@ -144,7 +144,7 @@ TEST(Assign, TakesWholeNumbersInAnySpelling) {
 TEST(Assign, ChecksLists) {
   EXPECT_EQ(problem_of("output.fields", "[]"), "");
   EXPECT_EQ(problem_of("output.fields", R"(["velocity", "speed"])"),
-            "\"speed\" is none of \"displacement\", \"velocity\" and \"damage\"");
+            "\"speed\" is none of \"displacement\", \"velocity\", \"damage\" and \"energy\"");
   EXPECT_EQ(problem_of("output.fields", R"(["damage", "damage"])"), "\"damage\" twice");
   EXPECT_EQ(problem_of("output.window", "[0, 1]"), "");
   EXPECT_EQ(problem_of("output.window", "[0.4, 0.2]"), "must rise within [0, 1]");

@@ -1,0 +1,149 @@
+#include "viz/plan.hpp"
+
+#include "tests/viz/drawn_plate.hpp"
+#include "viz/pane_title.hpp"
+
+namespace rift::viz {
+namespace {
+
+using namespace drawn_plate;
+using Json = nlohmann::ordered_json;
+
+Wish wish_for(std::vector<std::filesystem::path> runs) {
+  Wish wish;
+  wish.runs = std::move(runs);
+  return wish;
+}
+
+std::string complaint(const Wish& wish) {
+  try {
+    (void)plan_of(wish);
+  } catch (const BadWish& bad) {
+    return bad.what();
+  }
+  return "no complaint";
+}
+
+TEST(Plan, TakesAllLanesOnTheClockOfTheLongest) {
+  const Folder folder;
+  const Plan plan = plan_of(wish_for({write_run(folder / "short", 3), write_run(folder / "long", 6, 2)}));
+  ASSERT_EQ(plan.job.panes.size(), 3U);
+  EXPECT_EQ(plan.job.panes[2].lane, 1);
+  ASSERT_EQ(plan.times_s.size(), 6U);
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_NEAR(plan.times_s[k], 1e-6 * k, 1e-18);
+    EXPECT_EQ(plan.tips_m[k], tip_at_moment(k));
+  }
+}
+
+TEST(Plan, HasOneRangeForAllPanes) {
+  const Folder folder;
+  Wish wish = wish_for({write_run(folder / "short", 3), write_run(folder / "long", 6)});
+  EXPECT_EQ(plan_of(wish).job.look.range, (std::array{0.0, pulled}));
+  EXPECT_TRUE(plan_of(wish).range_known);
+  wish.field = "vx";
+  EXPECT_EQ(plan_of(wish).job.look.range, (std::array{-50.0, 50.0}));
+  EXPECT_FALSE(plan_of(wish).range_known);
+  wish.field = "uy";
+  wish.range = {0.1, 0.3};  // mm
+  EXPECT_NEAR(plan_of(wish).job.look.range[1], 0.3e-3, 1e-12);
+}
+
+TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
+  const Folder folder;
+  const std::filesystem::path run = folder / "run";
+  std::filesystem::create_directories(run);
+  {
+    Json with_film = header();
+    with_film["film"] = {{"title", "of the preset"}, {"field", "vx"}, {"camera", "tip"}, {"chart", false}};
+    results::JournalWriter journal(run / results::journal_name);
+    journal.write(results::RunHeader{with_film.dump()});
+    journal.write(geometry());
+    for (int k = 0; k < 3; ++k) journal.write(frame(k));
+    journal.close();
+  }
+  Wish wish = wish_for({run});
+  Look look = plan_of(wish).job.look;
+  EXPECT_EQ(look.title, "of the preset");
+  EXPECT_EQ(look.field, "vx");
+  EXPECT_EQ(look.camera, Camera::tip);
+  EXPECT_FALSE(look.chart);
+  wish.title = "mine";
+  wish.camera = "side";
+  look = plan_of(wish).job.look;
+  EXPECT_EQ(look.title, "mine");
+  EXPECT_EQ(look.camera, Camera::side);
+  EXPECT_EQ(look.field, "vx");
+}
+
+TEST(Plan, NamesWhatARunHasInPlaceOfWhatItHasNot) {
+  const Folder folder;
+  const std::filesystem::path run = write_run(folder / "run");
+  Wish wish = wish_for({run});
+  wish.field = "elastic";
+  EXPECT_EQ(
+      complaint(wish),
+      run.string() +
+          " holds no field elastic; its fields are ux, uy, uz, u, vx, vy, vz, v, kinetic, damage. To have "
+          "it, run with --set 'output.fields=[\"damage\", \"displacement\", \"energy\", \"velocity\"]'");
+  wish.field = "uy";
+  wish.lanes = {3};
+  EXPECT_EQ(complaint(wish), run.string() + " has no lane 3: its lanes are 0 to 0");
+  wish.lanes = {};
+  wish.runs = {folder / "none"};
+  EXPECT_EQ(complaint(wish), (folder / "none").string() + ": there is no such run");
+  wish.runs = {folder.path()};
+  EXPECT_EQ(complaint(wish), folder.path().string() + " holds no run: no journal.rift");
+  wish.runs = {write_run(folder / "bare", 0)};
+  EXPECT_EQ(complaint(wish),
+            (folder / "bare").string() + " holds no frames: run it with --set output.frames=100");
+  wish.runs = {write_run(folder / "five", 2, 5)};
+  EXPECT_EQ(complaint(wish), "5 lanes, and a frame shows up to 4: choose by --lane");
+}
+
+TEST(Plan, ShowsADamagedRunUpToItsDamageAndSaysSo) {
+  const Folder folder;
+  const std::filesystem::path journal = write_run(folder / "run") / results::journal_name;
+  std::filesystem::resize_file(journal, std::filesystem::file_size(journal) - 2000);
+  EXPECT_TRUE(plan_of(wish_for({folder / "run"})).notes.empty()) << "a run that goes on looks like this";
+  EXPECT_EQ(plan_of(wish_for({folder / "run"})).times_s.size(), 5U);
+  {
+    std::fstream file(journal, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(-20000, std::ios::end);
+    file.put('x');
+  }
+  const Plan plan = plan_of(wish_for({folder / "run"}));
+  ASSERT_EQ(plan.notes.size(), 1U);
+  EXPECT_NE(plan.notes[0].find("is damaged"), std::string::npos) << plan.notes[0];
+  EXPECT_LT(plan.times_s.size(), 5U);
+}
+
+TEST(Plan, ChoosesStoredMomentsEvenlyAndNeverMakesOneUp) {
+  const std::vector<double> times{0, 1, 2, 3, 4};
+  EXPECT_EQ(evenly_chosen(times, 3), (std::vector<double>{0, 2, 4}));
+  EXPECT_EQ(evenly_chosen(times, 5), times);
+  EXPECT_EQ(evenly_chosen(times, 1), (std::vector<double>{4}));
+  EXPECT_THROW((void)evenly_chosen(times, 6), BadWish);
+}
+
+TEST(PaneTitle, SaysTechniqueAndVelocityAndWhatTellsThemApart) {
+  const Json simple{{"technique", "simple"},
+                    {"crack_velocity_over_cr", 0.1},
+                    {"damage_zone_ratio", nullptr},
+                    {"damping_alpha", 0.0}};
+  Json progressive = simple;
+  progressive["technique"] = "progressive";
+  progressive["damage_zone_ratio"] = 5;
+  Json damped = simple;
+  damped["damping_alpha"] = 0.0002;
+  damped["damping_region"] = "all";
+  using Titles = std::vector<std::string>;
+  EXPECT_EQ(pane_titles({simple}), (Titles{"simple release, 0.1 c_r"}));
+  EXPECT_EQ(pane_titles({simple, progressive}),
+            (Titles{"simple release, 0.1 c_r", "progressive release, 0.1 c_r, r_l = 5"}));
+  EXPECT_EQ(pane_titles({simple, damped}), (Titles{"simple release, 0.1 c_r, undamped",
+                                                   "simple release, 0.1 c_r, alpha = 0.0002 everywhere"}));
+}
+
+}  // namespace
+}  // namespace rift::viz

@@ -1,0 +1,111 @@
+#include "tests/studio/run_rift.hpp"
+#include "tests/viz/scripts.hpp"
+#include "viz/png.hpp"
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using viz::drawn_plate::Folder;
+using viz::drawn_plate::write_run;
+
+/// `rift render ARGUMENTS` in a folder.
+Ran render_in(const Folder& folder, const std::string& arguments, const std::string& environment = "") {
+  return run_shell("cd '" + folder.path().string() + "' && env -u DISPLAY " + environment +
+                   " '" RIFT_EXE "' render " + arguments);
+}
+
+TEST(Render, MakesAFilmInTheRunsFolderByDefault) {
+  const Folder folder;
+  write_run(folder / "run");
+  const Ran ran = render_in(folder, "run --size 320x180");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "run/film_uy.mp4\n");
+  EXPECT_GT(fs::file_size(folder / "run" / "film_uy.mp4"), 1000U);
+}
+
+TEST(Render, MakesOnePictureAPosterAndASequence) {
+  const Folder folder;
+  write_run(folder / "run");
+  const Ran ran =
+      render_in(folder, "run --size 320x180 --at 0.5 --picture a.png --poster --png frames --frames 3");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "a.png\nframes\nrun/poster_uy.png\n");
+  EXPECT_EQ(viz::read_png(folder / "a.png").width, 320);
+  EXPECT_TRUE(fs::exists(folder / "frames" / "frame_000002.png"));
+  EXPECT_FALSE(fs::exists(folder / "frames" / "frame_000003.png"));
+}
+
+TEST(Render, NeverOverwritesSilently) {
+  const Folder folder;
+  write_run(folder / "run");
+  write_text(folder / "a.mp4", "precious");
+  const Ran ran = render_in(folder, "run --film a.mp4");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.err, "rift: a.mp4 is there already: --force replaces it\n");
+  EXPECT_EQ(read_text(folder / "a.mp4"), "precious");
+  EXPECT_EQ(render_in(folder, "run --film a.mp4 --force --size 320x180").exit_code, 0);
+  EXPECT_NE(read_text(folder / "a.mp4"), "precious");
+}
+
+TEST(Render, RoundsOddSizesWithANote) {
+  const Folder folder;
+  write_run(folder / "run");
+  const Ran ran = render_in(folder, "run --size 321x181 --at 0 --picture a.png");
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_EQ(ran.err, "rift render: --size 321x181: drawn as 322x182, for films need even numbers\n");
+  EXPECT_EQ(viz::read_png(folder / "a.png").width, 322);
+}
+
+TEST(Render, TellsEveryMistakeAndMakesNothing) {
+  const Folder folder;
+  write_run(folder / "run");
+  const auto complaint = [&](const std::string& arguments) {
+    const Ran ran = render_in(folder, arguments);
+    EXPECT_EQ(ran.exit_code, 2) << arguments;
+    EXPECT_EQ(ran.out, "") << arguments;
+    return ran.err;
+  };
+  EXPECT_EQ(complaint("nothing"), "rift render: nothing: there is no such run\n");
+  EXPECT_EQ(complaint("run --size 1e9x2"),
+            "rift render: --size 1e9x2: expected a width and a height in pixels such as 1280x720\n");
+  EXPECT_EQ(complaint("run --size 99999x720"),
+            "rift render: --size 99999x720: must lie between 320x180 and 8192x8192\n");
+  EXPECT_EQ(complaint("run --range 3"),
+            "rift render: --range 3: expected two numbers that rise, such as 0,2\n");
+  EXPECT_EQ(complaint("run --film a.avi"), "rift render: --film a.avi: must end in .mp4, .webm or .gif\n");
+  EXPECT_TRUE(contains(complaint("run --frames 7"), "--frames 7: the run holds 6 moments"));
+  EXPECT_TRUE(contains(complaint("run --field speed"), "speed"));
+  EXPECT_TRUE(contains(complaint("run --at 1.5"), "1.5"));
+  EXPECT_FALSE(fs::exists(folder / "run" / "film_uy.mp4"));
+}
+
+TEST(Render, KeepsTheFramesWhereFfmpegIsMissingOrDies) {
+  const Folder folder, programs;
+  write_run(folder / "run");
+  const std::string only_ours = "PATH='" + programs.path().string() + "'";
+  const Ran missing = render_in(folder, "run --size 320x180 --film a.mp4", only_ours);
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_EQ(missing.err,
+            "rift render: cannot start ffmpeg: No such file or directory; the frames are kept as pictures\n");
+  EXPECT_EQ(missing.out, "a_frames\n");
+  EXPECT_TRUE(fs::exists(folder / "a_frames" / "frame_000005.png"));
+  viz::write_script(programs / "ffmpeg", "/bin/head -c 400000 >/dev/null; kill -9 $$");
+  const Ran killed = render_in(folder, "run --size 320x180 --film b.mp4", only_ours);
+  EXPECT_EQ(killed.exit_code, 1);
+  EXPECT_TRUE(
+      contains(killed.err, "ffmpeg was killed by signal 9 (Killed); the frames are kept as pictures"));
+  EXPECT_TRUE(fs::exists(folder / "b_frames" / "frame_000005.png"));
+  EXPECT_FALSE(fs::exists(folder / "b.mp4") || fs::exists(folder / "b.mp4.part"));
+}
+
+TEST(Render, IntoAFolderThatIsNotThereFailsWithAReason) {
+  const Folder folder;
+  write_run(folder / "run");
+  const Ran ran = render_in(folder, "run --size 320x180 --at 0 --picture nowhere/a.png");
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_TRUE(contains(ran.err, "nowhere/a.png"));
+}
+
+}  // namespace
+}  // namespace rift::studio
