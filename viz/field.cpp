@@ -118,8 +118,7 @@ std::optional<std::array<double, 2>> known_range(const Field& field, const Heade
 std::array<double, 2> range_of(const Field& field, std::vector<float>& values) {
   if (values.empty()) return {0, 0};
   for (float& v : values) v = std::abs(v);
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   const double most = rounded_up(*at);
   return {field.scale == Scale::diverging ? -most : 0.0, most};

@@ -32,11 +32,11 @@ double seen_height(const Look& look, const Extent& plate) {
   return look.camera == Camera::side ? 1.5 * plate.height * std::cos(side_tilt) : plate.height;
 }
 
-/// Columns for which the plates are largest.
+/// One column or two, for which the plates are larger.
 int columns_for(int panes, double width, double height, double text, double aspect) {
   int best = 1;
   double largest = 0;
-  for (int columns = 1; columns <= panes; ++columns) {
+  for (int columns = 1; columns <= std::min(panes, 2); ++columns) {
     const int rows = (panes + columns - 1) / columns;
     const double shown =
         std::min(width / columns, (height / rows - caption_height(width / columns, text)) * aspect);
@@ -54,14 +54,16 @@ Layout layout_of(const Job& job, const Extent& plate) {
   const double w = job.width, h = job.height;
   const int panes = static_cast<int>(job.panes.size());
   Layout layout;
-  layout.text_px = static_cast<int>(std::lround(std::min(h / 42, w / 60) * (job.look.large_text ? 1.5 : 1)));
+  layout.text_px = static_cast<int>(std::lround(std::min(h / 42, w / 60) * (!job.look.large_text ? 1.0
+                                                                            : panes > 2          ? 1.25
+                                                                                                 : 1.5)));
   const double text = layout.text_px, margin = text, bar = 3.9 * text;
   layout.title = {margin, h - 2.6 * text, w - margin, h - 0.5 * text};
 
   const bool whole = job.look.camera != Camera::tip;
   const double aspect =
       whole ? beside(job.look) * plate.length / (above(job.look) * seen_height(job.look, plate)) : 1.6;
-  double chart = job.look.chart ? std::max(0.24 * h, 10.5 * text) : 0;
+  double chart = job.look.chart ? std::max(0.24 * h, 8.5 * text) : 0;
   const double top = layout.title.y0 - 0.3 * text;
   const double inner = w - 2 * margin;
   const int columns = columns_for(panes, inner, top - bar - chart, text, aspect);

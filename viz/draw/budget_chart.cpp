@@ -61,9 +61,11 @@ BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, dou
   vtkNew<vtkFloatArray> time;
   time->SetName("t");
   table_->AddColumn(time);
-  style(*chart_->GetAxis(vtkAxis::BOTTOM), text_px, "time since the crack's start [µs]", 0,
+  style(*chart_->GetAxis(vtkAxis::BOTTOM), text_px,
+        box.width() > 24 * text_px ? "time since the crack's start [µs]" : "time [µs]", 0,
         lasts_s / microsecond);
-  style(*chart_->GetAxis(vtkAxis::LEFT), text_px, "energy [J]", 0, 1.05 * most_j);
+  style(*chart_->GetAxis(vtkAxis::LEFT), text_px, box.height() > 9 * text_px ? "energy [J]" : "[J]", 0,
+        1.05 * most_j);
   for (std::size_t k = 0; k < entries_; ++k) {
     vtkNew<vtkFloatArray> column;
     column->SetName(entries[k].name);

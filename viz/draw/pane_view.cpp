@@ -35,6 +35,8 @@ std::array<float, 3> magnification_of(const Look& look) {
   return look.camera == Camera::side ? std::array{1.0F, 1.0F, m} : std::array{m, m, m};
 }
 
+constexpr const char* widest_caption = "t = 0000.0 µs   tip 000.0 mm   0000 m/s = 0.00 c_r   (end)";
+
 void place(vtkRenderer& renderer, const Box& box, const Job& job) {
   renderer.SetViewport(box.x0 / job.width, box.y0 / job.height, box.x1 / job.width, box.y1 / job.height);
   renderer.SetBackground(1, 1, 1);
@@ -64,8 +66,9 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
   fit(*title_, overlay, place_.title.width());
   const bool below = place_.moment.x0 == place_.title.x0;
   moment_ = text_at(below ? place_.moment.x0 : place_.moment.x1, place_.moment.y0 + 0.2 * text, text,
-                    below ? Align::left : Align::right, "");
+                    below ? Align::left : Align::right, widest_caption);
   overlay.AddActor2D(moment_);
+  fit(*moment_, overlay, place_.moment.width());
   if (look_.boundaries) {
     const auto corner = [&](double x, double y) {
       return to_pixels(look_, shown, place_.picture, plate, {x, y});
