@@ -1,3 +1,4 @@
+#include "tests/studio/commands/tiny_plate.hpp"
 #include "tests/studio/run_rift.hpp"
 #include "tests/viz/scripts.hpp"
 #include "viz/png.hpp"
@@ -105,6 +106,55 @@ TEST(Render, IntoAFolderThatIsNotThereFailsWithAReason) {
   const Ran ran = render_in(folder, "run --size 320x180 --at 0 --picture nowhere/a.png");
   EXPECT_EQ(ran.exit_code, 1);
   EXPECT_TRUE(contains(ran.err, "nowhere/a.png"));
+}
+
+/// `rift run` of a tiny plate.
+Ran run_tiny(const TinyPlate& tiny, const std::string& arguments, const std::string& environment = "") {
+  return run_shell("env -u DISPLAY " + tiny.environment() + " " + environment + " '" RIFT_EXE "' run '" +
+                   tiny.preset().string() + "' --out '" + tiny.out().string() + "' --size 320x180 " +
+                   arguments);
+}
+
+TEST(RunWithRender, LeavesAFilmAndTheSameRun) {
+  const TinyPlate tiny;
+  const Ran ran = run_tiny(tiny, "--render");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.out, (tiny.out() / "film_uy.mp4").string()));
+  EXPECT_GT(fs::file_size(tiny.out() / "film_uy.mp4"), 1000U);
+  const std::string books = read_text(tiny.out() / "series.csv");
+  EXPECT_EQ(run_tiny(tiny, "--force").exit_code, 0);
+  EXPECT_EQ(read_text(tiny.out() / "series.csv"), books);
+}
+
+TEST(RunWithRender, AFieldWhoseRangeIsNotKnownIsDrawnAfterTheRun) {
+  const TinyPlate tiny;
+  const Ran ran = run_tiny(tiny, "--render --field v --set 'output.fields=[\"velocity\"]'");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_GT(fs::file_size(tiny.out() / "film_v.mp4"), 1000U);
+}
+
+TEST(RunWithRender, TellsMistakesBeforeAnythingIsComputed) {
+  const TinyPlate tiny;
+  const auto complaint = [&](const std::string& arguments) {
+    const Ran ran = run_tiny(tiny, arguments);
+    EXPECT_EQ(ran.exit_code, 2) << arguments;
+    EXPECT_FALSE(fs::exists(tiny.out())) << arguments;
+    return ran.err;
+  };
+  EXPECT_EQ(complaint("--render --field v"),
+            "rift run: --render: output.fields has no \"velocity\", which the field v needs\n");
+  EXPECT_EQ(complaint("--render --set output.frames=0"),
+            "rift run: --render: output.frames = 0 makes no film\n");
+  EXPECT_EQ(complaint("--film a.avi"), "rift run: --film a.avi: must end in .mp4, .webm or .gif\n");
+}
+
+TEST(RunWithRender, AFilmThatFailsNeverTouchesTheRun) {
+  const TinyPlate tiny;
+  const Ran ran = run_tiny(tiny, "--render", "PATH=/nowhere");
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_EQ(ran.err, "rift run: no film: cannot start ffmpeg: No such file or directory\n");
+  EXPECT_TRUE(fs::exists(tiny.out() / "summary.json"));
+  EXPECT_FALSE(fs::exists(tiny.out() / "film_uy.mp4"));
 }
 
 }  // namespace
