@@ -1,6 +1,7 @@
 #include "engine/simulation/march.hpp"
 
 #include "engine/ensemble/ensemble.hpp"
+#include "engine/simulation/frame.hpp"
 
 #include <fmt/format.h>
 
@@ -23,10 +24,6 @@ constexpr std::int64_t between_refills = 64;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::array<float, 3> narrow(const Vector6& v) {
-  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
 /// A lane and the scenario in it.
@@ -160,8 +157,14 @@ class Run {
     }
     if (seat.next_frame < schedule.frames.size() && n == schedule.frames[seat.next_frame]) {
       ++seat.next_frame;
-      if (observer_.frame) observer_.frame(frame_of(seat));
+      if (observer_.frame) tell_frame(seat);
     }
+  }
+
+  void tell_frame(const Seat& seat) {
+    results::Frame frame = frame_of(ensemble_, index(seat), scene().output.fields, plan(seat).units);
+    frame.lane = seat.scenario;
+    observer_.frame(frame);
   }
 
   void read_books(Seat& seat) {
@@ -203,50 +206,6 @@ class Run {
                                              ? std::array{0.5 * box.length - tip, 0.5 * box.length + tip}
                                              : std::array{tip - 2.0 * box.height, tip};
     return wake_of(prepared_.lattice, behind, velocity, moved);
-  }
-
-  results::Frame frame_of(const Seat& seat) {
-    const int lane = index(seat), n = static_cast<int>(prepared_.lattice.centre.size());
-    results::Frame frame;
-    frame.step = steps(seat);
-    const double time_unit = plan(seat).units.time;
-    frame.time_s = ensemble_.time(lane) * time_unit;
-    frame.lane = seat.scenario;
-    frame.tip_m =
-        ensemble_.cracking() ? ensemble_.tip(lane) : plan(seat).scenario.history.stretch.front().position;
-    for (const std::string& field : scene().output.fields) {
-      if (field == "displacement")
-        for (int i = 0; i < n; ++i) frame.displacement.push_back(narrow(ensemble_.motion(i, lane)));
-      if (field == "velocity")
-        for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(ensemble_.velocity(i, lane) / time_unit));
-      if (field == "damage") frame.damage_factor = damage_by_beam(lane);
-      if (field == "energy") frame.elastic_energy = elastic_by_element(lane, plan(seat).units.energy);
-    }
-    return frame;
-  }
-
-  /// Each beam's elastic energy, half to each of its elements.
-  std::vector<float> elastic_by_element(int lane, double energy_unit) const {
-    std::vector<double> factor(prepared_.lattice.ends.size(), 1.0);
-    for (int k = 0; k < static_cast<int>(ensemble_.met().size()); ++k)
-      factor[ensemble_.met()[k].beam] = ensemble_.factor(k, lane);
-    std::vector<double> energy(prepared_.lattice.centre.size(), 0.0);
-    for (int b = 0; b < static_cast<int>(factor.size()); ++b) {
-      if (factor[b] == 0.0) continue;
-      const double half = 0.5 * factor[b] * ensemble_.beam_energy(b, lane) * energy_unit;
-      for (const int i : prepared_.lattice.ends[b]) energy[i] += half;
-    }
-    return {energy.begin(), energy.end()};
-  }
-
-  std::vector<float> damage_by_beam(int lane) const {
-    std::vector<std::pair<int, float>> by_beam;
-    for (int k = 0; k < static_cast<int>(ensemble_.met().size()); ++k)
-      by_beam.emplace_back(ensemble_.met()[k].beam, static_cast<float>(ensemble_.factor(k, lane)));
-    std::sort(by_beam.begin(), by_beam.end());
-    std::vector<float> damage;
-    for (const auto& [beam, factor] : by_beam) damage.push_back(factor);
-    return damage;
   }
 
   void report_released() {
