@@ -236,12 +236,12 @@ void write_scene(Group& root, const JournalScan& scan) {
 
 }  // namespace
 
-void assemble_archive(const std::filesystem::path& run_folder) {
+void assemble_archive(const std::filesystem::path& run_folder, const std::filesystem::path& target) {
   const auto journal = run_folder / journal_name;
   const auto scan = scan_journal(journal);
   if (!scan.geometry) throw WorldError("assemble an archive from", journal, "it holds no geometry");
 
-  PendingFile pending(run_folder / archive_name);
+  PendingFile pending(target.empty() ? run_folder / archive_name : target);
   hdf5::File file(pending.temporary());
   {
     auto root = file.root();

@@ -15,6 +15,7 @@ inline constexpr const char* summary_name = "summary.json";
 /// /scene lie beside it (docs/results-format.md). Without frames the file is static: the geometry alone.
 /// Reads the journal twice; memory O(geometry + samples + the frames of one moment).
 /// Throws WorldError where the journal is missing or holds no geometry, or a file cannot be read or written.
-void assemble_archive(const std::filesystem::path& run_folder);
+/// @param target  the file; in the run's folder under its name where it is not given
+void assemble_archive(const std::filesystem::path& run_folder, const std::filesystem::path& target = {});
 
 }  // namespace rift::results

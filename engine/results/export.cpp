@@ -4,6 +4,7 @@
 #include "engine/results/columns.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/results/series.hpp"
 #include "engine/results/vtp.hpp"
 #include "engine/results/world_error.hpp"
@@ -101,6 +102,15 @@ fs::path export_pvd(const fs::path& run_folder) {
       "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n" +
           entries + "  </Collection>\n</VTKFile>\n");
   return collection;
+}
+
+fs::path export_vtkhdf(const fs::path& run_folder) {
+  const RunState state = inspect_run(run_folder);
+  if (state.condition == RunCondition::finished && state.has_archive) return run_folder / archive_name;
+  if (state.condition == RunCondition::not_a_run) throw WorldError("export", run_folder, state.reason);
+  const fs::path target = make_folder(run_folder / "paraview") / archive_name;
+  assemble_archive(run_folder, target);
+  return target;
 }
 
 }  // namespace rift::results

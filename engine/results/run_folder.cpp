@@ -20,16 +20,29 @@ bool has_affixes(std::string_view name, std::string_view prefix, std::string_vie
   return name.size() >= prefix.size() + suffix.size() && name.starts_with(prefix) && name.ends_with(suffix);
 }
 
+/// Films and pictures as `rift render` names them where nobody says otherwise.
+bool is_picture(std::string_view name) {
+  for (const char* film : {".mp4", ".webm", ".gif"})
+    if (has_affixes(name, "film_", film)) return true;
+  return has_affixes(name, "poster_", ".png") || (name.ends_with(".png") && name.find("_at_") != name.npos);
+}
+
 bool is_run_file(std::string_view name) {
   if (name.ends_with(".part")) name.remove_suffix(5);  // left by a kill
   return name == journal_name || name == archive_name || name == series_name || name == summary_name ||
-         has_affixes(name, "checkpoint", ".h5");
+         has_affixes(name, "checkpoint", ".h5") || is_picture(name);
+}
+
+bool is_export_folder(std::string_view name) {
+  return name == "csv" || name == "pvd" || name == "paraview" || name == "ovito";
 }
 
 bool is_export(std::string_view folder, std::string_view name) {
   if (name.ends_with(".part")) name.remove_suffix(5);
   if (folder == "csv")
     return name == "series.csv" || name == "events.csv" || name == "rate.csv" || name == "crack.csv";
+  if (folder == "paraview") return name == archive_name;
+  if (folder == "ovito") return name.ends_with(".dump");
   return folder == "pvd" && (name == "run.pvd" || has_affixes(name, "frame_", ".vtp"));
 }
 
@@ -54,7 +67,7 @@ void remove_run(const fs::path& folder) {
   for (const auto& path : entries(folder)) {
     const auto name = path.filename().string();
     if (is_run_file(name) && !fs::is_directory(path)) remove_file(path);
-    if ((name == "csv" || name == "pvd") && fs::is_directory(path) && !fs::is_symlink(path)) {
+    if (is_export_folder(name) && fs::is_directory(path) && !fs::is_symlink(path)) {
       for (const auto& file : entries(path))
         if (is_export(name, file.filename().string()) && !fs::is_directory(file)) remove_file(file);
       if (entries(path).empty()) remove_file(path);

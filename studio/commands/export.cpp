@@ -1,11 +1,14 @@
 #include "engine/results/export.hpp"
 
+#include "engine/results/export_ovito.hpp"
 #include "studio/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
+#include <string>
 
 namespace rift::studio {
 namespace {
@@ -14,13 +17,12 @@ struct ExportOptions {
   std::string run, to;
 };
 
-void export_run(const ExportOptions& options) {
-  if (options.to == "csv") {
-    fmt::print("{}\n", results::export_csv(options.run).string());
-  } else {
-    fmt::print("{}\n", results::export_pvd(options.run).string());
-  }
-}
+using Export = std::filesystem::path (*)(const std::filesystem::path& run_folder);
+
+const std::map<std::string, Export> exports{{"csv", results::export_csv},
+                                            {"ovito", results::export_ovito},
+                                            {"paraview", results::export_vtkhdf},
+                                            {"pvd", results::export_pvd}};
 
 }  // namespace
 
@@ -28,11 +30,15 @@ void add_export(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand("export", "A run in other programs' formats");
   const auto options = std::make_shared<ExportOptions>();
   command.add_option("run", options->run, "Folder of the run")->required();
-  command.add_option("--to", options->to, "csv: tables; pvd: a series of .vtp files for any ParaView")
+  command
+      .add_option("--to", options->to,
+                  "csv: tables; paraview: run.vtkhdf, for ParaView 5.12 or later; pvd: a series of .vtp "
+                  "files for any "
+                  "ParaView; ovito: LAMMPS dumps of elements and beams")
       ->required()
-      ->check(CLI::IsMember({"csv", "pvd"}));
+      ->check(CLI::IsMember({"csv", "paraview", "pvd", "ovito"}));
   command.callback([options, &exit_code] {
-    export_run(*options);
+    fmt::print("{}\n", exports.at(options->to)(options->run).string());
     exit_code = ExitCode::done;
   });
 }

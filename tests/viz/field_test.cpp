@@ -40,6 +40,7 @@ TEST(Field, KineticDensityAddsUpToTheEnergyOfTheElements) {
   const double sphere = 4.0 / 3.0 * std::numbers::pi * std::pow(5e-4, 3);
   const double share = sphere / 0.6, mass = 1000 * sphere;
   EXPECT_NEAR(values("kinetic")[0] * share, 0.5 * mass * 100, 1e-6 * mass * 100);
+  EXPECT_NEAR(values("kinetic")[1] * share, 0.5 * mass * 25, 1e-6 * mass * 25);
 }
 
 TEST(Field, ElasticDensityIsTheEnergyOverTheElementsShareOfThePlate) {

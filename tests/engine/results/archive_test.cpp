@@ -204,6 +204,8 @@ TEST(Archive, StepsLeadToEachMomentsRows) {
   ASSERT_EQ(displacement.shape, (Shape{12, 3}));
   EXPECT_EQ(displacement.type_size, 4U);
   EXPECT_EQ(displacement.values[3 * 8 + 1], 200.25) << "step 2, element 0, y";
+  EXPECT_EQ(archive.values(steps + "PointDataOffsets/elastic_energy"), (Numbers{0, 4, 8}));
+  EXPECT_EQ(archive.dataset("/VTKHDF/PointData/elastic_energy").values[9], 0.5) << "step 2, element 1";
   const auto factor = archive.dataset("/VTKHDF/CellData/damage_factor");
   EXPECT_EQ(factor.shape, Shape{21});
   EXPECT_EQ(Numbers(factor.values.begin(), factor.values.begin() + 14),

@@ -110,10 +110,25 @@ TEST(ExportPvd, AFrameReadsBackWhole) {
   EXPECT_EQ(displacement[10], 103.25F) << "element 3, y";
   EXPECT_EQ(vtp.arrays["PointData/displacement"].components, 3);
   EXPECT_EQ(vtp.arrays["PointData/velocity"].as<float>()[0], -100.0F);
+  EXPECT_EQ(vtp.arrays["PointData/elastic_energy"].as<float>(), small_run::frame(1, 0).elastic_energy);
   EXPECT_EQ(vtp.arrays["CellData/damage_factor"].as<float>(), (std::vector<float>{1, 1, 1, 1, 1, 0.25F, 0}));
   EXPECT_EQ(vtp.arrays["CellData/broken"].type, "UInt8");
   EXPECT_EQ(vtp.arrays["CellData/broken"].as<std::uint8_t>(),
             (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1}));
+}
+
+TEST(ExportVtkhdf, IsTheRunsOwnOrMadeOfWhatIsWhole) {
+  const small_run::Scratch scratch;
+  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0)});
+  EXPECT_EQ(export_vtkhdf(scratch.path()), scratch / "paraview/run.vtkhdf");
+  EXPECT_GT(fs::file_size(scratch / "paraview/run.vtkhdf"), 1000U);
+  EXPECT_FALSE(fs::exists(scratch / "run.vtkhdf")) << "that is of a run that has ended";
+  const small_run::Scratch finished;
+  write_journal(finished.path(),
+                {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0), RunEnd{"{}"}});
+  small_run::put_bytes(finished / "run.vtkhdf", "its own");
+  EXPECT_EQ(export_vtkhdf(finished.path()), finished / "run.vtkhdf");
+  EXPECT_EQ(bytes_of(finished / "run.vtkhdf"), "its own");
 }
 
 TEST(ExportPvd, TheCollectionNamesEachMomentAndItsTime) {

@@ -42,6 +42,17 @@ TEST(ExportCommand, MakesASeriesOfPicturesData) {
   EXPECT_FALSE(fs::exists(plate.out() / "pvd" / "frame_000004.vtp"));
 }
 
+TEST(ExportCommand, NamesTheFileForParaviewAndTheFolderForOvito) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run().exit_code, 0);
+  EXPECT_EQ(run_rift("export '" + plate.out().string() + "' --to paraview").out,
+            (plate.out() / "run.vtkhdf").string() + "\n");
+  EXPECT_EQ(run_rift("export '" + plate.out().string() + "' --to ovito").out,
+            (plate.out() / "ovito").string() + "\n");
+  EXPECT_GT(fs::file_size(plate.out() / "ovito" / "run.dump"), 100000U);
+  EXPECT_GT(fs::file_size(plate.out() / "ovito" / "beams.dump"), 100000U);
+}
+
 TEST(ExportCommand, OfAnExportedRunIsReplacedWithForce) {
   const TinyPlate plate;
   ASSERT_EQ(plate.run().exit_code, 0);
@@ -52,7 +63,7 @@ TEST(ExportCommand, OfAnExportedRunIsReplacedWithForce) {
 
 TEST(ExportCommand, OfNoRunFailsAndMakesNothing) {
   const TemporaryFolder folder;
-  for (const std::string to : {"csv", "pvd"}) {
+  for (const std::string to : {"csv", "ovito", "paraview", "pvd"}) {
     const Ran ran = run_rift("export '" + folder.path().string() + "' --to " + to);
     EXPECT_EQ(ran.exit_code, 1);
     EXPECT_TRUE(contains(ran.err, folder.path().string()));
@@ -63,7 +74,7 @@ TEST(ExportCommand, OfNoRunFailsAndMakesNothing) {
 TEST(ExportCommand, KnowsItsFormats) {
   const Ran ran = run_rift("export somewhere --to png");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_TRUE(contains(ran.err, "rift export: --to: png not in {csv,pvd}\n"));
+  EXPECT_TRUE(contains(ran.err, "rift export: --to: png not in {csv,paraview,pvd,ovito}\n"));
   EXPECT_EQ(run_rift("export somewhere").exit_code, 2);
 }
 

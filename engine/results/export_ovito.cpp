@@ -1,0 +1,135 @@
+#include "engine/results/export_ovito.hpp"
+
+#include "engine/results/archive.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/journal_index.hpp"
+#include "engine/results/journal_scan.hpp"
+#include "engine/results/world_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace rift::results {
+namespace {
+
+namespace fs = std::filesystem;
+using Vector = std::array<float, 3>;
+
+/// A text that is written piece by piece and appears when it is complete.
+class Text {
+ public:
+  explicit Text(const fs::path& path)
+      : file_(path), stream_(file_.temporary(), std::ios::trunc), path_(path) {
+    check();
+  }
+  void add(std::string_view piece) {
+    stream_ << piece;
+    check();
+  }
+  void commit() {
+    stream_.close();
+    check();
+    file_.commit();
+  }
+
+ private:
+  void check() const {
+    if (!stream_) throw WorldError("write", path_, std::generic_category().message(errno));
+  }
+  PendingFile file_;
+  std::ofstream stream_;
+  fs::path path_;
+};
+
+Vector deformed(const Geometry& geometry, const Frame& frame, std::size_t i) {
+  Vector p = geometry.position[i];
+  for (int axis = 0; axis < 3 && !frame.displacement.empty(); ++axis) p[axis] += frame.displacement[i][axis];
+  return p;
+}
+
+/// Free boundaries that hold all elements as deformed.
+std::string box_of(const Geometry& geometry, const Frame& frame) {
+  Vector low{1e30F, 1e30F, 1e30F}, high{-1e30F, -1e30F, -1e30F};
+  for (std::size_t i = 0; i < geometry.position.size(); ++i) {
+    const Vector p = deformed(geometry, frame, i);
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p[axis] - geometry.radius[i]);
+      high[axis] = std::max(high[axis], p[axis] + geometry.radius[i]);
+    }
+  }
+  std::string text = "ITEM: BOX BOUNDS ff ff ff\n";
+  for (int axis = 0; axis < 3; ++axis) text += fmt::format("{} {}\n", low[axis], high[axis]);
+  return text;
+}
+
+std::string head_of(const Frame& frame, const char* counted, std::size_t count) {
+  return fmt::format("ITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\n", frame.step, counted, count);
+}
+
+std::string numbers(const Vector& v) { return fmt::format(" {} {} {}", v[0], v[1], v[2]); }
+
+std::string atoms_of(const Geometry& geometry, const Frame& frame) {
+  std::string text = head_of(frame, "ATOMS", geometry.position.size()) + box_of(geometry, frame);
+  text += "ITEM: ATOMS id type radius x y z";
+  if (!frame.displacement.empty()) text += " ux uy uz";
+  if (!frame.velocity.empty()) text += " vx vy vz";
+  if (!frame.elastic_energy.empty()) text += " elastic_energy";
+  text += "\n";
+  for (std::size_t i = 0; i < geometry.position.size(); ++i) {
+    text += fmt::format("{} 1 {}", i + 1, geometry.radius[i]) + numbers(deformed(geometry, frame, i));
+    if (!frame.displacement.empty()) text += numbers(frame.displacement[i]);
+    if (!frame.velocity.empty()) text += numbers(frame.velocity[i]);
+    if (!frame.elastic_energy.empty()) text += fmt::format(" {}", frame.elastic_energy[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string beams_of(const Geometry& geometry, const Frame& frame) {
+  std::vector<float> factor(geometry.beam.size(), 1.0F);
+  for (std::size_t k = 0; k < geometry.crossing.size(); ++k)
+    factor[geometry.crossing[k]] = frame.damage_factor[k];
+  const auto bearing = std::count_if(factor.begin(), factor.end(), [](float f) { return f > 0; });
+  std::string text = head_of(frame, "ENTRIES", static_cast<std::size_t>(bearing)) + box_of(geometry, frame);
+  text += "ITEM: ENTRIES index atom1 atom2 factor\n";
+  for (std::size_t b = 0; b < factor.size(); ++b)
+    if (factor[b] > 0)
+      text +=
+          fmt::format("{} {} {} {}\n", b + 1, geometry.beam[b][0] + 1, geometry.beam[b][1] + 1, factor[b]);
+  return text;
+}
+
+void export_lane(const JournalIndex& journal, std::int32_t lane, const fs::path& folder) {
+  const auto name = [&](const char* stem) {
+    return folder / (lane_name(stem, lane, journal.lanes()) + ".dump");
+  };
+  const auto& entries = journal.frames(lane);
+  Text atoms(name("run"));
+  if (entries.empty()) atoms.add(atoms_of(journal.geometry(), {}));
+  for (const FrameEntry& entry : entries) atoms.add(atoms_of(journal.geometry(), journal.frame(entry)));
+  atoms.commit();
+  if (entries.empty() || journal.frame(entries.front()).damage_factor.empty()) return;
+  Text beams(name("beams"));
+  for (const FrameEntry& entry : entries) beams.add(beams_of(journal.geometry(), journal.frame(entry)));
+  beams.commit();
+}
+
+}  // namespace
+
+fs::path export_ovito(const fs::path& run_folder) {
+  const JournalIndex journal(run_folder / journal_name);
+  const fs::path folder = run_folder / "ovito";
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw WorldError("create the folder", folder, error.message());
+  for (std::int32_t lane = 0; lane < journal.lanes(); ++lane) export_lane(journal, lane, folder);
+  return folder;
+}
+
+}  // namespace rift::results
