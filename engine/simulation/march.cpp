@@ -44,12 +44,12 @@ class Run {
     for (int lane = 0; lane < ensemble_.scenarios(); ++lane) seat_[lane].scenario = next_scenario_++;
     for (const LanePlan& lane : prepared.lane) total_ += lane.schedule.total();
     result_.lanes = ensemble_.scenarios();
-    result_.threads = ensemble_.threads();
     result_.instructions = name_of(instruction_set());
   }
 
   RunResult march() {
     ensemble_.start_from(prepared_.displacement);
+    result_.threads = ensemble_.threads();
     if (ramp() > 0) pull();
     crack_started_ = Clock::now();
     ensemble_.set_beta(scene().solver.beta);

@@ -21,7 +21,7 @@ constexpr auto between_looks = std::chrono::milliseconds(200);
 }  // namespace
 
 struct FilmOfRun::Maker {
-  bool asked = false;
+  bool asked = false, core_free = true;
   std::string film;
   FilmOptions options;
   std::atomic<bool> run_ended = false, given_up = false, made = false;
@@ -47,6 +47,7 @@ struct FilmOfRun::Maker {
   /// One lane whose colours are known beforehand is drawn while the run goes on; anything else when it has
   /// ended.
   void make() {
+    if (!core_free) wait_for_the_run();
     viz::Plan plan = first_plan();
     const fs::path path = film.empty()
                               ? plan.job.panes.front().run / fmt::format("film_{}.mp4", plan.job.look.field)
@@ -128,8 +129,9 @@ std::string FilmOfRun::trouble_with(const Preset& preset) {
   return "";
 }
 
-void FilmOfRun::begin(const fs::path& run) {
+void FilmOfRun::begin(const fs::path& run, bool core_free) {
   if (!maker_->wanted()) return;
+  maker_->core_free = core_free;
   maker_->options.wish.runs = {run};
   maker_->thread = std::jthread([maker = maker_.get()] { maker->run(); });
 }

@@ -14,7 +14,7 @@ FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
 }
 
 FilmOfRun::~FilmOfRun() = default;
-void FilmOfRun::begin(const std::filesystem::path&) {}
+void FilmOfRun::begin(const std::filesystem::path&, bool) {}
 FilmOfRun::Result FilmOfRun::finish(ProgressLine&, const std::function<bool()>&) { return {}; }
 
 std::string FilmOfRun::trouble_with(const Preset&) {

@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <thread>
 
 namespace rift::studio {
 namespace fs = std::filesystem;
@@ -136,7 +137,8 @@ ExitCode run(const RunOptions& options) {
   if (!prepared) return static_cast<ExitCode>(128 + stop.received());
 
   const fs::path path = folder.keep();
-  options.film->begin(path);
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  options.film->begin(path, options.scene.threads > 0 && options.scene.threads < cores);
   const double preparation = std::chrono::duration<double>(Clock::now() - start).count();
   const Recorded ran =
       record_run(*prepared, path, build_info(), telling(line, stop, prepared->lattice.centre.size()),

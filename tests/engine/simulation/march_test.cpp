@@ -52,6 +52,11 @@ TEST(March, ReadsTheBooksAtEverySampleOfItsSchedule) {
   EXPECT_TRUE(rates_of(p, result).plateau.reached);
 }
 
+TEST(March, TellsHowManyThreadsItTook) {
+  const Prepared p = small_plate();
+  for (const int threads : {1, 2}) EXPECT_EQ(march(p, {}, {.threads = threads}).threads, threads);
+}
+
 TEST(March, WritesFramesOfTheFieldsAskedFor) {
   const Prepared p = small_plate({"output.fields=[\"displacement\", \"velocity\", \"damage\"]"});
   Heard heard;
