@@ -59,7 +59,7 @@ void draw_picture(const RenderOptions& options, const viz::Plan& plan, double ti
   fmt::print("{}\n", path.string());
 }
 
-/// Where ffmpeg fails, the frames are kept as pictures.
+/// Where ffmpeg fails, the frames are drawn as pictures instead.
 ExitCode draw_film(const RenderOptions& options, const viz::Plan& plan, const std::vector<double>& times,
                    const fs::path& path, ProgressLine& line, const StopSignal& stop) {
   if (!viz::is_film_name(path))
@@ -76,7 +76,7 @@ ExitCode draw_film(const RenderOptions& options, const viz::Plan& plan, const st
     fs::path folder = path;
     folder.replace_extension();
     folder += "_frames";
-    fmt::print(stderr, "rift render: {}; the frames are kept as pictures\n", failure.what());
+    fmt::print(stderr, "rift render: {}; the frames are drawn as pictures instead\n", failure.what());
     refuse_to_overwrite(folder, options.force);
     viz::make_pictures(plan.job, times, folder, making_of(options, line, stop, folder.filename().string()));
     line.clear();

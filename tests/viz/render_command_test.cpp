@@ -88,14 +88,15 @@ TEST(Render, KeepsTheFramesWhereFfmpegIsMissingOrDies) {
   const Ran missing = render_in(folder, "run --size 320x180 --film a.mp4", only_ours);
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_EQ(missing.err,
-            "rift render: cannot start ffmpeg: No such file or directory; the frames are kept as pictures\n");
+            "rift render: cannot start ffmpeg: No such file or directory; the frames are drawn as pictures "
+            "instead\n");
   EXPECT_EQ(missing.out, "a_frames\n");
   EXPECT_TRUE(fs::exists(folder / "a_frames" / "frame_000005.png"));
   viz::write_script(programs / "ffmpeg", "/bin/head -c 400000 >/dev/null; kill -9 $$");
   const Ran killed = render_in(folder, "run --size 320x180 --film b.mp4", only_ours);
   EXPECT_EQ(killed.exit_code, 1);
-  EXPECT_TRUE(
-      contains(killed.err, "ffmpeg was killed by signal 9 (Killed); the frames are kept as pictures"));
+  EXPECT_TRUE(contains(killed.err,
+                       "ffmpeg was killed by signal 9 (Killed); the frames are drawn as pictures instead"));
   EXPECT_TRUE(fs::exists(folder / "b_frames" / "frame_000005.png"));
   EXPECT_FALSE(fs::exists(folder / "b.mp4") || fs::exists(folder / "b.mp4.part"));
 }
