@@ -47,8 +47,7 @@ struct Field {
                                                                const nlohmann::ordered_json& header);
 
 /// The range of these values [SI] without the outermost hundredth, rounded up: symmetric about zero for a diverging
-/// scale,
-/// from zero for a sequential one. @param values  of one or several frames; reordered
+/// scale, from zero for a sequential one. @param values  of one or several frames; reordered
 [[nodiscard]] std::array<double, 2> range_of(const Field& field, std::vector<float>& values);
 
 }  // namespace rift::viz
