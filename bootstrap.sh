@@ -20,6 +20,7 @@ packages=(
   'libxxhash-dev|checksums'
   'libgtest-dev|tests'
   'gnuplot-nox|charts of reports'
+  'libncurses-dev|panels in the terminal'
 )
 viz_packages=(  # --no-viz leaves them out
   'libvtk9-dev|pictures and films'
@@ -81,6 +82,7 @@ for argument in "$@"; do
 done
 [ -n "$what" ] || usage
 [ $viz = OFF ] || packages+=("${viz_packages[@]}")
+[ "$what" = demo ] || packages+=('tmux|tests of the panels')
 
 install_missing
 if [ "$what" = demo ]; then

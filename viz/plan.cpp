@@ -1,8 +1,8 @@
 #include "viz/plan.hpp"
 
 #include "engine/results/archive.hpp"
+#include "engine/results/lane_title.hpp"
 #include "viz/colour_map.hpp"
-#include "viz/pane_title.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -168,7 +168,7 @@ std::vector<Pane> panes_of(const std::vector<Shown>& shown) {
     const Header all = pane.header.value("scenarios", Header::array());
     scenarios.push_back(pane.lane < static_cast<int>(all.size()) ? all[pane.lane] : Header::object());
   }
-  const std::vector<std::string> titles = pane_titles(scenarios);
+  const std::vector<std::string> titles = results::lane_titles(scenarios);
   std::vector<Pane> panes;
   for (std::size_t k = 0; k < shown.size(); ++k) panes.push_back({shown[k].run, shown[k].lane, titles[k]});
   return panes;

@@ -9,7 +9,8 @@
 namespace rift::viz {
 namespace {
 
-constexpr int no_opengl = 3;  // viz/draw/main.cpp
+constexpr int no_opengl = 3;     // viz/draw/main.cpp
+constexpr int no_library = 127;  // of the loader, where a library is gone: OSMesa's, on a newer system
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -45,7 +46,7 @@ Image Renderer::next() {
     return image;
   }
   const Child::End end = child_->wait();
-  if (end.code != no_opengl || !may_turn_to_egl_)
+  if ((end.code != no_opengl && end.code != no_library) || !may_turn_to_egl_)
     throw results::WorldError("draw with", program_, "it " + end.text);
   may_turn_to_egl_ = false;
   start("egl");

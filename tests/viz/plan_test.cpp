@@ -1,7 +1,7 @@
 #include "viz/plan.hpp"
 
+#include "engine/results/lane_title.hpp"
 #include "tests/viz/drawn_plate.hpp"
-#include "viz/pane_title.hpp"
 
 namespace rift::viz {
 namespace {
@@ -126,7 +126,7 @@ TEST(Plan, ChoosesStoredMomentsEvenlyAndNeverMakesOneUp) {
   EXPECT_THROW((void)evenly_chosen(times, 6), BadWish);
 }
 
-TEST(PaneTitle, SaysTechniqueAndVelocityAndWhatTellsThemApart) {
+TEST(LaneTitle, SaysTechniqueAndVelocityAndWhatTellsThemApart) {
   const Json simple{{"technique", "simple"},
                     {"crack_velocity_over_cr", 0.1},
                     {"damage_zone_ratio", nullptr},
@@ -138,11 +138,12 @@ TEST(PaneTitle, SaysTechniqueAndVelocityAndWhatTellsThemApart) {
   damped["damping_alpha"] = 0.0002;
   damped["damping_region"] = "all";
   using Titles = std::vector<std::string>;
-  EXPECT_EQ(pane_titles({simple}), (Titles{"simple release, 0.1 c_r"}));
-  EXPECT_EQ(pane_titles({simple, progressive}),
+  EXPECT_EQ(results::lane_titles({simple}), (Titles{"simple release, 0.1 c_r"}));
+  EXPECT_EQ(results::lane_titles({simple, progressive}),
             (Titles{"simple release, 0.1 c_r", "progressive release, 0.1 c_r, r_l = 5"}));
-  EXPECT_EQ(pane_titles({simple, damped}), (Titles{"simple release, 0.1 c_r, undamped",
-                                                   "simple release, 0.1 c_r, alpha = 0.0002 everywhere"}));
+  EXPECT_EQ(
+      results::lane_titles({simple, damped}),
+      (Titles{"simple release, 0.1 c_r, undamped", "simple release, 0.1 c_r, alpha = 0.0002 everywhere"}));
 }
 
 }  // namespace

@@ -52,6 +52,15 @@ TEST(Renderer, TurnsToEglWhereOsmesaIsNotToBeHadAndAsksAgain) {
                                   ": it ended with code 3: no context");
 }
 
+TEST(Renderer, TurnsToEglWhereOsmesasLibraryIsGone) {
+  const Folder folder;
+  write_script(folder / "rift-frames-osmesa", "exit 127");
+  write_script(folder / "rift-frames-egl", drawing('e'));
+  Renderer renderer(small_job(), Gl::any, false, folder.path());
+  renderer.ask(0);
+  EXPECT_EQ(renderer.next().rgb, std::vector<std::uint8_t>(24, 'e'));
+}
+
 TEST(Renderer, ThatCrashesIsAnErrorWithItsLastWords) {
   const Folder folder;
   write_script(folder / "rift-frames-osmesa", "read job; echo 'bad vertex' >&2; kill -SEGV $$");

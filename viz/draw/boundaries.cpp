@@ -1,6 +1,6 @@
 #include "viz/draw/boundaries.hpp"
 
-#include "viz/crack_tip.hpp"
+#include "engine/results/crack_tip.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,7 +34,7 @@ void add_measure(Sheet& sheet, const std::array<double, 2>& a, const std::array<
 /// The crack's path, dashed, and an arrow along its first part.
 void add_path(Sheet& sheet, const Box& plate, const nlohmann::ordered_json& header) {
   const double scale = plate.width() / header.at("length_m").get<double>();
-  const auto path = path_of(header);
+  const auto path = results::path_of(header);
   const auto pixel = [&](const std::array<double, 2>& p) {
     return std::array{plate.x0 + scale * p[0], plate.y0 + scale * p[1]};
   };

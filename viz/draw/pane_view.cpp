@@ -1,6 +1,6 @@
 #include "viz/draw/pane_view.hpp"
 
-#include "viz/crack_tip.hpp"
+#include "engine/results/crack_tip.hpp"
 #include "viz/draw/boundaries.hpp"
 #include "viz/front_layer.hpp"
 
@@ -76,7 +76,7 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
     const auto low = corner(0, 0), high = corner(plate.length, 2 * plate.middle);
     add_boundaries(overlay, {low[0], low[1], high[0], high[1]}, text, reader.header());
   }
-  for (std::size_t k = 0; k < tips_at(reader.header(), 0).size(); ++k) {
+  for (std::size_t k = 0; k < results::tips_at(reader.header(), 0).size(); ++k) {
     dots_.push_back(dot(std::max(8.0, 0.55 * text)));
     overlay.AddActor2D(dots_.back());
   }
@@ -98,7 +98,7 @@ void PaneView::show(const Moment& moment) {
 
 /// The tips where the lattice around them has been carried, as it is drawn.
 std::vector<std::array<double, 2>> PaneView::carried_tips(const Moment& moment) const {
-  auto tips = tips_at(reader_.header(), moment.tip_m);
+  auto tips = results::tips_at(reader_.header(), moment.tip_m);
   if (moment.displacement.empty()) return tips;
   const results::Geometry& geometry = reader_.geometry();
   const auto magnification = magnification_of(look_);

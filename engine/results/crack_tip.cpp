@@ -1,10 +1,10 @@
-#include "viz/crack_tip.hpp"
+#include "engine/results/crack_tip.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 
-namespace rift::viz {
+namespace rift::results {
 namespace {
 
 using Point = std::array<double, 2>;
@@ -39,4 +39,4 @@ std::vector<Point> tips_at(const nlohmann::ordered_json& header, double tip_m) {
   return {point_at(path, 0.5 * length - tip_m), point_at(path, 0.5 * length + tip_m)};
 }
 
-}  // namespace rift::viz
+}  // namespace rift::results

@@ -1,9 +1,9 @@
-#include "viz/crack_tip.hpp"
+#include "engine/results/crack_tip.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace rift::viz {
+namespace rift::results {
 namespace {
 
 using Header = nlohmann::ordered_json;
@@ -27,4 +27,4 @@ TEST(CrackTip, TwoTipsRunFromTheMiddleBothWays) {
 }
 
 }  // namespace
-}  // namespace rift::viz
+}  // namespace rift::results

@@ -1,11 +1,11 @@
-#include "viz/pane_title.hpp"
+#include "engine/results/lane_title.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 
-namespace rift::viz {
+namespace rift::results {
 namespace {
 
 using Scenario = nlohmann::ordered_json;
@@ -55,7 +55,7 @@ bool differs(const std::vector<Scenario>& scenarios, const char* name) {
 
 }  // namespace
 
-std::vector<std::string> pane_titles(const std::vector<Scenario>& scenarios) {
+std::vector<std::string> lane_titles(const std::vector<Scenario>& scenarios) {
   std::vector<std::string> titles;
   for (const Scenario& s : scenarios) {
     std::string& title = titles.emplace_back(technique(s));
@@ -69,4 +69,4 @@ std::vector<std::string> pane_titles(const std::vector<Scenario>& scenarios) {
   return titles;
 }
 
-}  // namespace rift::viz
+}  // namespace rift::results

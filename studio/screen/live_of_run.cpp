@@ -1,0 +1,113 @@
+#include "studio/screen/live_of_run.hpp"
+
+#include "engine/fracture/release_rate.hpp"
+#include "engine/results/archive.hpp"
+#include "engine/results/crack_tip.hpp"
+#include "engine/results/lane_title.hpp"
+#include "engine/scene/preset.hpp"
+#include "engine/theory/references.hpp"
+
+#include <algorithm>
+
+namespace rift::studio {
+namespace {
+
+using Header = nlohmann::ordered_json;
+
+RateScale scale_of(const Header& header) {
+  return {.thickness = header.value("thickness_m", 0.0),
+          .g_i0 = header.value("g_i0_j_m2", 0.0),
+          .length = header.value("length_m", 0.0),
+          .tips = header.value("tips", 1)};
+}
+
+/// Broberg's factor at the lane's velocity, and the strip's.
+void add_references(LiveLane& lane, const Header& scenario, const Scene& scene) {
+  const double v = scenario.value("crack_velocity_over_cr", Header(nullptr)).is_number()
+                       ? scenario["crack_velocity_over_cr"].get<double>()
+                       : 0.0;
+  if (v <= 0 || v > 1) return;
+  lane.broberg = theory::broberg(v, scene.material.poisson_ratio, scene.material.plane).g;
+  lane.strip = theory::strip(v, scene.material.poisson_ratio, scene.material.plane).g;
+}
+
+}  // namespace
+
+LiveOfRun::LiveOfRun(const std::filesystem::path& run)
+    : journal_(run / results::journal_name), header_(Header::parse(journal_.header_json())) {
+  live_.name = run.filename().empty() ? run.parent_path().filename().string() : run.filename().string();
+  live_.geometry = &journal_.geometry();
+  live_.length = header_.value("length_m", 0.0);
+  live_.height = header_.value("height_m", 0.0);
+  live_.pulled = header_.value("displacement_m", 0.0);
+  live_.steps = header_.value("steps", std::int64_t{0});
+  const Header all = header_.value("scenarios", Header::array());
+  const std::vector<Header> scenarios(all.begin(), all.end());
+  const std::vector<std::string> titles = results::lane_titles(scenarios);
+  const Scene scene = read_preset_text(header_.value("preset", std::string{}), "the run's preset").scene;
+  live_.lanes.resize(journal_.lanes());
+  for (std::size_t k = 0; k < std::min(titles.size(), live_.lanes.size()); ++k) {
+    live_.lanes[k].title = titles[k];
+    add_references(live_.lanes[k], scenarios[k], scene);
+  }
+  for (int k = 0; k < journal_.lanes(); ++k) read_lane(k);
+  read_progress();
+}
+
+bool LiveOfRun::look() {
+  const auto size = [&] {
+    std::size_t rows = journal_.summary_json() ? 1 : 0;
+    for (int k = 0; k < journal_.lanes(); ++k) rows += journal_.samples(k).size() + journal_.frames(k).size();
+    return rows;
+  };
+  const std::size_t before = size();
+  if (!journal_.summary_json()) journal_.extend();
+  if (size() == before) return false;
+  for (int k = 0; k < journal_.lanes(); ++k) read_lane(k);
+  read_progress();
+  return true;
+}
+
+void LiveOfRun::read_lane(int k) {
+  LiveLane& lane = live_.lanes[k];
+  lane.books.clear();
+  for (const results::Sample& s : journal_.samples(k))
+    if (s.phase == results::Phase::fracture) lane.books.push_back(s);
+  if (lane.books.size() > 2) lane.rates = rate_curve(lane.books, scale_of(header_));
+  if (journal_.frames(k).empty()) return;
+  const results::FrameEntry& last = journal_.frames(k).back();
+  lane.displacement = journal_.frame(last).displacement;
+  if (header_.contains("path")) lane.tips = results::tips_at(header_, last.tip_m);
+}
+
+void LiveOfRun::read_progress() {
+  std::int64_t step = 0;
+  for (int k = 0; k < journal_.lanes(); ++k)
+    if (!journal_.samples(k).empty()) step = std::max(step, journal_.samples(k).back().step);
+  const auto now = Clock::now();
+  const double seconds = std::chrono::duration<double>(now - looked_).count();
+  if (live_.step > 0 && step > live_.step && seconds > 0) {
+    const double speed = static_cast<double>(step - live_.step) / seconds;
+    live_.steps_per_s = live_.steps_per_s > 0 ? 0.8 * live_.steps_per_s + 0.2 * speed : speed;
+  }
+  looked_ = now;
+  live_.step = step;
+  live_.done = live_.steps > 0 ? static_cast<double>(step) / static_cast<double>(live_.steps) : 0;
+  live_.state = state();
+  const bool going = live_.state == "running" && live_.steps_per_s > 0;
+  if (!going) live_.steps_per_s = 0;
+  live_.seconds_left = going ? static_cast<double>(live_.steps - step) / live_.steps_per_s : -1;
+}
+
+std::string LiveOfRun::state() const {
+  if (journal_.state() == results::JournalState::damaged) return "damaged: " + journal_.reason();
+  if (!journal_.summary_json()) return "running";
+  std::string worst = "finished";
+  const Header summary = Header::parse(*journal_.summary_json(), nullptr, false);
+  if (!summary.is_object() || !summary.contains("scenarios")) return worst;
+  for (const Header& scenario : summary["scenarios"])
+    if (const auto outcome = scenario.value("outcome", worst); outcome != "finished") worst = outcome;
+  return worst;
+}
+
+}  // namespace rift::studio

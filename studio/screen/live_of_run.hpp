@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/results/journal_index.hpp"
+#include "studio/screen/live.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+
+namespace rift::studio {
+
+/// The screen of a run from its journal, read only: of a run that goes on elsewhere, or has ended.
+class LiveOfRun {
+ public:
+  /// Throws WorldError where the folder holds no run that can be read.
+  explicit LiveOfRun(const std::filesystem::path& run);
+
+  /// Reads what has been added since. @return whether there was anything
+  bool look();
+  [[nodiscard]] const Live& live() const { return live_; }
+
+ private:
+  void read_lane(int lane);
+  void read_progress();
+  [[nodiscard]] std::string state() const;
+
+  using Clock = std::chrono::steady_clock;
+  results::JournalIndex journal_;
+  nlohmann::ordered_json header_;
+  Live live_;
+  Clock::time_point looked_ = Clock::now();
+};
+
+}  // namespace rift::studio

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/results/schema.hpp"
+#include "studio/screen/canvas.hpp"
+
+#include <array>
+#include <span>
+
+namespace rift::studio {
+
+/// The plate as its front looks in a terminal: vertical displacement in half blocks of colour, the tip
+/// marked.
+struct PlateLook {
+  double length = 0, height = 0;  // [m]
+  double pulled = 0;              // displacement of the upper grip [m]; the colours run from 0 to it
+  std::span<const std::array<double, 2>> tips;  // [m]
+};
+
+/// Draws the elements where they are, by their mean over what each half of a cell covers; in ASCII by a
+/// letter of their displacement, from '.' to '#'. Halves that hold no element stay empty: the open crack.
+/// @param displacement  N [m]; empty: the plate is drawn unloaded and without colours
+void draw_plate(Canvas& canvas, const Area& area, const results::Geometry& geometry,
+                std::span<const std::array<float, 3>> displacement, const PlateLook& look, Glyphs glyphs);
+
+}  // namespace rift::studio

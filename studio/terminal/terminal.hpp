@@ -1,0 +1,38 @@
+#pragma once
+
+#include "studio/screen/canvas.hpp"
+
+#include <map>
+#include <utility>
+
+namespace rift::studio {
+
+/// The user's terminal, taken over for the life of the object by ncurses and given back as it was.
+class Terminal {
+ public:
+  /// Whether both ends are a terminal that can be drawn on.
+  [[nodiscard]] static bool there();
+
+  /// @param color  false shows everything in one colour
+  explicit Terminal(bool color);
+  ~Terminal();
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  [[nodiscard]] int width() const;
+  [[nodiscard]] int height() const;
+  [[nodiscard]] Glyphs glyphs() const { return glyphs_; }
+  void show(const Canvas& canvas);
+  /// The key that is pressed within so many milliseconds, -1 for none; a change of size is none.
+  [[nodiscard]] int key(int milliseconds);
+
+ private:
+  [[nodiscard]] int pair_of(int foreground, int background);
+  void set_style(const Style& style);
+
+  bool color_;
+  Glyphs glyphs_;
+  std::map<std::pair<int, int>, int> pairs_;  // of foreground and background
+};
+
+}  // namespace rift::studio
