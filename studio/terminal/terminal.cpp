@@ -24,7 +24,7 @@ constexpr std::array<int, 10> inks_8{own,        own,          own,       COLOR_
 
 /// From blue over grey to red.
 constexpr std::array<int, shade_steps> shades_256{19,  26,  32,  68,  74,  110, 152, 252,
-                                                  224, 217, 210, 173, 167, 160, 124};
+                                                  224, 217, 210, 203, 167, 160, 124};
 
 int shade_colour(int step) {
   if (step == no_shade) return own;
