@@ -116,7 +116,9 @@ void export_lane(const JournalIndex& journal, std::int32_t lane, const fs::path&
   atoms.commit();
   if (entries.empty() || journal.frame(entries.front()).damage_factor.empty()) return;
   Text beams(name("beams"));
-  for (const FrameEntry& entry : entries) beams.add(beams_of(journal.geometry(), journal.frame(entry)));
+  for (const FrameEntry& entry : entries)
+    if (const Frame frame = journal.frame(entry); !frame.damage_factor.empty())
+      beams.add(beams_of(journal.geometry(), frame));
   beams.commit();
 }
 

@@ -96,6 +96,17 @@ TEST(ExportOvito, OnlyBeamsThatBearSomethingAreListed) {
   EXPECT_EQ(snapshots[1].rows, (Rows{{1, 1, 2, 1}, {2, 2, 3, 0.25}}));
 }
 
+TEST(ExportOvito, AFrameWithoutDamageHasNoSnapshotOfBeams) {
+  const small_run::Scratch scratch;
+  Frame bare = small_run::frame(1, 0);
+  bare.damage_factor.clear();
+  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), bare,
+                                 small_run::frame(3, 0)});
+  export_ovito(scratch.path());
+  EXPECT_EQ(read_dump(scratch / "ovito/run.dump").size(), 3U);
+  EXPECT_EQ(read_dump(scratch / "ovito/beams.dump").size(), 2U);
+}
+
 TEST(ExportOvito, EachLaneHasFilesOfItsOwn) {
   const small_run::Scratch scratch;
   write_journal(scratch.path(), {RunHeader{R"({"lanes":2})"}, small_run::geometry(), small_run::frame(0, 0),
