@@ -100,7 +100,7 @@ FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
 
 FilmOfRun::~FilmOfRun() { maker_->given_up = true; }
 
-std::string FilmOfRun::trouble_with(const Preset& preset) {
+std::string FilmOfRun::trouble_with(const Preset& preset, bool force) {
   if (!maker_->wanted()) return "";
   const Scene& scene = preset.scene;
   const viz::Field* field = viz::find_field(maker_->options.wish.field.value_or(scene.film.field));
@@ -117,6 +117,8 @@ std::string FilmOfRun::trouble_with(const Preset& preset) {
   }
   if (!maker_->film.empty() && !viz::is_film_name(maker_->film))
     return fmt::format("--film {}: must end in .mp4, .webm or .gif", maker_->film);
+  if (!force && !maker_->film.empty() && fs::exists(maker_->film))
+    return fmt::format("{} is there already: --force replaces it", maker_->film);
   if (scene.output.frames < 2)
     return fmt::format("--render: output.frames = {} makes no film", scene.output.frames);
   if (!stored(field->stored))

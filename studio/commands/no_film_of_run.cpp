@@ -17,7 +17,7 @@ FilmOfRun::~FilmOfRun() = default;
 void FilmOfRun::begin(const std::filesystem::path&, bool) {}
 FilmOfRun::Result FilmOfRun::finish(ProgressLine&, const std::function<bool()>&) { return {}; }
 
-std::string FilmOfRun::trouble_with(const Preset&) {
+std::string FilmOfRun::trouble_with(const Preset&, bool) {
   if (!maker_->wanted) return "";
   return "--render: this rift was built without its renderer; build it with -DRIFT_VIZ=ON (it needs VTK)";
 }

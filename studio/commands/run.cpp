@@ -125,7 +125,7 @@ ExitCode run(const RunOptions& options) {
     return ExitCode::done;
   }
   (void)scenes_of_run(preset);  // a study is refused before a folder is claimed
-  if (const std::string trouble = options.film->trouble_with(preset); !trouble.empty()) {
+  if (const std::string trouble = options.film->trouble_with(preset, options.force); !trouble.empty()) {
     fmt::print(stderr, "rift run: {}\n", trouble);
     return ExitCode::bad_input;
   }

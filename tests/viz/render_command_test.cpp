@@ -149,6 +149,17 @@ TEST(RunWithRender, TellsMistakesBeforeAnythingIsComputed) {
   EXPECT_EQ(complaint("--film a.avi"), "rift run: --film a.avi: must end in .mp4, .webm or .gif\n");
 }
 
+TEST(RunWithRender, NeverOverwritesAFilmSilently) {
+  const TinyPlate tiny;
+  const std::string film = (tiny.path() / "mine.mp4").string();
+  write_text(film, "precious");
+  const Ran ran = run_tiny(tiny, "--film '" + film + "'");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.err, "rift run: " + film + " is there already: --force replaces it\n");
+  EXPECT_EQ(read_text(film), "precious");
+  EXPECT_FALSE(fs::exists(tiny.out()));
+}
+
 TEST(RunWithRender, AFilmThatFailsNeverTouchesTheRun) {
   const TinyPlate tiny;
   const Ran ran = run_tiny(tiny, "--render", "PATH=/nowhere");
