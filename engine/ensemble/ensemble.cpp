@@ -170,11 +170,24 @@ template <class Real>
 void Ensemble<Real>::start_crack(const std::vector<DampedBeam>& damped) {
   std::fill(crack_start_.begin(), crack_start_.end(), steps_done_);
   cracking_ = true;
+  damp(damped);
+}
+
+template <class Real>
+void Ensemble<Real>::damp(const std::vector<DampedBeam>& damped) {
   if (damped.empty()) return;
   add_up_spent();
   damped_ = damped;
   build_parts();
   weighed_at_ = velocities_at_ = -1;
+}
+
+template <class Real>
+void Ensemble<Real>::steer_damping(int lane, double at_surface, double elsewhere) {
+  scenario_[lane].alpha_at_surface = at_surface;
+  scenario_[lane].alpha_elsewhere = elsewhere;
+  alpha_at_surface_[lane] = static_cast<Real>(at_surface);
+  alpha_elsewhere_[lane] = static_cast<Real>(elsewhere);
 }
 
 template <class Real>
@@ -249,12 +262,14 @@ void Ensemble<Real>::foresee_softening() {
   if (!cracking_) return;
   const int count = static_cast<int>(met_.size());
   for (int lane = 0; lane < scenarios(); ++lane) {
-    const ReleaseLaw& law = scenario_[lane].law;
-    const double a = tip_at(scenario_[lane].history, crack_time(lane, steps_done_ + 1));
+    const LaneScenario& scenario = scenario_[lane];
+    const double a = tip_at(scenario.history, crack_time(lane, steps_done_ + 1));
+    const double reach = reach_ahead(scenario, a);
     int& first = first_standing_[lane];
     while (first < count && factor_[at_crossing(first, lane)] == 0) ++first;
-    for (int k = first; k < count && met_[k].position <= a + law.zone_length; ++k) {
+    for (int k = first; k < count && met_[k].position <= a + reach; ++k) {
       const Real before = factor_[at_crossing(k, lane)];
+      const ReleaseLaw& law = law_at(scenario, met_[k].position);
       const Real after = std::min(before, static_cast<Real>(stiffness_left(law, a, met_[k].position)));
       if (after != before) softening_.push_back({k, lane, before, after, strain(met_[k].beam, lane)});
     }

@@ -27,6 +27,12 @@ CrackHistory history_of(double start, const std::vector<SpeedUntil>& pieces) {
   return history;
 }
 
+void turn_to(CrackHistory& history, double time, double speed) {
+  const double position = tip_at(history, time);
+  std::erase_if(history.stretch, [&](const CrackStretch& s) { return s.time >= time; });
+  history.stretch.push_back({time, position, speed});
+}
+
 double tip_at(const CrackHistory& history, double time) {
   const CrackStretch& s = stretch_at(history, time);
   return s.position + s.speed * (time - s.time);

@@ -23,6 +23,9 @@ struct SpeedUntil {
 /// ever.
 CrackHistory history_of(double start, const std::vector<SpeedUntil>& pieces);
 
+/// The same until `time`, and `speed` [m/s] from then on.
+void turn_to(CrackHistory& history, double time, double speed);
+
 double tip_at(const CrackHistory& history, double time);               // [m]
 double speed_at(const CrackHistory& history, double time);             // [m/s]
 double time_of_arrival(const CrackHistory& history, double position);  // [s]; position not behind the start

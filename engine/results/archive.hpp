@@ -9,6 +9,8 @@ inline constexpr const char* journal_name = "journal.rift";
 inline constexpr const char* archive_name = "run.vtkhdf";
 inline constexpr const char* series_name = "series.csv";
 inline constexpr const char* summary_name = "summary.json";
+/// The effective preset of a run that was steered, with its changes: `rift run --replay` takes it.
+inline constexpr const char* steering_name = "steering.toml";
 
 /// Writes `run.vtkhdf` from what is whole of `journal.rift`, under a temporary name that is renamed when
 /// complete. /VTKHDF follows the VTKHDF specification, version 2.0, PolyData; /series, /crack, /events and

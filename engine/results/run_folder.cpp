@@ -30,7 +30,7 @@ bool is_picture(std::string_view name) {
 bool is_run_file(std::string_view name) {
   if (name.ends_with(".part")) name.remove_suffix(5);  // left by a kill
   return name == journal_name || name == archive_name || name == series_name || name == summary_name ||
-         has_affixes(name, "checkpoint", ".h5") || is_picture(name);
+         name == steering_name || has_affixes(name, "checkpoint", ".h5") || is_picture(name);
 }
 
 bool is_export_folder(std::string_view name) {

@@ -126,6 +126,7 @@ Preset finished(Reading reading, const std::vector<std::string>& overrides, bool
   if (readable) {
     for (Issue& issue : take_scenarios(reading.preset, reading.document, reading.unsound))
       reading.say(std::move(issue));
+    for (Issue& issue : take_steering(reading.preset, reading.document)) reading.say(std::move(issue));
   }
   sort_by_place(reading.preset.issues);
   return std::move(reading.preset);

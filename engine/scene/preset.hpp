@@ -2,6 +2,7 @@
 
 #include "engine/scene/issue.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/scene/steering.hpp"
 
 #include <filesystem>
 #include <map>
@@ -37,6 +38,7 @@ struct Preset {
   std::vector<Scene> lanes;               // of [[lanes]], in the order of the file; a lattice and step shared
   /// Of [study], the first list varying slowest, then of [[study.rows]]; no two scenes are equal.
   std::vector<StudyRow> study;
+  std::vector<Change> steering;  // of [[steering]], by lane and step
 };
 
 /// Reads a preset file, applies overrides ("crack.velocity=0.3 c_r", full keys only) and checks all of it.

@@ -59,7 +59,7 @@ std::string preset_text(const Preset& preset) {
     for (const auto& [name, text] : row.axes) varied.push_back(find_axis(name));
     out += "\n[[study.rows]]\n" + axis_lines(row.scene, varied);
   }
-  return out;
+  return out + steering_text(preset.steering);
 }
 
 }  // namespace rift

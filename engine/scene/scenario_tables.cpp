@@ -101,7 +101,9 @@ void merge(std::vector<Mention>& mentions, const HandRow& row, const std::string
 
 }  // namespace
 
-bool is_scenario_table(const std::string& name) { return name == "study" || name == "lanes"; }
+bool is_scenario_table(const std::string& name) {
+  return name == "study" || name == "lanes" || name == "steering";
+}
 
 int first_line(const TomlDocument& document, const std::string& name) {
   int line = 0;
@@ -127,7 +129,11 @@ void check_shapes(ScenarioReading& reading) {
   for (const TomlEntry& entry : document.entries) {
     if (!entry.table.empty() || !is_scenario_table(entry.name)) continue;
     const bool tables = has_rows(document, entry.name);
-    if (entry.name == "study") {
+    if (entry.name == "steering") {
+      if (!tables)
+        reading.say({reading.file(), entry.line, "steering", wants_tables("steering", entry.value),
+                     shown(entry.value)});
+    } else if (entry.name == "study") {
       const auto text = tables ? std::string("a study is one table: write [study]")
                                : fmt::format("expected a table [study], got {}", kind_of(entry.value));
       reading.say(

@@ -39,7 +39,7 @@ struct ScenarioReading {
   const std::string& file() const { return base.preset.name; }
 };
 
-/// "study" and "lanes", which are no tables of parameters.
+/// "study", "lanes" and "steering", which are no tables of parameters.
 bool is_scenario_table(const std::string& name);
 
 /// Where the preset begins to speak of `name`, or 0 where it does not.

@@ -17,7 +17,8 @@ using Clock = std::chrono::steady_clock;
 using results::Phase;
 
 constexpr double largest_residual_inertia = 0.01;  // of the ramp: kinetic over total energy   [physics.md §4]
-constexpr auto between_questions = std::chrono::milliseconds(100);
+constexpr auto between_questions = std::chrono::milliseconds(100),
+               between_orders = std::chrono::milliseconds(50);
 /// Steps from one moment at which idle lanes may be filled to the next: lanes that begin a power of two of
 /// steps apart are looked at in the same steps, which costs one look.
 constexpr std::int64_t between_refills = 64;
@@ -38,11 +39,15 @@ template <class Real>
 class Run {
  public:
   Run(const Prepared& prepared, const Observer& observer, const MarchOptions& options)
-      : prepared_(prepared), observer_(observer), ensemble_(make_ensemble(prepared, options)) {
+      : prepared_(prepared),
+        observer_(observer),
+        lane_(prepared.lane),
+        ensemble_(make_ensemble(prepared, options)) {
     result_.lane.resize(prepared.lane.size());
     seat_.resize(ensemble_.scenarios());
     for (int lane = 0; lane < ensemble_.scenarios(); ++lane) seat_[lane].scenario = next_scenario_++;
-    for (const LanePlan& lane : prepared.lane) total_ += lane.schedule.total();
+    for (const LanePlan& lane : lane_) total_ += lane.schedule.total();
+    for (int k = 0; k < static_cast<int>(lane_.size()); ++k) check_steering(k, 0);
     result_.lanes = ensemble_.scenarios();
     result_.instructions = name_of(instruction_set());
   }
@@ -53,6 +58,7 @@ class Run {
     if (ramp() > 0) pull();
     crack_started_ = Clock::now();
     ensemble_.set_beta(scene().solver.beta);
+    damped_ = prepared_.damped.size();
     ensemble_.start_crack(prepared_.damped);
     for (Seat& seat : seat_) {
       if (seat.scenario < 0) continue;
@@ -62,11 +68,15 @@ class Run {
     }
     while (busy() || waiting()) {
       if (waiting() && (!busy() || marched_ % between_refills == 0)) refill();
+      if (!prepared_.preset.steering.empty()) repeat_changes();
       step();
       for (Seat& seat : seat_)
         if (seat.scenario >= 0 && ended(seat)) end(seat);
     }
-    result_.wall_fracture_s = seconds_since(crack_started_);
+    result_.wall_fracture_s = seconds_since(crack_started_) - waited_;
+    if (std::any_of(result_.lane.begin(), result_.lane.end(),
+                    [](const LaneResult& lane) { return !lane.changes.empty(); }))
+      result_.steered = std::move(lane_);
     for (const LaneResult& lane : result_.lane) result_.outcome = std::max(result_.outcome, lane.outcome);
     return std::move(result_);
   }
@@ -89,7 +99,7 @@ class Run {
   std::int64_t ramp() const { return prepared_.lane.front().schedule.ramp; }
   std::int64_t crack_start() const { return prepared_.lane.front().schedule.crack_start(); }
   int index(const Seat& seat) const { return static_cast<int>(&seat - seat_.data()); }
-  const LanePlan& plan(const Seat& seat) const { return prepared_.lane[seat.scenario]; }
+  LanePlan& plan(const Seat& seat) { return lane_[seat.scenario]; }
   LaneResult& lane_of(const Seat& seat) { return result_.lane[seat.scenario]; }
   double elastic_energy(const Seat& seat) {
     return plan(seat).units.energy * ensemble_.energy(index(seat)).elastic;
@@ -126,8 +136,8 @@ class Run {
   void end(Seat& seat) {
     LaneResult& lane = lane_of(seat);
     lane.steps = steps(seat);
-    lane.wall_s = seconds_since(seat.since) / static_cast<double>(seat_.size());
-    result_.wall_fracture_s = seconds_since(crack_started_);
+    lane.wall_s = (seconds_since(seat.since) - waited_) / static_cast<double>(seat_.size());
+    result_.wall_fracture_s = seconds_since(crack_started_) - waited_;
     if (lane.outcome == Outcome::finished) lane.wake = wake(seat);
     tell_end(seat);
     seat.scenario = -1;
@@ -157,20 +167,29 @@ class Run {
     }
     if (seat.next_frame < schedule.frames.size() && n == schedule.frames[seat.next_frame]) {
       ++seat.next_frame;
-      if (observer_.frame) tell_frame(seat);
+      tell_frame(seat);
     }
   }
 
   void tell_frame(const Seat& seat) {
-    results::Frame frame = frame_of(ensemble_, index(seat), scene().output.fields, plan(seat).units);
+    if (observer_.frame) observer_.frame(frame(seat, scene().output.fields));
+  }
+
+  results::Frame frame(const Seat& seat, const std::vector<std::string>& fields) {
+    results::Frame frame = frame_of(ensemble_, index(seat), fields, plan(seat).units);
     frame.lane = seat.scenario;
-    observer_.frame(frame);
+    return frame;
+  }
+
+  results::Sample books(const Seat& seat) {
+    results::Sample row = plan(seat).units.of_lane(ensemble_.sample(index(seat), phase_at(steps(seat))));
+    row.lane = seat.scenario;
+    return row;
   }
 
   void read_books(Seat& seat) {
     LaneResult& lane = lane_of(seat);
-    results::Sample row = plan(seat).units.of_lane(ensemble_.sample(index(seat), phase_at(steps(seat))));
-    row.lane = seat.scenario;
+    const results::Sample row = books(seat);
     lane.books.push_back(row);
     if (observer_.sample) observer_.sample(row);
     const double residual = std::abs(row.residual);
@@ -223,19 +242,147 @@ class Run {
 
   /// Whether to go on; if not, every lane stops where it is.
   void ask() {
-    if (!observer_.go_on || Clock::now() - asked_ < between_questions) return;
+    const bool told = observer_.steer && asked_again_at_ > 0;
+    if (told ? marched_ < asked_again_at_
+             : Clock::now() - asked_ < (observer_.steer ? between_orders : between_questions))
+      return;
     asked_ = Clock::now();
     const auto working =
         std::find_if(seat_.begin(), seat_.end(), [](const Seat& seat) { return seat.scenario >= 0; });
     if (working == seat_.end()) return;
-    if (observer_.go_on({phase_at(steps(*working)), result_.lane_steps, total_, seconds_since(started_)}))
-      return;
+    const Progress progress{phase_at(steps(*working)), result_.lane_steps, total_,
+                            seconds_since(started_) - waited_};
+    const bool go_on = !observer_.go_on || observer_.go_on(progress);
+    if (!take_orders(progress) || !go_on) stop_all();
+  }
+
+  void stop_all() {
     stopped_ = true;
     for (Seat& seat : seat_)
       if (seat.scenario >= 0 && lane_of(seat).outcome == Outcome::finished)
         stop(lane_of(seat), fmt::format("step {} of {}", steps(seat), plan(seat).schedule.total()));
-    for (int k = next_scenario_; k < static_cast<int>(prepared_.lane.size()); ++k)
-      stop(result_.lane[k], fmt::format("step 0 of {}", prepared_.lane[k].schedule.total()));
+    for (int k = next_scenario_; k < static_cast<int>(lane_.size()); ++k)
+      stop(result_.lane[k], fmt::format("step 0 of {}", lane_[k].schedule.total()));
+  }
+
+  Seat* seat_of(int scenario) {
+    const auto seat = std::find_if(seat_.begin(), seat_.end(),
+                                   [&](const Seat& s) { return s.scenario >= 0 && s.scenario == scenario; });
+    return seat == seat_.end() ? nullptr : &*seat;
+  }
+
+  /// Asks whoever steers and does what it says. @return whether to go on
+  bool take_orders(const Progress& progress) {
+    if (!observer_.steer) return true;
+    const auto asked = Clock::now();
+    Moment moment{progress, {}, {}};
+    moment.books = [this](int scenario) -> std::optional<results::Sample> {
+      Seat* seat = seat_of(scenario);
+      return seat ? std::optional(books(*seat)) : std::nullopt;
+    };
+    moment.frame = [this](int scenario) -> std::optional<results::Frame> {
+      Seat* seat = seat_of(scenario);
+      return seat ? std::optional(frame(*seat, {"displacement"})) : std::nullopt;
+    };
+    Orders orders = observer_.steer(moment);
+    waited_ += seconds_since(asked);
+    for (Change& change : orders.changes) {
+      Seat* seat = seat_of(change.lane);
+      if (seat) change.step = steps(*seat);
+      const std::string refused = seat ? make(*seat, change) : "its crack does not run";
+      if (observer_.changed) observer_.changed(change, refused);
+    }
+    for (const int scenario : orders.frames)
+      if (const Seat* seat = seat_of(scenario)) tell_frame(*seat);
+    asked_again_at_ = orders.steps > 0 ? marched_ + orders.steps : 0;
+    return !orders.stop;
+  }
+
+  [[noreturn]] void refuse(const Change& change, const std::string& why) const {
+    throw InputError(
+        {issue_at(prepared_.preset, "steering." + change.axis,
+                  fmt::format("lane {}, step {}, {}: {}", change.lane + 1, change.step, change.value, why))});
+  }
+
+  /// What the preset says is changed must come to pass; a new velocity changes how many steps there are.
+  void check_steering(int scenario, std::int64_t now) const {
+    for (const Change& change : prepared_.preset.steering) {
+      if (change.lane != scenario || change.step < now) continue;
+      const std::int64_t total = lane_[scenario].schedule.total();
+      if (change.step >= total) refuse(change, fmt::format("the lane ends at step {}", total));
+      if (change.axis == "crack_velocity") return;
+    }
+  }
+
+  /// Makes what the preset says was changed at this step.
+  void repeat_changes() {
+    for (const Change& change : prepared_.preset.steering) {
+      Seat* seat = seat_of(change.lane);
+      if (!seat || change.step != steps(*seat)) continue;
+      if (const std::string refused = make(*seat, change); !refused.empty()) refuse(change, refused);
+      check_steering(change.lane, change.step + 1);
+      if (observer_.changed) observer_.changed(change, {});
+    }
+  }
+
+  /// Changes the scenario of a lane from the next step on. @return why not, or empty
+  std::string make(Seat& seat, const Change& change) {
+    if (phase_at(steps(seat)) != Phase::fracture) return "the crack has not started yet";
+    Scene scene = plan(seat).scene;
+    if (std::string wrong = steer(scene, change, ensemble_.tip(index(seat))); !wrong.empty()) return wrong;
+    if (change.axis == "damping_alpha") {
+      if (std::string wrong = damp(seat, scene); !wrong.empty()) return wrong;
+    } else if (change.axis == "crack_velocity") {
+      turn_to(seat, scene);
+    } else {
+      ensemble_.steer_law(index(seat), release_law(scene, prepared_.lattice));
+    }
+    plan(seat).scene = std::move(scene);
+    plan(seat).scenario = ensemble_.scenario(index(seat));
+    lane_of(seat).changes.push_back(change);
+    return {};
+  }
+
+  /// The lane goes on with another damping, as far as its step bears it.
+  std::string damp(Seat& seat, const Scene& scene) {
+    std::vector<LanePlan> lanes = lane_;
+    LanePlan& lane = lanes[seat.scenario];
+    lane.scene = scene;
+    set_damping(lane.scenario, scene);
+    std::vector<DampedBeam> damped = damped_beams(prepared_, lanes);
+    const double limit = damped_limit(prepared_, damped, lanes);
+    if (prepared_.step.dt >= limit)
+      return fmt::format("needs steps below {:.3g} s, and those of this run are {:.3g} s",
+                         limit * lane.units.time, prepared_.step.dt * lane.units.time);
+    if (damped.size() > damped_) {
+      damped_ = damped.size();
+      ensemble_.damp(damped);
+    }
+    ensemble_.steer_damping(index(seat), lane.scenario.alpha_at_surface, lane.scenario.alpha_elsewhere);
+    plan(seat).beams_damped = damped.size();
+    plan(seat).step.critical_damped = limit;
+    return {};
+  }
+
+  /// The tip goes on at another velocity, and what is to come is looked at when it comes.
+  void turn_to(Seat& seat, const Scene& scene) {
+    LanePlan& lane = plan(seat);
+    ensemble_.steer_speed(index(seat),
+                          lattice_speed(prepared_, scene.crack.velocity.back().speed, lane.units));
+    const Schedule before =
+        std::exchange(lane.schedule, make_schedule(scene, ensemble_.scenario(index(seat)).history,
+                                                   prepared_.step.dt, lane.crack_end, lane.window));
+    keep_past(lane.schedule.samples, before.samples, steps(seat));
+    keep_past(lane.schedule.frames, before.frames, steps(seat));
+    total_ += lane.schedule.total() - before.total();
+  }
+
+  static void keep_past(std::vector<std::int64_t>& planned, const std::vector<std::int64_t>& before,
+                        std::int64_t now) {
+    std::vector<std::int64_t> steps;
+    std::copy_if(before.begin(), before.end(), std::back_inserter(steps), [&](auto n) { return n <= now; });
+    std::copy_if(planned.begin(), planned.end(), std::back_inserter(steps), [&](auto n) { return n > now; });
+    planned = std::move(steps);
   }
 
   static void stop(LaneResult& lane, std::string where) {
@@ -282,12 +429,16 @@ class Run {
 
   const Prepared& prepared_;
   const Observer& observer_;
+  std::vector<LanePlan> lane_;  // as they are after the changes so far
   Ensemble<Real> ensemble_;
   RunResult result_;
   std::vector<Seat> seat_;
   int next_scenario_ = 0;
   std::int64_t marched_ = 0;  // steps of the ensemble
   std::int64_t total_ = 0;
+  std::int64_t asked_again_at_ = 1;  // of marched_, so that orders come before all else; 0: by the clock
+  std::size_t damped_ = 0;           // beams
+  double waited_ = 0;                // [s] for orders
   bool stopped_ = false;
   Clock::time_point started_ = Clock::now(), asked_ = started_, crack_started_ = started_;
 };

@@ -5,6 +5,7 @@
 #include "engine/simulation/prepare.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,14 +20,35 @@ struct Progress {
 
 struct RunResult;
 
-/// Called while a run marches; any of them may be empty. One way only, but for go_on's answer.
+/// A run as whoever steers it finds it between two steps.
+struct Moment {
+  Progress progress;
+  /// The books and the displacements of a scenario now; nothing where it does not march. Cost: two looks at
+  /// every beam for all lanes; a copy.
+  std::function<std::optional<results::Sample>(int scenario)> books;
+  std::function<std::optional<results::Frame>(int scenario)> frame;
+};
+
+/// What a run is to do next. Whoever wants it to wait answers late; waiting is not counted as marching.
+struct Orders {
+  bool stop = false;
+  std::vector<Change> changes = {};  // made now: their steps are filled in
+  std::vector<int> frames = {};      // scenarios whose fields are to be written now
+  std::int64_t steps = 0;            // asked again after so many steps; 0: after a twentieth of a second
+};
+
+/// Called while a run marches; any of them may be empty. One way only, but for the answers of go_on and
+/// steer.
 struct Observer {
-  std::function<void(const results::Sample&)> sample;
-  std::function<void(const results::Frame&)> frame;
-  std::function<void(const results::ReleaseEvent&)> event;
-  std::function<bool(const Progress&)> go_on;  // asked a few times a second; false stops the run
+  std::function<void(const results::Sample&)> sample = {};
+  std::function<void(const results::Frame&)> frame = {};
+  std::function<void(const results::ReleaseEvent&)> event = {};
+  std::function<bool(const Progress&)> go_on = {};  // asked a few times a second; false stops the run
   /// A scenario has come to its end, or a stop; the result holds it and, so far, the times of the run.
   std::function<void(int scenario, const RunResult& so_far)> ended = {};
+  std::function<Orders(const Moment&)> steer = {};
+  /// A change was made, or (with the reason) was not.
+  std::function<void(const Change&, const std::string& refused)> changed = {};
 };
 
 enum class Outcome { finished, stopped, diverged };
@@ -43,6 +65,7 @@ struct LaneResult {
   double energy_at_crack_start = 0;    // elastic [J]
   Wake wake;                           // when it finished, of two heights behind the tip, or between two tips
   double wall_s = 0;                   // its share of the time while its crack ran
+  std::vector<Change> changes;         // those that were made
 };
 
 /// What a run came to.
@@ -54,6 +77,7 @@ struct RunResult {
   double wall_fracture_s = 0;
   int lanes = 1, threads = 1;  // side by side
   std::string instructions;
+  std::vector<LanePlan> steered;  // all lanes as they are after the changes; empty where nothing was changed
 };
 
 /// How to march; of no influence on the results, but for the last bits by the instruction set.
@@ -68,7 +92,8 @@ double ledger_limit(Kinematics kinematics, Precision precision);
 /// Marches a prepared scene's lanes to their ends: the ramp if there is one, then their cracks. Where there
 /// are more scenarios than lanes side by side, a lane that has come to its end takes up the next (but after a
 /// ramp, which all share). A lane stops as diverged at its first sample that is not finite or whose books are
-/// hopelessly open; the others go on.
+/// hopelessly open; the others go on. The preset's [[steering]] is made where it says; a change that cannot
+/// be made then throws InputError.
 RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options = {});
 
 }  // namespace rift

@@ -209,29 +209,6 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   tell(progress, "pre-stress", 1.0);
 }
 
-/// Beams whose damping can matter to any of the lanes: none, those near the path, or all.
-std::vector<DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan> lanes) {
-  const auto any = [&](DampingRegion region) {
-    return std::any_of(lanes.begin(), lanes.end(),
-                       [&](const LanePlan& lane) { return lane.scene.damping.region == region; });
-  };
-  std::vector<DampedBeam> damped;
-  const bool everywhere = any(DampingRegion::all);
-  if (!everywhere && !any(DampingRegion::surface)) return damped;
-  std::vector<int> crossing(p.lattice.beam.size(), -1);
-  int next = 0;
-  for (const Crossing& c : crossings(p.path, p.lattice)) crossing[c.beam] = next++;
-  const double near = p.preset.scene.damping.surface_width * p.lattice.mean_radius;
-  std::vector<char> at_surface(p.lattice.centre.size());
-  for (std::size_t i = 0; i < at_surface.size(); ++i)
-    at_surface[i] = distance_to(p.path, p.lattice.centre[i].head<2>()) <= near;
-  for (int b = 0; b < static_cast<int>(p.lattice.beam.size()); ++b) {
-    const bool surface = at_surface[p.lattice.ends[b][0]] || at_surface[p.lattice.ends[b][1]];
-    if (surface || everywhere) damped.push_back(damped_beam(p.lattice, b, crossing[b], surface));
-  }
-  return damped;
-}
-
 LanePlan plan_lane(const Prepared& p, const Scene& scene) {
   LanePlan lane;
   lane.scene = scene;
@@ -241,20 +218,14 @@ LanePlan plan_lane(const Prepared& p, const Scene& scene) {
   const double length = scene.specimen.length;
   const auto window = window_over_length(scene);
   lane.window = {window[0] * length, window[1] * length};
-  ReleaseLaw& law = lane.scenario.law;
-  law.technique = scene.crack.technique;
-  law.exponent = scene.crack.relaxation;
-  if (law.technique == Technique::progressive)
-    law.zone_length = scene.crack.damage_zone_ratio * p.lattice.mean_radius;
+  lane.scenario.law = release_law(scene, p.lattice);
   std::vector<SpeedUntil> pieces;
   for (const VelocityPiece& piece : scene.crack.velocity)
-    pieces.push_back({speed_m_s(piece.speed, p.rayleigh_speed) * lane.units.time,
+    pieces.push_back({lattice_speed(p, piece.speed, lane.units),
                       piece.until.value_or(std::numeric_limits<double>::infinity())});
   // The history begins a zone's length behind the notch, so that nothing is damaged in one jump.
-  lane.scenario.history = history_of(scene.crack.start - law.zone_length, pieces);
-  const DampingRegion region = scene.damping.region;
-  lane.scenario.alpha_at_surface = region == DampingRegion::none ? 0.0 : scene.damping.alpha;
-  lane.scenario.alpha_elsewhere = region == DampingRegion::all ? scene.damping.alpha : 0.0;
+  lane.scenario.history = history_of(scene.crack.start - lane.scenario.law.zone_length, pieces);
+  set_damping(lane.scenario, scene);
   return lane;
 }
 
@@ -281,6 +252,54 @@ std::vector<LanePlan> planned(const Prepared& p, const std::vector<Scene>& scene
 }
 
 }  // namespace
+
+std::vector<DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan> lanes) {
+  const auto any = [&](DampingRegion region) {
+    return std::any_of(lanes.begin(), lanes.end(),
+                       [&](const LanePlan& lane) { return lane.scene.damping.region == region; });
+  };
+  std::vector<DampedBeam> damped;
+  const bool everywhere = any(DampingRegion::all);
+  if (!everywhere && !any(DampingRegion::surface)) return damped;
+  std::vector<int> crossing(p.lattice.beam.size(), -1);
+  int next = 0;
+  for (const Crossing& c : crossings(p.path, p.lattice)) crossing[c.beam] = next++;
+  const double near = p.preset.scene.damping.surface_width * p.lattice.mean_radius;
+  std::vector<char> at_surface(p.lattice.centre.size());
+  for (std::size_t i = 0; i < at_surface.size(); ++i)
+    at_surface[i] = distance_to(p.path, p.lattice.centre[i].head<2>()) <= near;
+  for (int b = 0; b < static_cast<int>(p.lattice.beam.size()); ++b) {
+    const bool surface = at_surface[p.lattice.ends[b][0]] || at_surface[p.lattice.ends[b][1]];
+    if (surface || everywhere) damped.push_back(damped_beam(p.lattice, b, crossing[b], surface));
+  }
+  return damped;
+}
+
+ReleaseLaw release_law(const Scene& scene, const Lattice& lattice) {
+  ReleaseLaw law{.technique = scene.crack.technique, .exponent = scene.crack.relaxation};
+  if (law.technique == Technique::progressive)
+    law.zone_length = scene.crack.damage_zone_ratio * lattice.mean_radius;
+  return law;
+}
+
+void set_damping(LaneScenario& scenario, const Scene& scene) {
+  const DampingRegion region = scene.damping.region;
+  scenario.alpha_at_surface = region == DampingRegion::none ? 0.0 : scene.damping.alpha;
+  scenario.alpha_elsewhere = region == DampingRegion::all ? scene.damping.alpha : 0.0;
+}
+
+double lattice_speed(const Prepared& p, const Speed& speed, const LaneUnits& units) {
+  return speed_m_s(speed, p.rayleigh_speed) * units.time;
+}
+
+double damped_limit(const Prepared& p, std::vector<DampedBeam> damped, std::span<const LanePlan> lanes) {
+  ViscousDamping damping(std::move(damped));
+  for (const LanePlan& lane : lanes) {
+    damping.alpha_at_surface = std::max(damping.alpha_at_surface, lane.scenario.alpha_at_surface);
+    damping.alpha_elsewhere = std::max(damping.alpha_elsewhere, lane.scenario.alpha_elsewhere);
+  }
+  return damped_critical_step(p.lattice, damping, p.stable.critical);
+}
 
 void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
   p.lane = std::move(lanes);

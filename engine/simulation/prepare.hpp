@@ -9,6 +9,7 @@
 #include "engine/simulation/time_step.hpp"
 
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -64,10 +65,24 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
 /// and schedules are theirs again. Cheap: the step that each asks for is in its plan.
 void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
 
+/// Beams whose damping can matter to any of the lanes: none, those near the path, or all.
+std::vector<DampedBeam> damped_beams(const Prepared& prepared, std::span<const LanePlan> lanes);
+
+/// What of a scene makes a lane's scenario, in the lattice's units: the law of its release, its damping, a
+/// speed.
+ReleaseLaw release_law(const Scene& scene, const Lattice& lattice);
+void set_damping(LaneScenario& scenario, const Scene& scene);
+double lattice_speed(const Prepared& prepared, const Speed& speed, const LaneUnits& units);
+
+/// The largest stable step [s] where the beams are damped as much as any of the lanes damps them.
+double damped_limit(const Prepared& prepared, std::vector<DampedBeam> damped,
+                    std::span<const LanePlan> lanes);
+
 /// What a lane's release rate is measured against, in its own units.
 RateScale scale_of(const Prepared& prepared, const LanePlan& lane);
 
-/// Speed of the waves in a lane's plate over that of the material's: 1 in situ, sqrt(E_mu / in-situ E_mu) else.
+/// Speed of the waves in a lane's plate over that of the material's: 1 in situ, sqrt(E_mu / in-situ E_mu)
+/// else.
 double wave_speed_ratio(const Prepared& prepared, const LanePlan& lane);
 
 }  // namespace rift

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <functional>
 
 namespace rift {
 
@@ -19,10 +18,10 @@ struct Recorded {
 /// Marches what was prepared and writes all that it computes into the folder of a run
 /// (docs/results-format.md).
 /// @param folder          made by results::create_run_folder()
-/// @param go_on           asked a few times a second; false stops the run; may be empty
+/// @param beside          told all of it as well; steers; what it changes is kept in results::steering_name
+/// there
 /// @param preparation_s   wall time that went before, for the summary's total
 Recorded record_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
-                    const std::function<bool(const Progress&)>& go_on, const MarchOptions& options = {},
-                    double preparation_s = 0);
+                    const Observer& beside, const MarchOptions& options = {}, double preparation_s = 0);
 
 }  // namespace rift

@@ -182,6 +182,24 @@ void add_costs(Json& j, const Prepared& p, const RunResult& r, const LaneResult&
 
 }  // namespace
 
+/// Whether the scenario was changed while its tip was in its window: a mean over it means nothing then.
+bool changed_in_window(const Prepared& prepared, const RunResult& result, int lane) {
+  const LanePlan& plan = prepared.lane[lane];
+  const std::vector<Change>& changes = result.lane[lane].changes;
+  return std::any_of(changes.begin(), changes.end(), [&](const Change& change) {
+    const auto steps = static_cast<double>(change.step - plan.schedule.crack_start());
+    const double tip = tip_at(plan.scenario.history, steps * prepared.step.dt);
+    return tip > plan.window[0] && tip < plan.window[1];
+  });
+}
+
+Json changes_of(const LaneResult& lane) {
+  Json changes = Json::array();
+  for (const Change& c : lane.changes)
+    changes.push_back({{"step", c.step}, {"axis", c.axis}, {"value", c.value}});
+  return changes;
+}
+
 Rates rates_of(const Prepared& prepared, const RunResult& result, int lane) {
   std::vector<results::Sample> rows;
   for (const results::Sample& row : result.lane[lane].books)
@@ -189,7 +207,9 @@ Rates rates_of(const Prepared& prepared, const RunResult& result, int lane) {
   if (rows.size() < 2) return {};
   const LanePlan& plan = prepared.lane[lane];
   const RateScale scale = scale_of(prepared, plan);
-  return {plateau_of(rows, plan.window, scale), rate_curve(rows, scale)};
+  Rates rates{plateau_of(rows, plan.window, scale), rate_curve(rows, scale)};
+  if (changed_in_window(prepared, result, lane)) rates.plateau.reached = false;
+  return rates;
 }
 
 /// How the preset wants to be shown, for whoever makes a film of the run.
@@ -251,6 +271,7 @@ Json lane_summary(const Prepared& prepared, const RunResult& result, int k, cons
   add_step(scenario, prepared, lane, result, result.lane[k], build);
   add_rates(scenario, prepared, lane, rates);
   add_books(scenario, prepared, lane, result.lane[k]);
+  if (!result.lane[k].changes.empty()) scenario["steering"] = changes_of(result.lane[k]);
   add_wake(scenario, result.lane[k].wake);
   add_costs(scenario, prepared, result, result.lane[k], wall_total_s);
   return scenario;

@@ -37,9 +37,10 @@ void run_if_need_be(const Preset& preset, const fs::path& run, Cache& cache, int
   results::create_run_folder(run, true);
   const Recorded ran =
       record_run(prepared, run, build_info(),
-                 [&](const Progress& p) {
-                   return go_on("crack", static_cast<double>(p.step) / static_cast<double>(p.total));
-                 },
+                 {.go_on =
+                      [&](const Progress& p) {
+                        return go_on("crack", static_cast<double>(p.step) / static_cast<double>(p.total));
+                      }},
                  {.threads = threads});
   if (ran.result.outcome == Outcome::stopped) throw Interrupted("a crack was running");
 }

@@ -1,5 +1,7 @@
 #include "engine/interrupted.hpp"
+#include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
@@ -26,7 +28,7 @@ using Json = nlohmann::ordered_json;
 
 struct RunOptions {
   SceneOptions scene;
-  std::string out;
+  std::string out, replay;
   bool force = false;
   std::unique_ptr<FilmOfRun> film;
 };
@@ -34,7 +36,7 @@ struct RunOptions {
 /// Where the user said, else the first of runs/NAME, runs/NAME-2, ... that does not exist yet.
 fs::path folder_for(const RunOptions& options) {
   if (!options.out.empty()) return options.out;
-  const std::string name = fs::path(options.scene.preset).stem().string();
+  const std::string name = options.replay.empty() ? fs::path(options.scene.preset).stem().string() : "replay";
   fs::path folder = fs::path("runs") / name;
   for (int k = 2; fs::exists(folder); ++k) folder = fs::path("runs") / fmt::format("{}-{}", name, k);
   return folder;
@@ -117,9 +119,20 @@ std::optional<Prepared> prepared_for(const Preset& preset, Cache& cache, Progres
   }
 }
 
+/// A preset, or with --replay the one that a steered run has left.
+Preset read_wish(const RunOptions& options) {
+  const Preset preset = read_scene(options.scene);
+  if (!options.replay.empty() && preset.steering.empty())
+    throw InputError({Issue{.file = options.replay,
+                            .key = {},
+                            .text = fmt::format("holds no [[steering]]: a run that was steered leaves a {}",
+                                                results::steering_name)}});
+  return preset;
+}
+
 ExitCode run(const RunOptions& options) {
   const auto start = Clock::now();
-  const Preset preset = read_scene(options.scene);
+  const Preset preset = read_wish(options);
   if (options.scene.print_config) {
     fmt::print("{}", preset_text(preset));
     return ExitCode::done;
@@ -140,9 +153,9 @@ ExitCode run(const RunOptions& options) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   options.film->begin(path, options.scene.threads > 0 && options.scene.threads < cores);
   const double preparation = std::chrono::duration<double>(Clock::now() - start).count();
-  const Recorded ran =
-      record_run(*prepared, path, build_info(), telling(line, stop, prepared->lattice.centre.size()),
-                 {.threads = options.scene.threads}, preparation);
+  const Recorded ran = record_run(*prepared, path, build_info(),
+                                  {.go_on = telling(line, stop, prepared->lattice.centre.size())},
+                                  {.threads = options.scene.threads}, preparation);
   const FilmOfRun::Result film = options.film->finish(line, [&] { return stop.received() == 0; });
   line.clear();
   print_notes(cache);
@@ -162,7 +175,17 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
   options->film = std::make_unique<FilmOfRun>(command);
   command.add_option("--out", options->out, "Folder of the run (default: runs/NAME, numbered if it exists)");
   command.add_flag("--force", options->force, "Replace the run that is in the folder");
-  command.callback([options, &exit_code] { exit_code = run(*options); });
+  CLI::Option* preset = command.get_option("preset");
+  CLI::Option* replay = command.add_option(
+      "--replay", options->replay,
+      fmt::format("Repeat a run that was steered, to the bit: its {}", results::steering_name));
+  preset->required(false)->excludes(replay);
+  command.callback([options, preset, &exit_code] {
+    if (options->scene.preset.empty() && options->replay.empty())
+      throw CLI::RequiredError(preset->get_name());
+    if (!options->replay.empty()) options->scene.preset = options->replay;
+    exit_code = run(*options);
+  });
 }
 
 }  // namespace rift::studio
