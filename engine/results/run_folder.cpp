@@ -121,6 +121,21 @@ void create_run_folder(const fs::path& folder, bool force) {
   remove_run(folder);
 }
 
+ClaimedFolder::ClaimedFolder(fs::path folder, bool force)
+    : folder_(std::move(folder)), force_(force), made_(claim_run_folder(folder_, force)) {}
+
+ClaimedFolder::~ClaimedFolder() {
+  std::error_code ignored;  // removes nothing but empty folders
+  if (!kept_)
+    for (const fs::path& made : made_) fs::remove(made, ignored);
+}
+
+const fs::path& ClaimedFolder::keep() {
+  create_run_folder(folder_, force_);
+  kept_ = true;
+  return folder_;
+}
+
 RunState inspect_run(const fs::path& folder) {
   RunState state;
   const auto journal = folder / journal_name;

@@ -26,6 +26,24 @@ std::vector<std::filesystem::path> claim_run_folder(const std::filesystem::path&
 /// write are never touched.
 void create_run_folder(const std::filesystem::path& folder, bool force);
 
+/// The folder of a run: claimed before the first costly step, given back if nothing came of it. With `force`
+/// the former run in it stays until there is something to put in its place. Throws as claim_run_folder().
+class ClaimedFolder {
+ public:
+  ClaimedFolder(std::filesystem::path folder, bool force);
+  ~ClaimedFolder();
+  ClaimedFolder(const ClaimedFolder&) = delete;
+  ClaimedFolder& operator=(const ClaimedFolder&) = delete;
+
+  /// There is something to put into it.
+  const std::filesystem::path& keep();
+
+ private:
+  std::filesystem::path folder_;
+  bool force_, kept_ = false;
+  std::vector<std::filesystem::path> made_;
+};
+
 enum class RunCondition : std::uint8_t {
   finished,    // the run ended by itself
   unfinished,  // stopped, killed or still going on; whole up to its last flush

@@ -42,32 +42,6 @@ fs::path folder_for(const RunOptions& options) {
   return folder;
 }
 
-/// The run's folder: claimed before the first costly step, given back if nothing came of it. With --force the
-/// former run in it stays until there is something to put in its place.
-class ClaimedFolder {
- public:
-  ClaimedFolder(fs::path folder, bool force)
-      : folder_(std::move(folder)), force_(force), made_(results::claim_run_folder(folder_, force)) {}
-  ~ClaimedFolder() {
-    std::error_code ignored;  // removes nothing but empty folders
-    if (!kept_)
-      for (const fs::path& made : made_) fs::remove(made, ignored);
-  }
-  ClaimedFolder(const ClaimedFolder&) = delete;
-  ClaimedFolder& operator=(const ClaimedFolder&) = delete;
-
-  const fs::path& keep() {
-    results::create_run_folder(folder_, force_);
-    kept_ = true;
-    return folder_;
-  }
-
- private:
-  fs::path folder_;
-  bool force_, kept_ = false;
-  std::vector<fs::path> made_;
-};
-
 std::string stage_name(results::Phase phase) {
   return phase == results::Phase::loading ? "loading"
          : phase == results::Phase::hold  ? "stabilising"
@@ -144,7 +118,7 @@ ExitCode run(const RunOptions& options) {
   }
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
-  ClaimedFolder folder(folder_for(options), options.force);
+  results::ClaimedFolder folder(folder_for(options), options.force);
   Cache cache = cache_for(options.scene);
   const std::optional<Prepared> prepared = prepared_for(preset, cache, line, stop);
   if (!prepared) return static_cast<ExitCode>(128 + stop.received());

@@ -35,13 +35,13 @@ ExitCode watch(const WatchOptions& options) {
   Terminal terminal(wants_color(options.color, stdout));
   int shown = 0;
   const int lanes = static_cast<int>(run.live().lanes.size());
-  for (int key = 0; key != 'q' && key != 27 && stop.received() == 0;) {
+  for (int key = 0; key != 'q' && key != key_escape && stop.received() == 0;) {
     Canvas canvas(terminal.width(), terminal.height());
     draw_live(canvas, run.live(), shown,
               lanes > 1 ? "q leave (the run goes on)   1-8, tab lane" : "q leave (the run goes on)",
               terminal.glyphs());
     terminal.show(canvas);
-    key = terminal.key(100);
+    key = terminal.press(100).key;
     shown = lane_after(key, shown, lanes);
     run.look();
   }

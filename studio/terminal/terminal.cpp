@@ -1,5 +1,7 @@
 #include "studio/terminal/terminal.hpp"
 
+#include "studio/terminal/crash.hpp"
+
 #define NCURSES_WIDECHAR 1
 #include <langinfo.h>
 #include <locale.h>
@@ -11,16 +13,26 @@
 #include <cstdlib>
 #include <cstring>
 
+// Of <term.h>, whose macros take names such as key_up.
+extern "C" char* tigetstr(const char* name);
+
 namespace rift::studio {
 namespace {
 
 constexpr int own = -1;  // the terminal's own colour
 
-/// Colours of the inks by their order, on terminals of 256 and of 8 colours; after Okabe and Ito (2008) where
-/// there are 256.
-constexpr std::array<int, 10> inks_256{own, 245, own, 35, 160, 32, 214, 166, 36, 250};
-constexpr std::array<int, 10> inks_8{own,        own,          own,       COLOR_GREEN, COLOR_RED,
-                                     COLOR_BLUE, COLOR_YELLOW, COLOR_RED, COLOR_CYAN,  COLOR_WHITE};
+/// Colours of the inks by their order, on terminals of 256, 16 and 8 colours; after Okabe and Ito (2008)
+/// where there are 256.
+constexpr std::size_t inks = static_cast<std::size_t>(Ink::shades);
+constexpr std::array<int, inks> inks_256{own, 245, own, 35, 160, 32, 214, 166, 36, 250};
+constexpr std::array<int, inks> inks_16{own, 8, own, 10, 9, 12, 11, 9, 14, 7};
+constexpr std::array<int, inks> inks_8{own,        own,          own,       COLOR_GREEN, COLOR_RED,
+                                       COLOR_BLUE, COLOR_YELLOW, COLOR_RED, COLOR_CYAN,  COLOR_WHITE};
+
+int ink_colour(Ink ink) {
+  const auto k = static_cast<std::size_t>(ink);
+  return COLORS >= 256 ? inks_256[k] : COLORS >= 16 ? inks_16[k] : inks_8[k];
+}
 
 /// From blue over grey to red.
 constexpr std::array<int, shade_steps> shades_256{19,  26,  32,  68,  74,  110, 152, 252,
@@ -29,8 +41,64 @@ constexpr std::array<int, shade_steps> shades_256{19,  26,  32,  68,  74,  110, 
 int shade_colour(int step) {
   if (step == no_shade) return own;
   if (COLORS >= 256) return shades_256[static_cast<std::size_t>(step)];
+  constexpr std::array<int, 5> five{4, 12, 7, 9, 1};
+  if (COLORS >= 16) return five[static_cast<std::size_t>(step * 5 / shade_steps)];
   constexpr std::array<int, 3> three{COLOR_BLUE, COLOR_WHITE, COLOR_RED};
   return three[static_cast<std::size_t>(step * 3 / shade_steps)];
+}
+
+/// A control code of this terminal, empty where it has none.
+std::string code(const char* name) {
+  const char* text = tigetstr(name);
+  return text == nullptr || text == reinterpret_cast<const char*>(-1) ? "" : text;
+}
+
+Press mouse() {
+  MEVENT event;
+  if (getmouse(&event) != OK) return {};
+  if (event.bstate & BUTTON4_PRESSED) return {key_wheel_up, event.x, event.y};
+  if (event.bstate & BUTTON5_PRESSED) return {key_wheel_down, event.x, event.y};
+  if (event.bstate & (BUTTON1_CLICKED | BUTTON1_PRESSED)) return {key_click, event.x, event.y};
+  return {};
+}
+
+Press special(int pressed) {
+  switch (pressed) {
+    case KEY_UP:
+      return {key_up};
+    case KEY_DOWN:
+      return {key_down};
+    case KEY_LEFT:
+      return {key_left};
+    case KEY_RIGHT:
+      return {key_right};
+    case KEY_PPAGE:
+      return {key_page_up};
+    case KEY_NPAGE:
+      return {key_page_down};
+    case KEY_HOME:
+      return {key_home};
+    case KEY_END:
+      return {key_end};
+    case KEY_BACKSPACE:
+      return {key_backspace};
+    case KEY_DC:
+      return {key_delete};
+    case KEY_BTAB:
+      return {key_back_tab};
+    case KEY_ENTER:
+      return {key_enter};
+    case KEY_MOUSE:
+      return mouse();
+    default:
+      return {};
+  }
+}
+
+Press letter(int pressed) {
+  if (pressed == '\r') return {key_enter};
+  if (pressed == 127 || pressed == 8) return {key_backspace};
+  return {pressed};
 }
 
 bool is_utf8() { return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0; }
@@ -47,18 +115,24 @@ Terminal::Terminal(bool color) {
   setlocale(LC_CTYPE, "");
   glyphs_ = is_utf8() ? Glyphs::unicode : Glyphs::ascii;
   initscr();
+  guard_terminal(code("rmcup") + code("cnorm") + code("sgr0") + code("rmkx") + "\033[?1000l");
   cbreak();
   noecho();
   keypad(stdscr, TRUE);
   set_escdelay(25);
   curs_set(0);
+  mousemask(BUTTON1_CLICKED | BUTTON1_PRESSED | BUTTON4_PRESSED | BUTTON5_PRESSED, nullptr);
+  mouseinterval(0);
   color_ = color && has_colors();
   if (!color_) return;
   start_color();
   use_default_colors();
 }
 
-Terminal::~Terminal() { endwin(); }
+Terminal::~Terminal() {
+  endwin();
+  unguard_terminal();
+}
 
 int Terminal::width() const { return getmaxx(stdscr); }
 int Terminal::height() const { return getmaxy(stdscr); }
@@ -74,15 +148,14 @@ void Terminal::set_style(const Style& style) {
   attr_t attributes = A_NORMAL;
   if (style.bold) attributes |= A_BOLD;
   if (style.reverse) attributes |= A_REVERSE;
-  if (style.ink == Ink::dim && (!color_ || COLORS < 256)) attributes |= A_DIM;
+  if (style.ink == Ink::dim && (!color_ || COLORS < 16)) attributes |= A_DIM;
   int pair = 0;
   if (color_ && style.ink == Ink::shades) {
     const bool one_half = style.upper == no_shade;
     pair = pair_of(shade_colour(one_half ? style.lower : style.upper),
                    one_half ? own : shade_colour(style.lower));
   } else if (color_) {
-    const auto ink = static_cast<std::size_t>(style.ink);
-    pair = pair_of(COLORS >= 256 ? inks_256[ink] : inks_8[ink], own);
+    pair = pair_of(ink_colour(style.ink), own);
   }
   attr_set(attributes, 0, &pair);
 }
@@ -100,10 +173,14 @@ void Terminal::show(const Canvas& canvas) {
   refresh();
 }
 
-int Terminal::key(int milliseconds) {
+Press Terminal::press(int milliseconds) {
   timeout(milliseconds);
-  const int pressed = getch();
-  return pressed == ERR || pressed == KEY_RESIZE ? -1 : pressed;
+  wint_t pressed = 0;
+  const int kind = get_wch(&pressed);
+  if (kind == ERR) return {};
+  return kind == KEY_CODE_YES ? special(static_cast<int>(pressed)) : letter(static_cast<int>(pressed));
 }
+
+void Terminal::say_in_a_crash(const std::string& text) { studio::say_in_a_crash(text); }
 
 }  // namespace rift::studio

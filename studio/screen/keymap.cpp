@@ -1,0 +1,106 @@
+#include "studio/screen/keymap.hpp"
+
+#include "studio/screen/box.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace rift::studio {
+namespace {
+
+using enum Action;
+using W = Where;
+
+constexpr std::array table{
+    Binding{W::home, open, key_enter, key_right, "enter", "open", "Open the preset as a form, or the run"},
+    Binding{W::home, run, 'r', key_none, "r", "run", "Run the preset as it is"},
+    Binding{W::home, search, '/', key_none, "/", "search", "Show only what holds these letters"},
+    Binding{W::home, mark, ' ', key_none, "space", "mark", "Mark a run to be compared"},
+    Binding{W::home, compare, 'c', key_none, "c", "compare", "Compare the marked runs"},
+    Binding{W::home, film, 'm', key_none, "m", "film", "Make a film of the run"},
+    Binding{W::home, remove, 'd', key_delete, "d", "delete", "Delete the run, after a question"},
+    Binding{W::form, open, key_enter, key_right, "enter", "edit", "Change the value"},
+    Binding{W::form, run, 'r', key_none, "r", "run", "Run it"},
+    Binding{W::form, save, 's', key_none, "s", "save", "Save as a preset of your own"},
+    Binding{W::form, reset, 'd', key_delete, "d", "undo", "Take the change of this value back"},
+    Binding{W::form, search, '/', key_none, "/", "search", "Show only what holds these letters"},
+    Binding{W::live, pause, ' ', key_none, "space", "pause", "Pause, and go on"},
+    Binding{W::live, step, '.', key_none, ".", "step", "A single step"},
+    Binding{W::live, slower, '<', key_left, "<", "slower", "Slow motion"},
+    Binding{W::live, faster, '>', key_right, ">", "faster", "Faster again, up to what the machine can do"},
+    Binding{W::live, change, 'x', key_none, "x", "change",
+            "Change technique, relaxation, r_l, alpha or velocity from here on"},
+    Binding{W::live, lane, key_tab, key_none, "tab", "lane", "The next lane; 1 to 8 choose one"},
+    Binding{W::live, beside, 'v', key_none, "v", "beside", "A second lane's plate beside the first"},
+    Binding{W::live, frame, 'f', key_none, "f", "frame", "A picture of this moment"},
+    Binding{W::live, film, 'm', key_none, "m", "film", "A film from here on; again: up to here"},
+    Binding{W::live, export_tables, 'e', key_none, "e", "export", "Write the tables as CSV"},
+    Binding{W::live, stop, 's', key_none, "s", "stop", "Stop the run here; what there is, is kept"},
+    Binding{W::watch, lane, key_tab, key_none, "tab", "lane", "The next lane; 1 to 8 choose one"},
+    Binding{W::watch, beside, 'v', key_none, "v", "beside", "A second lane's plate beside the first"},
+    Binding{W::watch, frame, 'f', key_none, "f", "frame", "A picture of the last stored moment"},
+    Binding{W::watch, film, 'm', key_none, "m", "film", "A film of the run"},
+    Binding{W::watch, export_tables, 'e', key_none, "e", "export", "Write the tables as CSV"},
+    Binding{W::study, stop, 's', key_none, "s", "stop", "Stop the study; it can be continued"},
+    Binding{W::lesson, next, key_enter, key_right, "enter", "next", "Go on"},
+    Binding{W::lesson, previous, key_left, key_backspace, "left", "back", "The page before"},
+    Binding{W::lesson, handout, 'h', key_none, "h", "handout", "Write the lesson as a page of HTML"},
+    Binding{W::anywhere, up, key_up, 'k', "up, k", "", "Up"},
+    Binding{W::anywhere, down, key_down, 'j', "down, j", "", "Down"},
+    Binding{W::anywhere, page_up, key_page_up, key_none, "page up", "", "A page up"},
+    Binding{W::anywhere, page_down, key_page_down, key_none, "page down", "", "A page down"},
+    Binding{W::anywhere, first, key_home, 'g', "home, g", "", "To the top"},
+    Binding{W::anywhere, last, key_end, 'G', "end, G", "", "To the end"},
+    Binding{W::anywhere, help, '?', key_none, "?", "keys", "These keys"},
+    Binding{W::anywhere, back, 'q', key_escape, "q", "leave",
+            "Leave this screen; a run here is stopped first"},
+};
+
+bool is_of(const Binding& binding, Where where) {
+  return binding.where == where || binding.where == Where::anywhere;
+}
+
+}  // namespace
+
+std::span<const Binding> bindings() { return table; }
+
+Action action_of(Where where, int key) {
+  if (key == key_none) return none;
+  for (const Binding& b : table)
+    if (is_of(b, where) && (key == b.key || key == b.other)) return b.action;
+  return none;
+}
+
+std::string foot_of(Where where, int width) {
+  std::string always, rest;
+  for (const Binding& b : table)
+    if (b.where == Where::anywhere && !b.name.empty()) always += fmt::format("  {} {}", b.label, b.name);
+  for (const Binding& b : table) {
+    if (b.where != where || b.name.empty()) continue;
+    const std::string more = fmt::format("{}{} {}", rest.empty() ? "" : "  ", b.label, b.name);
+    if (static_cast<int>(rest.size() + more.size() + always.size()) > width) break;
+    rest += more;
+  }
+  const std::string foot = rest + always;
+  return rest.empty() ? foot.substr(2) : foot;
+}
+
+void draw_help(Canvas& canvas, Where where, Glyphs glyphs) {
+  std::vector<const Binding*> rows;
+  for (const Binding& b : table)
+    if (is_of(b, where)) rows.push_back(&b);
+  constexpr int keys = 12;
+  int width = 0;
+  for (const Binding* b : rows) width = std::max(width, keys + static_cast<int>(b->help.size()));
+  const Area inside =
+      draw_box(canvas, width + 2, static_cast<int>(rows.size()), "keys of this screen", glyphs);
+  for (int k = 0; k < static_cast<int>(rows.size()) && k < inside.height; ++k) {
+    canvas.text(inside.x + 1, inside.y + k, rows[k]->label, {Ink::title, true}, keys);
+    canvas.text(inside.x + 1 + keys, inside.y + k, rows[k]->help, {}, inside.width - keys - 1);
+  }
+}
+
+}  // namespace rift::studio

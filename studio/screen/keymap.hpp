@@ -1,0 +1,74 @@
+#pragma once
+
+#include "studio/screen/canvas.hpp"
+#include "studio/screen/press.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// THE table of the keys: it gives what a press does, the line at the foot and the help.
+namespace rift::studio {
+
+/// Which screen a binding is of.
+enum class Where : std::uint8_t { anywhere, home, form, live, watch, study, compare, lesson };
+
+enum class Action : std::uint8_t {
+  none,
+  up,
+  down,
+  page_up,
+  page_down,
+  first,
+  last,
+  left,
+  right,
+  open,
+  search,
+  mark,
+  compare,
+  remove,
+  render,
+  run,
+  reset,
+  save,
+  lane,
+  beside,
+  pause,
+  step,
+  slower,
+  faster,
+  change,
+  frame,
+  film,
+  export_tables,
+  stop,
+  next,
+  previous,
+  handout,
+  help,
+  back,
+};
+
+struct Binding {
+  Where where;
+  Action action;
+  int key, other;          // other: a second key that does the same, or key_none
+  std::string_view label;  // as shown: "space", "enter"
+  std::string_view name;   // in the foot: "pause"; empty: in the help only
+  std::string_view help;   // one line
+};
+
+[[nodiscard]] std::span<const Binding> bindings();
+
+/// What a key does on a screen.
+[[nodiscard]] Action action_of(Where where, int key);
+
+/// "enter open  / search ...": as many as fit into `width` cells, the help key always among them.
+[[nodiscard]] std::string foot_of(Where where, int width);
+
+/// A box over the screen with every key of it.
+void draw_help(Canvas& canvas, Where where, Glyphs glyphs);
+
+}  // namespace rift::studio

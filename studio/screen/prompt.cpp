@@ -1,0 +1,61 @@
+#include "studio/screen/prompt.hpp"
+
+#include "studio/screen/box.hpp"
+
+#include <algorithm>
+
+namespace rift::studio {
+namespace {
+
+std::string utf8(char32_t c) {
+  std::string out;
+  if (c < 0x80) return {static_cast<char>(c)};
+  if (c < 0x800) {
+    out += static_cast<char>(0xC0 | (c >> 6));
+  } else {
+    if (c < 0x10000) {
+      out += static_cast<char>(0xE0 | (c >> 12));
+    } else {
+      out += static_cast<char>(0xF0 | (c >> 18));
+      out += static_cast<char>(0x80 | ((c >> 12) & 0x3F));
+    }
+    out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+  }
+  out += static_cast<char>(0x80 | (c & 0x3F));
+  return out;
+}
+
+void drop_last_letter(std::string& text) {
+  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+  if (!text.empty()) text.pop_back();
+}
+
+constexpr int control_u = 21;  // as in a shell: all away
+
+}  // namespace
+
+Prompt::State Prompt::press(const Press& press) {
+  constexpr std::size_t longest = 400;
+  if (press.key == key_enter) return state_ = State::entered;
+  if (press.key == key_escape) return state_ = State::cancelled;
+  if (press.key == key_backspace) drop_last_letter(text_);
+  if (press.key == control_u) text_.clear();
+  if (press.key >= 32 && press.key < key_up && text_.size() < longest)
+    text_ += utf8(static_cast<char32_t>(press.key));
+  return state_;
+}
+
+void Prompt::draw(Canvas& canvas, const Area& area, const Style& style) const {
+  if (area.empty()) return;
+  clear(canvas, {area.x, area.y, area.width, 1}, style);
+  const int label =
+      label_.empty() ? 0 : canvas.text(area.x, area.y, label_ + ": ", {Ink::title, true}, area.width);
+  const std::u32string letters = letters_of(text_);
+  const int room = std::max(1, area.width - label - 1);
+  const std::size_t from = letters.size() > static_cast<std::size_t>(room) ? letters.size() - room : 0;
+  int x = area.x + label;
+  for (std::size_t k = from; k < letters.size(); ++k) canvas.put(x++, area.y, letters[k], style);
+  canvas.put(x, area.y, U' ', {style.ink, style.bold, !style.reverse});
+}
+
+}  // namespace rift::studio

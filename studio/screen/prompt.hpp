@@ -1,0 +1,33 @@
+#pragma once
+
+#include "studio/screen/canvas.hpp"
+#include "studio/screen/press.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace rift::studio {
+
+/// A line that is being typed.
+class Prompt {
+ public:
+  enum class State : std::uint8_t { idle, typing, entered, cancelled };
+
+  Prompt() = default;
+  Prompt(std::string label, std::string text)
+      : label_(std::move(label)), text_(std::move(text)), state_(State::typing) {}
+
+  [[nodiscard]] bool typing() const { return state_ == State::typing; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const std::string& label() const { return label_; }
+  /// @return whether it was entered or given up by this press
+  State press(const Press& press);
+  /// "label: text_" in one line of the area, the end of the text always to be seen.
+  void draw(Canvas& canvas, const Area& area, const Style& style = {}) const;
+
+ private:
+  std::string label_, text_;
+  State state_ = State::idle;
+};
+
+}  // namespace rift::studio
