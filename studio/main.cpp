@@ -37,10 +37,7 @@ ExitCode run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report(app, error);
   }
-  if (app.get_subcommands().empty()) {
-    fmt::print(stderr, "{}", app.help());
-    return ExitCode::bad_input;
-  }
+  if (app.get_subcommands().empty()) return rift::studio::open_studio();
   return exit_code;
 }
 

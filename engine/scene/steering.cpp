@@ -74,7 +74,7 @@ std::string text_of(const Value& value) {
 
 void take_row(Reading& reading, const TomlRow& row) {
   const std::size_t issues = reading.issues.size();
-  const auto lane = whole(reading, row, "lane", 1, reading.lanes).value_or(1);
+  const auto lane = whole(reading, row, "lane", 0, reading.lanes - 1).value_or(0);
   const auto step = whole(reading, row, "step", 0, std::int64_t{1} << 40);
   std::vector<Change> changes;
   for (const TomlEntry& entry : row.entries) {
@@ -83,7 +83,7 @@ void take_row(Reading& reading, const TomlRow& row) {
       reading.say(entry, fmt::format("cannot be steered: what can is {}", names_of_steerable()));
       continue;
     }
-    Change change{static_cast<int>(lane) - 1, step.value_or(0), entry.name, text_of(entry.value)};
+    Change change{static_cast<int>(lane), step.value_or(0), entry.name, text_of(entry.value)};
     Scene scene = default_scene();
     scene.crack.technique = Technique::progressive;
     if (std::string wrong = steer(scene, change, 0.0); !wrong.empty()) reading.say(entry, std::move(wrong));
@@ -150,7 +150,7 @@ std::vector<Issue> take_steering(Preset& preset, const TomlDocument& document) {
 std::string steering_text(const std::vector<Change>& changes) {
   std::string out;
   for (const Change& c : changes)
-    out += fmt::format("\n[[steering]]\nlane = {}\nstep = {}\n{} = {}\n", c.lane + 1, c.step, c.axis,
+    out += fmt::format("\n[[steering]]\nlane = {}\nstep = {}\n{} = {}\n", c.lane, c.step, c.axis,
                        is_text(c) ? fmt::format("\"{}\"", c.value) : c.value);
   return out;
 }

@@ -31,6 +31,7 @@ double seconds_since(Clock::time_point start) {
 struct Seat {
   int scenario = -1;  // none: the lane is idle
   std::size_t next_sample = 0, next_frame = 0;
+  std::int64_t framed_at = -1;  // the step of the last frame
   Clock::time_point since = Clock::now();
 };
 
@@ -171,7 +172,9 @@ class Run {
     }
   }
 
-  void tell_frame(const Seat& seat) {
+  void tell_frame(Seat& seat) {
+    if (seat.framed_at == steps(seat)) return;  // as often as it is asked for, once
+    seat.framed_at = steps(seat);
     if (observer_.frame) observer_.frame(frame(seat, scene().output.fields));
   }
 
@@ -271,10 +274,20 @@ class Run {
     return seat == seat_.end() ? nullptr : &*seat;
   }
 
+  void carry_out(Orders& orders) {
+    for (Change& change : orders.changes) {
+      Seat* seat = seat_of(change.lane);
+      if (seat) change.step = steps(*seat);
+      const std::string refused = seat ? make(*seat, change) : "its crack does not run";
+      if (observer_.changed) observer_.changed(change, refused);
+    }
+    for (const int scenario : orders.frames)
+      if (Seat* seat = seat_of(scenario)) tell_frame(*seat);
+  }
+
   /// Asks whoever steers and does what it says. @return whether to go on
   bool take_orders(const Progress& progress) {
     if (!observer_.steer) return true;
-    const auto asked = Clock::now();
     Moment moment{progress, {}, {}};
     moment.books = [this](int scenario) -> std::optional<results::Sample> {
       Seat* seat = seat_of(scenario);
@@ -284,16 +297,13 @@ class Run {
       Seat* seat = seat_of(scenario);
       return seat ? std::optional(frame(*seat, {"displacement"})) : std::nullopt;
     };
-    Orders orders = observer_.steer(moment);
-    waited_ += seconds_since(asked);
-    for (Change& change : orders.changes) {
-      Seat* seat = seat_of(change.lane);
-      if (seat) change.step = steps(*seat);
-      const std::string refused = seat ? make(*seat, change) : "its crack does not run";
-      if (observer_.changed) observer_.changed(change, refused);
-    }
-    for (const int scenario : orders.frames)
-      if (const Seat* seat = seat_of(scenario)) tell_frame(*seat);
+    Orders orders;
+    do {
+      const auto asked = Clock::now();
+      orders = observer_.steer(moment);
+      waited_ += seconds_since(asked);
+      carry_out(orders);
+    } while (orders.wait && !orders.stop);
     asked_again_at_ = orders.steps > 0 ? marched_ + orders.steps : 0;
     return !orders.stop;
   }
@@ -301,7 +311,7 @@ class Run {
   [[noreturn]] void refuse(const Change& change, const std::string& why) const {
     throw InputError(
         {issue_at(prepared_.preset, "steering." + change.axis,
-                  fmt::format("lane {}, step {}, {}: {}", change.lane + 1, change.step, change.value, why))});
+                  fmt::format("lane {}, step {}, {}: {}", change.lane, change.step, change.value, why))});
   }
 
   /// What the preset says is changed must come to pass; a new velocity changes how many steps there are.

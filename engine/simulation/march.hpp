@@ -34,6 +34,7 @@ struct Orders {
   bool stop = false;
   std::vector<Change> changes = {};  // made now: their steps are filled in
   std::vector<int> frames = {};      // scenarios whose fields are to be written now
+  bool wait = false;                 // asked again before the next step
   std::int64_t steps = 0;            // asked again after so many steps; 0: after a twentieth of a second
 };
 

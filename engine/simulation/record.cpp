@@ -38,8 +38,12 @@ struct Recording {
                      writer.flush();
                      return !beside.go_on || beside.go_on(p);
                    },
-               .ended = beside.ended,
-               .steer = beside.steer};
+               .ended = beside.ended};
+    if (beside.steer)
+      o.steer = [&](const Moment& moment) {
+        writer.flush();  // whoever steers may want to show to others what there is
+        return beside.steer(moment);
+      };
     o.changed = [&](const Change& change, const std::string& refused) {
       if (refused.empty()) keep(change);
       if (beside.changed) beside.changed(change, refused);

@@ -233,6 +233,16 @@ Json scenarios_of(const Prepared& prepared) {
   return scenarios;
 }
 
+/// What each lane's release rate is measured against, for whoever looks at the run while it goes on.
+Json rate_scales_of(const Prepared& prepared) {
+  Json scales = Json::array();
+  for (const LanePlan& lane : prepared.lane) {
+    const RateScale scale = scale_of(prepared, lane);
+    scales.push_back({{"g_i0_j_m2", scale.g_i0}, {"g_i0_slope_j_m3", scale.g_i0_slope}});
+  }
+  return scales;
+}
+
 Json header_of(const Prepared& prepared, const BuildInfo& build) {
   const Scene& scene = prepared.preset.scene;
   const LanePlan& first = prepared.lane.front();
@@ -251,6 +261,7 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"height_m", prepared.lattice.box.height},
           {"thickness_m", prepared.lattice.box.thickness},
           {"g_i0_j_m2", mean_g_i0(scale_of(prepared, first), first.window[0], first.window[1])},
+          {"rate_scales", rate_scales_of(prepared)},
           {"rayleigh_speed_m_s", prepared.rayleigh_speed},
           {"tips", prepared.path.tips},
           {"path", path_of(prepared)},

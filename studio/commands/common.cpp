@@ -73,14 +73,21 @@ fs::path presets_folder() {
   return fs::is_directory(installed, ignored) ? installed : fs::path(RIFT_SOURCE_PRESETS);
 }
 
+fs::path own_presets_folder() {
+  if (const fs::path data = environment("XDG_DATA_HOME"); data.is_absolute())
+    return data / "rift" / "presets";
+  return fs::path(environment("HOME")) / ".local" / "share" / "rift" / "presets";
+}
+
 fs::path resolve_preset(const std::string& preset) {
   std::error_code ignored;
   if (fs::is_regular_file(preset, ignored)) return preset;
   if (!preset.empty() && !fs::path(preset).has_parent_path()) {
-    for (const std::string ending : {"", ".toml"}) {
-      const fs::path candidate = presets_folder() / (preset + ending);
-      if (fs::is_regular_file(candidate, ignored)) return candidate;
-    }
+    for (const fs::path& folder : {presets_folder(), own_presets_folder()})
+      for (const std::string ending : {"", ".toml"}) {
+        const fs::path candidate = folder / (preset + ending);
+        if (fs::is_regular_file(candidate, ignored)) return candidate;
+      }
   }
   refuse_preset(preset);
 }

@@ -25,8 +25,12 @@ std::string version_text();
 /// (../share/rift/presets), else those of the source tree. The folder need not exist.
 std::filesystem::path presets_folder();
 
+/// Where presets of the user's own are: $XDG_DATA_HOME/rift/presets, else ~/.local/share/rift/presets. It
+/// need not exist.
+std::filesystem::path own_presets_folder();
+
 /// The preset that the user means: a path to a file, or the bare name of one in the presets folder
-/// ("quickstart"). Throws InputError, with the nearest name, where there is none.
+/// ("quickstart") or among the user's own. Throws InputError, with the nearest name, where there is none.
 std::filesystem::path resolve_preset(const std::string& preset);
 
 /// Adds --color auto|always|never to a command; `when` starts as and defaults to "auto".

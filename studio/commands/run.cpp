@@ -5,6 +5,7 @@
 #include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
+#include "studio/commands/run_panel.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/run_table.hpp"
 
@@ -13,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -29,7 +31,7 @@ using Json = nlohmann::ordered_json;
 struct RunOptions {
   SceneOptions scene;
   std::string out, replay;
-  bool force = false;
+  bool force = false, plain = false;
   std::unique_ptr<FilmOfRun> film;
 };
 
@@ -72,25 +74,64 @@ void print_result(const RunOptions& options, const Json& summary, const fs::path
   if (!film.empty()) fmt::print("  {:<22}{}\n", "film", film);
 }
 
+/// By a signal, or by hand in the panel, which counts as a Ctrl-C.
+ExitCode stopped_by(const StopSignal& stop) {
+  return static_cast<ExitCode>(128 + (stop.received() != 0 ? stop.received() : SIGINT));
+}
+
 ExitCode exit_code_of(Outcome outcome, const StopSignal& stop) {
   if (outcome == Outcome::diverged) return ExitCode::diverged;
-  if (outcome == Outcome::stopped) return static_cast<ExitCode>(128 + stop.received());
+  if (outcome == Outcome::stopped) return stopped_by(stop);
   return ExitCode::done;
 }
 
-/// Nothing where the user stopped it.
-std::optional<Prepared> prepared_for(const Preset& preset, Cache& cache, ProgressLine& line,
-                                     const StopSignal& stop) {
-  try {
-    return prepare(preset, scenes_of_run(preset), cache, [&](std::string_view stage, double done) {
-      line.tell(stage, done);
-      return stop.received() == 0;
-    });
-  } catch (const Interrupted& interrupted) {
-    line.clear();
-    fmt::print(stderr, "rift run: {}; nothing was written\n", interrupted.what());
-    return std::nullopt;
+/// What both ways to run have in common.
+struct Way {
+  const RunOptions& options;
+  const Preset& preset;
+  const StopSignal& stop;
+  ProgressLine& line;
+  Clock::time_point start = Clock::now();
+
+  void begin_film(const fs::path& folder) const {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    options.film->begin(folder, options.scene.threads > 0 && options.scene.threads < cores);
   }
+};
+
+/// With lines of progress. Nothing where the user stopped it before its first step.
+std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache& cache) try {
+  results::ClaimedFolder folder(path, way.options.force);
+  const Prepared prepared =
+      prepare(way.preset, scenes_of_run(way.preset), cache, [&](std::string_view stage, double done) {
+        way.line.tell(stage, done);
+        return way.stop.received() == 0;
+      });
+  way.begin_film(folder.keep());
+  const double preparation = std::chrono::duration<double>(Clock::now() - way.start).count();
+  return record_run(prepared, path, build_info(),
+                    {.go_on = telling(way.line, way.stop, prepared.lattice.centre.size())},
+                    {.threads = way.options.scene.threads}, preparation);
+} catch (const Interrupted& interrupted) {
+  way.line.clear();
+  fmt::print(stderr, "rift run: {}; nothing was written\n", interrupted.what());
+  return std::nullopt;
+}
+
+/// In the live panel.
+std::optional<Recorded> run_live(const Way& way, const fs::path& path, const Cache& cache) {
+  RunWish wish{.preset = way.preset, .folder = path, .force = way.options.force};
+  wish.threads = way.options.scene.threads;
+  wish.cache = cache;
+  wish.build = build_info();
+  wish.began = [&](const fs::path& folder) { way.begin_film(folder); };
+  auto ran = run_in_panel(std::move(wish), wants_color(way.options.scene.color, stdout), way.stop);
+  if (!ran) fmt::print(stderr, "rift run: stopped before the first step; nothing was written\n");
+  return ran;
+}
+
+bool wants_panel(const RunOptions& options) {
+  return !options.plain && !options.scene.quiet && !options.scene.json && panel_there();
 }
 
 /// A preset, or with --replay the one that a steered run has left.
@@ -105,7 +146,6 @@ Preset read_wish(const RunOptions& options) {
 }
 
 ExitCode run(const RunOptions& options) {
-  const auto start = Clock::now();
   const Preset preset = read_wish(options);
   if (options.scene.print_config) {
     fmt::print("{}", preset_text(preset));
@@ -118,24 +158,18 @@ ExitCode run(const RunOptions& options) {
   }
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
-  results::ClaimedFolder folder(folder_for(options), options.force);
   Cache cache = cache_for(options.scene);
-  const std::optional<Prepared> prepared = prepared_for(preset, cache, line, stop);
-  if (!prepared) return static_cast<ExitCode>(128 + stop.received());
-
-  const fs::path path = folder.keep();
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  options.film->begin(path, options.scene.threads > 0 && options.scene.threads < cores);
-  const double preparation = std::chrono::duration<double>(Clock::now() - start).count();
-  const Recorded ran = record_run(*prepared, path, build_info(),
-                                  {.go_on = telling(line, stop, prepared->lattice.centre.size())},
-                                  {.threads = options.scene.threads}, preparation);
+  const Way way{options, preset, stop, line};
+  const fs::path path = folder_for(options);
+  const std::optional<Recorded> ran =
+      wants_panel(options) ? run_live(way, path, cache) : run_plainly(way, path, cache);
+  if (!ran) return stopped_by(stop);
   const FilmOfRun::Result film = options.film->finish(line, [&] { return stop.received() == 0; });
   line.clear();
   print_notes(cache);
-  print_result(options, ran.summary, path, film.path);
+  print_result(options, ran->summary, path, film.path);
   if (!film.trouble.empty()) fmt::print(stderr, "rift run: no film: {}\n", film.trouble);
-  const ExitCode code = exit_code_of(ran.result.outcome, stop);
+  const ExitCode code = exit_code_of(ran->result.outcome, stop);
   return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
 }
 
@@ -148,6 +182,7 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
   add_scene_options(command, options->scene);
   options->film = std::make_unique<FilmOfRun>(command);
   command.add_option("--out", options->out, "Folder of the run (default: runs/NAME, numbered if it exists)");
+  command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
   command.add_flag("--force", options->force, "Replace the run that is in the folder");
   CLI::Option* preset = command.get_option("preset");
   CLI::Option* replay = command.add_option(

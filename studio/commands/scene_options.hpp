@@ -34,7 +34,7 @@ Cache cache_for(const SceneOptions& options);
 /// What the cache has to say, on stderr.
 void print_notes(const Cache& cache);
 
-/// SIGINT and SIGTERM no longer kill, but set a flag that long work looks at. Lives as long as the command.
+/// SIGINT, SIGTERM and SIGHUP no longer kill, but set a flag that long work looks at. Lives as long as the command.
 class StopSignal {
  public:
   StopSignal();

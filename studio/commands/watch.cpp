@@ -1,7 +1,9 @@
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/screen/live_of_run.hpp"
+#include "studio/commands/workshop.hpp"
+#include "studio/terminal/bench.hpp"
 #include "studio/terminal/terminal.hpp"
+#include "studio/workbench/panel_screen.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,13 +17,6 @@ struct WatchOptions {
   std::string run, color;
 };
 
-/// The lane that a key asks for; otherwise the one that is shown.
-int lane_after(int key, int shown, int lanes) {
-  if (key == '\t') return (shown + 1) % lanes;
-  const int asked = key - '1';
-  return asked >= 0 && asked < lanes ? asked : shown;
-}
-
 ExitCode watch(const WatchOptions& options) {
   if (!Terminal::there()) {
     fmt::print(
@@ -30,21 +25,11 @@ ExitCode watch(const WatchOptions& options) {
         options.run);
     return ExitCode::bad_input;
   }
-  LiveOfRun run(options.run);
+  Workshop workshop = workshop_here(0);
+  auto screen = std::make_unique<WatchScreen>(workshop, options.run);
   const StopSignal stop;
-  Terminal terminal(wants_color(options.color, stdout));
-  int shown = 0;
-  const int lanes = static_cast<int>(run.live().lanes.size());
-  for (int key = 0; key != 'q' && key != key_escape && stop.received() == 0;) {
-    Canvas canvas(terminal.width(), terminal.height());
-    draw_live(canvas, run.live(), shown,
-              lanes > 1 ? "q leave (the run goes on)   1-8, tab lane" : "q leave (the run goes on)",
-              terminal.glyphs());
-    terminal.show(canvas);
-    key = terminal.press(100).key;
-    shown = lane_after(key, shown, lanes);
-    run.look();
-  }
+  work_in_terminal(std::move(screen), wants_color(options.color, stdout),
+                   [&] { return stop.received() != 0; });
   return stop.received() == 0 ? ExitCode::done : static_cast<ExitCode>(128 + stop.received());
 }
 

@@ -49,11 +49,13 @@ int draw_paragraph(Canvas& canvas, const Area& area, std::string_view text, cons
   return lines;
 }
 
-void draw_too_small(Canvas& canvas, int width, int height) {
-  const std::string text =
-      fmt::format("{}x{} is too small: {}x{} needed", canvas.width(), canvas.height(), width, height);
+bool draw_too_small(Canvas& canvas) {
+  if (canvas.width() >= least_width && canvas.height() >= least_height) return false;
+  const std::string text = fmt::format("{}x{} is too small: {}x{} needed", canvas.width(), canvas.height(),
+                                       least_width, least_height);
   draw_paragraph(canvas, {0, std::max(0, canvas.height() / 2 - 1), canvas.width(), canvas.height()}, text,
                  {Ink::bad, true});
+  return true;
 }
 
 }  // namespace rift::studio

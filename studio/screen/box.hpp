@@ -6,6 +6,9 @@
 
 namespace rift::studio {
 
+/// The least size on which the screens make sense.
+inline constexpr int least_width = 60, least_height = 16;
+
 /// Blanks all cells of an area.
 void clear(Canvas& canvas, const Area& area, const Style& style = {});
 
@@ -16,7 +19,7 @@ Area draw_box(Canvas& canvas, int width, int height, std::string_view title, Gly
 /// The text broken at blanks into lines of the area. @return the lines it took
 int draw_paragraph(Canvas& canvas, const Area& area, std::string_view text, const Style& style = {});
 
-/// What is said in the middle of a screen that is too small.
-void draw_too_small(Canvas& canvas, int width, int height);
+/// On a screen that is too small: says how large it should be. @return whether it is
+bool draw_too_small(Canvas& canvas);
 
 }  // namespace rift::studio

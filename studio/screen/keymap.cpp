@@ -17,6 +17,7 @@ using W = Where;
 constexpr std::array table{
     Binding{W::home, open, key_enter, key_right, "enter", "open", "Open the preset as a form, or the run"},
     Binding{W::home, run, 'r', key_none, "r", "run", "Run the preset as it is"},
+    Binding{W::home, next, key_tab, key_none, "tab", "group", "The next group"},
     Binding{W::home, search, '/', key_none, "/", "search", "Show only what holds these letters"},
     Binding{W::home, mark, ' ', key_none, "space", "mark", "Mark a run to be compared"},
     Binding{W::home, compare, 'c', key_none, "c", "compare", "Compare the marked runs"},

@@ -1,6 +1,7 @@
 #include "studio/screen/live.hpp"
 
 #include "studio/report/progress.hpp"
+#include "studio/screen/box.hpp"
 #include "studio/screen/curves.hpp"
 #include "studio/screen/plate.hpp"
 
@@ -81,23 +82,55 @@ void draw_budget(Canvas& canvas, const Area& area, const LiveLane& lane, double 
   canvas.text(area.x + names, y, text, {closes ? Ink::plain : Ink::bad, !closes}, area.width - names);
 }
 
-void draw_table(Canvas& canvas, const Area& area, const Live& live, int shown) {
+/// A column of the table of lanes: what it says of one.
+struct Column {
+  const char* name;
+  int width;
+  std::string (*text)(const LiveLane& lane);
+};
+const Column columns[] = {
+    {"tip mm", 8,
+     [](const LiveLane& lane) {
+       return lane.books.empty() ? "" : fmt::format("{:.1f}", lane.books.back().tip_m / millimetre);
+     }},
+    {"G/G0", 7,
+     [](const LiveLane& lane) {
+       return lane.rates.empty() ? "" : fmt::format("{:.3f}", lane.rates.back().ratio);
+     }},
+    {"kinetic J", 11,
+     [](const LiveLane& lane) {
+       return lane.books.empty() ? "" : fmt::format("{:.3g}", kinetic_of(lane.books.back()));
+     }},
+    {"residual", 10,
+     [](const LiveLane& lane) {
+       return lane.books.empty() ? "" : fmt::format("{:.0e}", std::abs(lane.books.back().residual));
+     }},
+};
+
+void draw_table(Canvas& canvas, const Area& area, const Live& live, const LiveLook& look) {
   if (area.empty()) return;
-  canvas.text(area.x, area.y, fmt::format("{:<32}{:>8}{:>8}", "lane", "tip mm", "G/G0"), {Ink::dim},
-              area.width);
+  int title = area.width, shown = 0;  // as many columns as leave room for the title
+  for (const Column& column : columns) {
+    if (title - column.width < 20 && shown > 0) break;
+    title -= column.width, ++shown;
+  }
+  const auto line = [&](int y, const std::string& name, const Style& style, auto&& text_of) {
+    std::u32string padded = letters_of(name).substr(0, title);
+    padded.resize(title, U' ');
+    for (int x = 0; x < title; ++x) canvas.put(area.x + x, y, padded[x], style);
+    int x = area.x + title;
+    for (int c = 0; c < shown; ++c) {
+      canvas.text(x, y, fmt::format("{:>{}}", text_of(columns[c]), columns[c].width), style,
+                  columns[c].width);
+      x += columns[c].width;
+    }
+  };
+  line(area.y, "lane", {Ink::dim}, [](const Column& column) { return std::string(column.name); });
   for (int k = 0; k < static_cast<int>(live.lanes.size()) && k + 1 < area.height; ++k) {
-    const LiveLane& lane = live.lanes[k];
-    const std::string tip =
-        lane.books.empty() ? "" : fmt::format("{:.1f}", lane.books.back().tip_m / millimetre);
-    const std::string rate = lane.rates.empty() ? "" : fmt::format("{:.3f}", lane.rates.back().ratio);
-    Style style{Ink::plain};
-    style.reverse = k == shown;
-    const int title = std::max(8, std::min(30, area.width - 18));
-    std::u32string name = letters_of(fmt::format("{} {}", k + 1, lane.title)).substr(0, title);
-    name.resize(title, U' ');
-    for (int x = 0; x < title; ++x) canvas.put(area.x + x, area.y + 1 + k, name[x], style);
-    canvas.text(area.x + title, area.y + 1 + k, fmt::format("{:>9}{:>8}", tip, rate), style,
-                area.width - title);
+    Style style{k == look.beside ? Ink::elastic : Ink::plain};
+    style.reverse = k == look.shown;
+    line(area.y + 1 + k, fmt::format("{} {}", k + 1, live.lanes[k].title), style,
+         [&](const Column& column) { return column.text(live.lanes[k]); });
   }
 }
 
@@ -120,51 +153,63 @@ void draw_energies(Canvas& canvas, const Area& area, const LiveLane& lane, Glyph
 
 Curve level(double value, double until) { return {{{0, value}, {until, value}}, {Ink::reference}}; }
 
-void draw_rates(Canvas& canvas, const Area& area, const Live& live, int shown, Glyphs glyphs) {
+void draw_rates(Canvas& canvas, const Area& area, const Live& live, const LiveLook& look, Glyphs glyphs) {
   if (area.empty()) return;
   const double length = live.length / millimetre;
   std::vector<Curve> curves;
-  const LiveLane& lane = live.lanes[shown];
+  const LiveLane& lane = live.lanes[look.shown];
   if (lane.broberg) curves.push_back(level(*lane.broberg, length));
   if (lane.strip) curves.push_back(level(*lane.strip, length));
   double most = 1.2;
-  for (int pass = 0; pass < 2; ++pass)  // the lane that is shown lies over the others
-    for (int k = 0; k < static_cast<int>(live.lanes.size()); ++k) {
-      if ((k == shown) != (pass == 1)) continue;
-      Curve& curve = curves.emplace_back();
-      curve.style = k == shown ? Style{Ink::fracture, true} : Style{Ink::dim};
-      for (const results::RatePoint& p : live.lanes[k].rates) {
-        curve.points.push_back({p.tip_m / millimetre, p.ratio});
-        if (k == shown) most = std::max(most, std::min(p.ratio, 3.0));
-      }
+  std::vector<int> order;  // the lane that is shown lies over the one beside it, that one over the others
+  for (int k = 0; k < static_cast<int>(live.lanes.size()); ++k)
+    if (k != look.shown && k != look.beside) order.push_back(k);
+  if (look.beside >= 0 && look.beside != look.shown) order.push_back(look.beside);
+  order.push_back(look.shown);
+  for (const int k : order) {
+    Curve& curve = curves.emplace_back();
+    curve.style = k == look.shown    ? Style{Ink::fracture, true}
+                  : k == look.beside ? Style{Ink::elastic}
+                                     : Style{Ink::dim};
+    for (const results::RatePoint& p : live.lanes[k].rates) {
+      curve.points.push_back({p.tip_m / millimetre, p.ratio});
+      if (k == look.shown || k == look.beside) most = std::max(most, std::min(p.ratio, 3.0));
     }
+  }
   draw_curves(canvas, area, {{0, length}, {0, most}, "tip [mm]", "G_ID/G_I0; lines: Broberg, strip"}, curves,
               glyphs);
 }
 
-void draw_too_small(Canvas& canvas) {
-  canvas.text(0, std::max(0, canvas.height() / 2),
-              fmt::format("{}x{} is too small: {}x{} needed", canvas.width(), canvas.height(), least_width,
-                          least_height),
-              {Ink::bad, true});
+void draw_plate_of(Canvas& canvas, const Area& area, const Live& live, int k, Ink title, Glyphs glyphs) {
+  if (area.empty() || live.geometry == nullptr) return;
+  const LiveLane& lane = live.lanes[k];
+  Area plate = area;
+  if (live.lanes.size() > 1) {
+    canvas.text(area.x, area.y, fmt::format("{} {}", k + 1, lane.title), {title, true}, area.width);
+    ++plate.y, --plate.height;
+  }
+  draw_plate(canvas, plate, *live.geometry, lane.displacement,
+             {live.length, live.height, live.pulled, lane.tips}, glyphs);
 }
 
 }  // namespace
 
-void draw_live(Canvas& canvas, const Live& live, int shown, std::string_view keys, Glyphs glyphs) {
-  if (canvas.width() < least_width || canvas.height() < least_height) return draw_too_small(canvas);
-  const LiveLayout layout = live_layout(canvas.width(), canvas.height(), static_cast<int>(live.lanes.size()));
+void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs) {
+  if (draw_too_small(canvas)) return;
+  const bool two = look.beside >= 0 && look.beside < static_cast<int>(live.lanes.size());
+  const LiveLayout layout =
+      live_layout(canvas.width(), canvas.height(), static_cast<int>(live.lanes.size()), two);
   draw_head(canvas, layout.head, live, glyphs);
-  canvas.text(layout.foot.x, layout.foot.y, keys, {Ink::dim}, layout.foot.width);
+  canvas.text(layout.message.x, layout.message.y, live.message, {Ink::good}, layout.message.width);
+  canvas.text(layout.foot.x, layout.foot.y, look.foot, {Ink::dim}, layout.foot.width);
   if (live.lanes.empty()) return;
-  const LiveLane& lane = live.lanes[shown];
-  if (live.geometry != nullptr)
-    draw_plate(canvas, layout.plate, *live.geometry, lane.displacement,
-               {live.length, live.height, live.pulled, lane.tips}, glyphs);
+  const LiveLane& lane = live.lanes[look.shown];
+  draw_plate_of(canvas, layout.plate, live, look.shown, Ink::fracture, glyphs);
+  if (two) draw_plate_of(canvas, layout.plate_beside, live, look.beside, Ink::elastic, glyphs);
   draw_budget(canvas, layout.budget, lane, live.ledger_limit, glyphs);
-  draw_table(canvas, layout.table, live, shown);
+  draw_table(canvas, layout.table, live, look);
   draw_energies(canvas, layout.energies, lane, glyphs);
-  draw_rates(canvas, layout.rates, live, shown, glyphs);
+  draw_rates(canvas, layout.rates, live, look, glyphs);
 }
 
 }  // namespace rift::studio

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "engine/fracture/release_rate.hpp"
 #include "engine/results/schema.hpp"
-#include "studio/screen/canvas.hpp"
+#include "studio/screen/box.hpp"
 
 #include <array>
 #include <optional>
@@ -14,6 +15,7 @@ namespace rift::studio {
 /// What is known of one lane.
 struct LiveLane {
   std::string title;                               // "simple release, 0.1 c_r"
+  RateScale scale;                                 // of its release rate
   std::vector<results::Sample> books;              // of the crack, in time
   std::vector<results::RatePoint> rates;           // against tip position
   std::optional<double> broberg, strip;            // to compare with
@@ -25,6 +27,7 @@ struct LiveLane {
 struct Live {
   std::string name;          // of the run
   std::string state;         // "running", "finished", "damaged at byte ..."
+  std::string message;       // the last thing to be said
   double done = 0;           // [0, 1]
   double seconds_left = -1;  // negative: not known
   double steps_per_s = 0;
@@ -35,19 +38,22 @@ struct Live {
   std::vector<LiveLane> lanes;
 };
 
-/// Where the parts of the screen are; empty ones have no room.
-struct LiveLayout {
-  Area head, plate, budget, energies, rates, table, foot;
+/// What of it is shown.
+struct LiveLook {
+  int shown = 0;          // the lane that plate, bars and curves are of
+  int beside = -1;        // a second one, or none
+  std::string_view foot;  // the last line
 };
 
-/// Pure arithmetic for any size. @param lanes  of the run
-[[nodiscard]] LiveLayout live_layout(int width, int height, int lanes);
+/// Where the parts of the screen are; empty ones have no room.
+struct LiveLayout {
+  Area head, plate, plate_beside, budget, energies, rates, table, message, foot;
+};
 
-/// The least size on which it makes sense.
-inline constexpr int least_width = 60, least_height = 16;
+/// Pure arithmetic for any size. @param lanes  of the run;  @param two  plates beside each other
+[[nodiscard]] LiveLayout live_layout(int width, int height, int lanes, bool two);
 
-/// Draws the screen. @param shown  the lane that plate, bars and curves are of;  @param keys  what the foot
-/// says
-void draw_live(Canvas& canvas, const Live& live, int shown, std::string_view keys, Glyphs glyphs);
+/// Draws the screen.
+void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs);
 
 }  // namespace rift::studio

@@ -5,6 +5,7 @@
 #include "engine/results/crack_tip.hpp"
 #include "engine/results/lane_title.hpp"
 #include "engine/scene/preset.hpp"
+#include "engine/simulation/march.hpp"
 #include "engine/theory/references.hpp"
 
 #include <algorithm>
@@ -14,11 +15,16 @@ namespace {
 
 using Header = nlohmann::ordered_json;
 
-RateScale scale_of(const Header& header) {
-  return {.thickness = header.value("thickness_m", 0.0),
-          .g_i0 = header.value("g_i0_j_m2", 0.0),
-          .length = header.value("length_m", 0.0),
-          .tips = header.value("tips", 1)};
+RateScale scale_of(const Header& header, int lane) {
+  RateScale scale{.thickness = header.value("thickness_m", 0.0),
+                  .g_i0 = header.value("g_i0_j_m2", 0.0),
+                  .length = header.value("length_m", 0.0),
+                  .tips = header.value("tips", 1)};
+  const Header scales = header.value("rate_scales", Header::array());  // not in runs of before 0.2
+  if (lane >= static_cast<int>(scales.size())) return scale;
+  scale.g_i0 = scales[lane].value("g_i0_j_m2", 0.0);
+  scale.g_i0_slope = scales[lane].value("g_i0_slope_j_m3", 0.0);
+  return scale;
 }
 
 /// Broberg's factor at the lane's velocity, and the strip's.
@@ -33,23 +39,33 @@ void add_references(LiveLane& lane, const Header& scenario, const Scene& scene) 
 
 }  // namespace
 
-LiveOfRun::LiveOfRun(const std::filesystem::path& run)
-    : journal_(run / results::journal_name), header_(Header::parse(journal_.header_json())) {
-  live_.name = run.filename().empty() ? run.parent_path().filename().string() : run.filename().string();
-  live_.geometry = &journal_.geometry();
-  live_.length = header_.value("length_m", 0.0);
-  live_.height = header_.value("height_m", 0.0);
-  live_.pulled = header_.value("displacement_m", 0.0);
-  live_.steps = header_.value("steps", std::int64_t{0});
-  const Header all = header_.value("scenarios", Header::array());
+Live live_of_header(const Header& header, const std::filesystem::path& run) {
+  Live live;
+  live.name = run.filename().empty() ? run.parent_path().filename().string() : run.filename().string();
+  live.length = header.value("length_m", 0.0);
+  live.height = header.value("height_m", 0.0);
+  live.pulled = header.value("displacement_m", 0.0);
+  live.steps = header.value("steps", std::int64_t{0});
+  const Header all = header.value("scenarios", Header::array());
   const std::vector<Header> scenarios(all.begin(), all.end());
   const std::vector<std::string> titles = results::lane_titles(scenarios);
-  const Scene scene = read_preset_text(header_.value("preset", std::string{}), "the run's preset").scene;
-  live_.lanes.resize(journal_.lanes());
-  for (std::size_t k = 0; k < std::min(titles.size(), live_.lanes.size()); ++k) {
-    live_.lanes[k].title = titles[k];
-    add_references(live_.lanes[k], scenarios[k], scene);
+  const Scene scene = read_preset_text(header.value("preset", std::string{}), "the run's preset").scene;
+  live.ledger_limit = ledger_limit(scene.solver.kinematics, scene.solver.precision);
+  for (std::size_t k = 0; k < titles.size(); ++k) {
+    LiveLane& lane = live.lanes.emplace_back();
+    lane.title = titles[k];
+    lane.scale = scale_of(header, static_cast<int>(k));
+    add_references(lane, scenarios[k], scene);
   }
+  return live;
+}
+
+LiveOfRun::LiveOfRun(const std::filesystem::path& run)
+    : journal_(run / results::journal_name),
+      header_(Header::parse(journal_.header_json())),
+      live_(live_of_header(header_, run)) {
+  live_.geometry = &journal_.geometry();
+  live_.lanes.resize(journal_.lanes());
   for (int k = 0; k < journal_.lanes(); ++k) read_lane(k);
   read_progress();
 }
@@ -73,7 +89,7 @@ void LiveOfRun::read_lane(int k) {
   lane.books.clear();
   for (const results::Sample& s : journal_.samples(k))
     if (s.phase == results::Phase::fracture) lane.books.push_back(s);
-  if (lane.books.size() > 2) lane.rates = rate_curve(lane.books, scale_of(header_));
+  if (lane.books.size() > 2) lane.rates = rate_curve(lane.books, lane.scale);
   if (journal_.frames(k).empty()) return;
   const results::FrameEntry& last = journal_.frames(k).back();
   lane.displacement = journal_.frame(last).displacement;

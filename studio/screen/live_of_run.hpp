@@ -10,6 +10,9 @@
 
 namespace rift::studio {
 
+/// What a run's header says of it: names, sizes, titles and references of its lanes.
+[[nodiscard]] Live live_of_header(const nlohmann::ordered_json& header, const std::filesystem::path& run);
+
 /// The screen of a run from its journal, read only: of a run that goes on elsewhere, or has ended.
 class LiveOfRun {
  public:

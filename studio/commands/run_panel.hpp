@@ -1,0 +1,17 @@
+#pragma once
+
+#include "studio/commands/scene_options.hpp"
+#include "studio/workbench/live_run.hpp"
+
+#include <optional>
+
+namespace rift::studio {
+
+/// Whether there is a terminal for a live panel, and this build has one.
+bool panel_there();
+
+/// Runs in the live panel, which goes when the run has ended. @return nothing where it was stopped before its
+/// first step. Throws what the run threw.
+std::optional<Recorded> run_in_panel(RunWish wish, bool color, const StopSignal& stop);
+
+}  // namespace rift::studio

@@ -1,0 +1,55 @@
+#include "studio/commands/commands.hpp"
+#include "studio/commands/scene_options.hpp"
+#include "studio/commands/workshop.hpp"
+#include "studio/terminal/bench.hpp"
+#include "studio/terminal/terminal.hpp"
+#include "studio/workbench/home_screen.hpp"
+#include "studio/workbench/open.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace rift::studio {
+namespace {
+
+struct StudioOptions {
+  std::string preset, color;
+  int threads = 0;
+};
+
+ExitCode open_studio(const StudioOptions& options) {
+  if (!Terminal::there()) {
+    fmt::print(
+        stderr,
+        "rift studio: needs a terminal; without one 'rift run PRESET' runs a scene, 'rift study PRESET' a "
+        "study, 'rift list' shows the presets\n");
+    return ExitCode::bad_input;
+  }
+  Workshop workshop = workshop_here(options.threads);
+  const StopSignal stop;
+  std::unique_ptr<Screen> first = options.preset.empty()
+                                      ? std::make_unique<HomeScreen>(workshop)
+                                      : form_of_preset(workshop, resolve_preset(options.preset));
+  work_in_terminal(std::move(first), wants_color(options.color, stdout),
+                   [&] { return stop.received() != 0; });
+  return stop.received() == 0 ? ExitCode::done : static_cast<ExitCode>(128 + stop.received());
+}
+
+}  // namespace
+
+ExitCode open_studio() { return open_studio(StudioOptions{.preset = {}, .color = "auto"}); }
+
+void add_studio(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command =
+      *app.add_subcommand("studio", "The workbench in the terminal; 'rift' alone opens it too");
+  const auto options = std::make_shared<StudioOptions>();
+  command.add_option("preset", options->preset, "A preset to begin with");
+  command.add_option("--threads", options->threads, "Threads (default: one per core)")
+      ->check(CLI::Range(1, 1024));
+  add_color_option(command, options->color);
+  command.callback([options, &exit_code] { exit_code = open_studio(*options); });
+}
+
+}  // namespace rift::studio

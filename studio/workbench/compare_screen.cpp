@@ -1,0 +1,137 @@
+#include "studio/workbench/compare_screen.hpp"
+
+#include "engine/results/archive.hpp"
+#include "engine/results/files.hpp"
+#include "studio/screen/box.hpp"
+#include "studio/screen/curves.hpp"
+#include "studio/screen/live_of_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rift::studio {
+namespace {
+
+constexpr std::size_t most_columns = 8;
+constexpr std::array inks{Ink::fracture, Ink::elastic, Ink::kinetic, Ink::damping,
+                          Ink::good,     Ink::bad,     Ink::plain,   Ink::reference};
+
+/// A row of the table: a number of summary.json.
+struct Quantity {
+  const char *name, *key, *format;
+};
+constexpr Quantity quantities[] = {
+    {"G_ID / G_I0", "ratio", "{:.4f}"},
+    {"scatter", "ratio_scatter", "{:.4f}"},
+    {"with damping", "ratio_with_damping", "{:.4f}"},
+    {"Broberg", "broberg", "{:.4f}"},
+    {"off Broberg", "error_broberg", "{:+.4f}"},
+    {"v / c_R", "crack_velocity_over_cr", "{:.3g}"},
+    {"r_l", "damage_zone_ratio", "{:.3g}"},
+    {"relaxation p", "relaxation", "{:.3g}"},
+    {"alpha", "damping_alpha", "{:.3g}"},
+    {"elements", "elements", "{:.0f}"},
+    {"fracture J", "energy_fracture_j", "{:.4g}"},
+    {"damping J", "energy_damping_j", "{:.4g}"},
+    {"elastic J", "energy_elastic_j", "{:.4g}"},
+    {"residual", "ledger_residual", "{:.0e}"},
+    {"steps", "steps", "{:.0f}"},
+    {"wall s", "wall_fracture_s", "{:.2f}"},
+};
+
+nlohmann::ordered_json scenarios_of(const std::filesystem::path& run) {
+  const auto file = run / results::summary_name;
+  if (!std::filesystem::exists(file)) return nullptr;
+  return nlohmann::ordered_json::parse(results::read_whole_file(file)).at("scenarios");
+}
+
+std::string text_of(const nlohmann::ordered_json& summary, const Quantity& quantity) {
+  if (!summary.is_object() || !summary.contains(quantity.key) || !summary[quantity.key].is_number())
+    return "-";
+  return fmt::format(fmt::runtime(quantity.format), summary[quantity.key].get<double>());
+}
+
+}  // namespace
+
+CompareScreen::CompareScreen(const std::vector<std::filesystem::path>& runs) {
+  for (const std::filesystem::path& path : runs) {
+    const LiveOfRun run(path);
+    const auto scenarios = scenarios_of(path);
+    length_ = std::max(length_, run.live().length);
+    for (std::size_t k = 0; k < run.live().lanes.size(); ++k) {
+      if (columns_.size() == most_columns) {
+        ++left_out_;
+        continue;
+      }
+      const LiveLane& lane = run.live().lanes[k];
+      columns_.push_back({fmt::format("{}: {}", run.live().name, lane.title), lane,
+                          scenarios.is_array() && k < scenarios.size() ? scenarios[k] : nullptr});
+    }
+  }
+}
+
+void CompareScreen::draw(Canvas& canvas, Glyphs glyphs) {
+  const int width = canvas.width(), height = canvas.height();
+  if (draw_too_small(canvas)) return;
+  const int count = static_cast<int>(columns_.size());
+  std::string title = fmt::format("{} scenarios beside each other", count);
+  if (left_out_ > 0) title += fmt::format("; {} more have no room", left_out_);
+  canvas.text(1, 0, title, {Ink::title, true});
+  for (int k = 0; k < count && k + 1 < height; ++k)
+    canvas.text(1, 1 + k, fmt::format("{} {}", k + 1, columns_[k].title), {inks[k], true}, width - 2);
+  const int top = count + 2, left = height - top - 1;
+  const int table = std::min(16 + 10 * count, width >= 110 ? width / 2 : width);
+  const bool beside = width - table >= 40;
+  const int rows =
+      beside ? left : std::min(static_cast<int>(std::size(quantities)) + 1, std::max(5, left / 2));
+  draw_table(canvas, {1, top, table, rows});
+  if (beside)
+    draw_rates(canvas, {table + 2, top, width - table - 3, left}, glyphs);
+  else if (left - rows >= 6)
+    draw_rates(canvas, {1, top + rows + 1, width - 2, left - rows - 1}, glyphs);
+  canvas.text(1, height - 1, foot_of(Where::compare, width - 2), {Ink::dim});
+}
+
+void CompareScreen::draw_table(Canvas& canvas, const Area& area) const {
+  constexpr int names = 14, numbers = 10;
+  for (int k = 0; k < static_cast<int>(columns_.size()); ++k)
+    canvas.text(area.x + names + numbers * k, area.y, fmt::format("{:>{}}", k + 1, numbers - 1),
+                {inks[k], true}, area.width - names - numbers * k);
+  for (int y = 1; y < area.height; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y - 1 + first_row_);
+    if (row >= std::size(quantities)) return;
+    canvas.text(area.x, area.y + y, quantities[row].name, {Ink::dim}, names);
+    for (int k = 0; k < static_cast<int>(columns_.size()); ++k)
+      canvas.text(area.x + names + numbers * k, area.y + y,
+                  fmt::format("{:>{}}", text_of(columns_[k].summary, quantities[row]), numbers - 1), {},
+                  area.width - names - numbers * k);
+  }
+}
+
+void CompareScreen::draw_rates(Canvas& canvas, const Area& area, Glyphs glyphs) const {
+  std::vector<Curve> curves;
+  double most = 1.2;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    Curve& curve = curves.emplace_back();
+    curve.style = {inks[k]};
+    for (const results::RatePoint& p : columns_[k].lane.rates) {
+      curve.points.push_back({1e3 * p.tip_m, p.ratio});
+      most = std::max(most, std::min(p.ratio, 3.0));
+    }
+  }
+  draw_curves(canvas, area, {{0, 1e3 * length_}, {0, most}, "tip [mm]", "G_ID/G_I0"}, curves, glyphs);
+}
+
+Turn CompareScreen::press(const Press& press) {
+  const Action action = action_of(Where::compare, press.key);
+  const int last = static_cast<int>(std::size(quantities)) - 1;
+  if (action == Action::down) first_row_ = std::min(first_row_ + 1, last);
+  if (action == Action::up) first_row_ = std::max(first_row_ - 1, 0);
+  if (action == Action::back) return {Turn::Way::back, nullptr};
+  return {};
+}
+
+}  // namespace rift::studio

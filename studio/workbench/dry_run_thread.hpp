@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/scene/preset.hpp"
+#include "engine/simulation/cache.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace rift::studio {
+
+/// Dry runs in the background: what follows from the preset that was wished for last.
+class DryRunThread {
+ public:
+  using Rows = std::vector<std::pair<std::string, std::string>>;
+
+  DryRunThread(Cache cache, int threads) : cache_(std::move(cache)), threads_(threads) {}
+  /// Gives up the one under way.
+  ~DryRunThread();
+  DryRunThread(const DryRunThread&) = delete;
+  DryRunThread& operator=(const DryRunThread&) = delete;
+
+  /// @param preset  without issues
+  void wish(const Preset& preset);
+  /// The one under way counts no more.
+  void give_up();
+
+  struct Found {
+    Rows rows;            // empty as long as it is under way
+    std::string doing;    // "packing 40 %"
+    std::string trouble;  // why there are none
+  };
+  [[nodiscard]] Found found() const;
+
+ private:
+  void work(Preset preset);
+
+  Cache cache_;
+  int threads_;
+  std::atomic<bool> stop_ = false;
+  mutable std::mutex mutex_;
+  Found found_;
+  std::jthread thread_;
+};
+
+}  // namespace rift::studio

@@ -1,0 +1,62 @@
+#include "studio/workbench/errands.hpp"
+
+#include "engine/results/world_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+/// The first of stem.png, stem_2.png, ... that does not exist yet.
+fs::path free_file(const fs::path& folder, const std::string& stem, const std::string& ending) {
+  fs::path path = folder / (stem + ending);
+  for (int k = 2; fs::exists(path); ++k) path = folder / fmt::format("{}_{}{}", stem, k, ending);
+  return path;
+}
+
+}  // namespace
+
+std::string Errands::send(const std::vector<std::string>& arguments, const std::string& what) try {
+  std::vector<std::string> command{program_.string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  under_way_.emplace_back(command, what);
+  return what + ": under way";
+} catch (const results::WorldError& error) {
+  return error.what();
+}
+
+std::string Errands::news() {
+  std::string said;
+  std::erase_if(under_way_, [&](Errand& errand) {
+    if (!errand.ended()) return false;
+    said = errand.what();
+    return true;
+  });
+  return said;
+}
+
+std::string Errands::picture(const fs::path& run, int lane) {
+  const fs::path file = free_file(run, "frame", ".png");
+  return send({"render", run.string(), "--lane", std::to_string(lane), "--at", "1", "--picture",
+               file.string(), "--quiet"},
+              "frame");
+}
+
+std::string Errands::film(const fs::path& run, const std::vector<int>& lanes, double from_us, double to_us) {
+  const fs::path file = free_file(run, "film", ".mp4");
+  std::vector<std::string> arguments{"render", run.string(), "--film", file.string(), "--quiet"};
+  for (const int lane : lanes) arguments.insert(arguments.end(), {"--lane", std::to_string(lane)});
+  if (to_us > from_us)
+    arguments.insert(arguments.end(),
+                     {"--from", fmt::format("{:.6f} us", from_us), "--to", fmt::format("{:.6f} us", to_us)});
+  return send(arguments, "film");
+}
+
+std::string Errands::tables(const fs::path& run) {
+  return send({"export", run.string(), "--to", "csv"}, "export");
+}
+
+}  // namespace rift::studio

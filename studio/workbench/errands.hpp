@@ -1,0 +1,35 @@
+#pragma once
+
+#include "studio/workbench/errand.hpp"
+#include "studio/workbench/screen.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+/// Pictures, films and tables that a screen has asked for.
+class Errands {
+ public:
+  explicit Errands(std::filesystem::path program) : program_(std::move(program)) {}
+
+  /// Calls rift with these arguments. @return what to say
+  std::string send(const std::vector<std::string>& arguments, const std::string& what);
+  /// What to say of those that have ended since; empty: nothing.
+  std::string news();
+  [[nodiscard]] bool busy() const { return !under_way_.empty(); }
+
+  // What rift is asked for of a run's folder.
+  std::string picture(const std::filesystem::path& run, int lane);
+  /// @param from_us  of the crack's time; to_us at or before it: all of the run
+  std::string film(const std::filesystem::path& run, const std::vector<int>& lanes, double from_us = 0,
+                   double to_us = -1);
+  std::string tables(const std::filesystem::path& run);
+
+ private:
+  std::filesystem::path program_;
+  std::vector<Errand> under_way_;
+};
+
+}  // namespace rift::studio

@@ -1,0 +1,339 @@
+#include "studio/workbench/form_screen.hpp"
+
+#include "engine/results/files.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/scene/needs.hpp"
+#include "studio/screen/box.hpp"
+#include "studio/workbench/open.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr auto before_dry_run = std::chrono::milliseconds(500);  // nothing was typed for so long
+
+std::string without_quotes(std::string text) {
+  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') return text.substr(1, text.size() - 2);
+  return text;
+}
+
+/// What follows from the scene at once, before any lattice.
+DryRunThread::Rows at_once(const Scene& scene) {
+  return {{"c_R", fmt::format("{:.0f} m/s", rayleigh_speed(scene))},
+          {"density", fmt::format("{:.1f} kg/m³", density(scene))},
+          {"thickness", fmt::format("{:.4g} mm", 1e3 * thickness_m(scene))},
+          {"mean radius", fmt::format("about {:.3g} mm", 1e3 * expected_mean_radius_m(scene))},
+          {"damage zone", fmt::format("about {:.3g} mm", 1e3 * expected_zone_m(scene))}};
+}
+
+}  // namespace
+
+FormScreen::FormScreen(Workshop& workshop, fs::path preset)
+    : workshop_(workshop), path_(std::move(preset)), dry_run_(workshop.cache, workshop.threads) {
+  list_rows();
+  check();
+}
+
+void FormScreen::list_rows() {
+  rows_.clear();
+  std::string table;
+  for (const Parameter& row : parameters()) {
+    if (!wanted_.empty() && std::string(row.key).find(wanted_) == std::string::npos &&
+        std::string(row.doc).find(wanted_) == std::string::npos)
+      continue;
+    if (table_of(row) != table) rows_.push_back({nullptr, table = table_of(row)});
+    rows_.push_back({&row, table});
+  }
+  list_.chosen = 0, list_.top = 0;
+  skip_tables(1);
+}
+
+std::vector<std::string> FormScreen::overrides() const {
+  std::vector<std::string> texts;
+  for (const Change& change : changes_) texts.push_back(change.key + "=" + change.value);
+  return texts;
+}
+
+void FormScreen::check() {
+  preset_ = read_preset(path_, overrides());
+  changed_ = Clock::now();
+  dry_run_due_ = true;
+  dry_run_.give_up();
+}
+
+Turn FormScreen::look() {
+  if (!dry_run_due_ || Clock::now() - changed_ < before_dry_run) return {};
+  dry_run_due_ = false;
+  if (preset_.issues.empty() && preset_.study.empty()) dry_run_.wish(preset_);
+  return {};
+}
+
+const Parameter* FormScreen::chosen() const {
+  return list_.chosen < static_cast<int>(rows_.size()) ? rows_[list_.chosen].parameter : nullptr;
+}
+
+bool FormScreen::is_changed(std::string_view key) const {
+  return std::any_of(changes_.begin(), changes_.end(), [&](const Change& c) { return c.key == key; });
+}
+
+void FormScreen::change(const std::string& key, const std::string& value) {
+  const auto found =
+      std::find_if(changes_.begin(), changes_.end(), [&](const Change& c) { return c.key == key; });
+  if (found == changes_.end())
+    changes_.push_back({key, value});
+  else
+    found->value = value;
+  check();
+}
+
+void FormScreen::take_back(const std::string& key) {
+  std::erase_if(changes_, [&](const Change& c) { return c.key == key; });
+  check();
+}
+
+std::string FormScreen::shown_value(const Parameter& row) const {
+  for (const Change& change : changes_)
+    if (change.key == row.key) return change.value;
+  return without_quotes(toml_value(preset_.scene, row));
+}
+
+std::string FormScreen::issue_of(const Parameter& row) const {
+  for (const Issue& issue : preset_.issues)
+    if (issue.key == row.key) return issue.text;
+  return {};
+}
+
+void FormScreen::skip_tables(int way) {
+  const int count = static_cast<int>(rows_.size());
+  if (count == 0 || chosen() != nullptr) return;
+  list_.chosen += list_.chosen == 0 ? 1 : way;
+  list_.keep(count, list_rows_);
+  if (list_.chosen == 1) list_.top = 0;
+}
+
+void FormScreen::draw(Canvas& canvas, Glyphs) {
+  const int width = canvas.width(), height = canvas.height();
+  if (draw_too_small(canvas)) return;
+  int x = canvas.text(1, 0, path_.stem().string(), {Ink::title, true}) + 3;
+  const std::size_t wrong = preset_.issues.size();
+  x += canvas.text(x, 0,
+                   wrong == 0 ? "ready to run" : fmt::format("{} mistake{}", wrong, wrong > 1 ? "s" : ""),
+                   {wrong == 0 ? Ink::good : Ink::bad, true}) +
+       3;
+  const std::string holds = !preset_.study.empty()
+                                ? fmt::format("a study of {} scenarios", preset_.study.size())
+                            : !preset_.lanes.empty() ? fmt::format("{} lanes", preset_.lanes.size())
+                                                     : std::string("one scenario");
+  canvas.text(x, 0, fmt::format("{}, {} changed", holds, changes_.size()), {Ink::dim}, width - x);
+  if (search_.typing()) search_.draw(canvas, {1, 1, width - 2, 1});
+  constexpr int detail = 3;
+  const int beside = width >= 100 ? std::max(44, width * 45 / 100) : 0;
+  list_rows_ = height - 2 - detail - 1 - (beside == 0 ? std::min(8, height / 4) : 0);
+  draw_rows(canvas, {1, 2, width - beside - 2, list_rows_});
+  if (beside > 0)
+    draw_derived(canvas, {width - beside + 1, 2, beside - 2, height - 2 - detail - 1});
+  else
+    draw_derived(canvas, {1, 2 + list_rows_, width - 2, height - detail - 3 - list_rows_});
+  draw_detail(canvas, {1, height - detail - 1, width - 2, detail});
+  if (name_.typing())
+    name_.draw(canvas, {1, height - 1, width - 2, 1});
+  else
+    canvas.text(
+        1, height - 1,
+        value_.typing() ? "enter take it  escape leave it as it was" : foot_of(Where::form, width - 2),
+        {Ink::dim}, width - 2);
+}
+
+void FormScreen::draw_rows(Canvas& canvas, const Area& area) {
+  list_.keep(static_cast<int>(rows_.size()), list_rows_);
+  for (int k = 0; k < area.height && list_.top + k < static_cast<int>(rows_.size()); ++k)
+    draw_row(canvas, {area.x, area.y + k, area.width, 1}, rows_[list_.top + k],
+             list_.top + k == list_.chosen);
+}
+
+void FormScreen::draw_row(Canvas& canvas, const Area& area, const Row& row, bool is_chosen) const {
+  if (row.parameter == nullptr) {
+    canvas.text(area.x, area.y, row.table, {Ink::title, true}, area.width);
+    return;
+  }
+  const Parameter& parameter = *row.parameter;
+  const bool wrong = !issue_of(parameter).empty(), changed = is_changed(parameter.key);
+  const bool typed = is_chosen && value_.typing();
+  const Style style{wrong ? Ink::bad : Ink::plain, changed, is_chosen && !typed};
+  if (is_chosen && !typed) clear(canvas, area, style);
+  constexpr int names = 22;
+  canvas.text(area.x + 1, area.y, changed ? "*" : " ", style);
+  canvas.text(area.x + 3, area.y, name_of(parameter), style, names - 1);
+  const Area value{area.x + 3 + names, area.y, area.width - names - 3, 1};
+  if (typed) {
+    value_.draw(canvas, value, {wrong ? Ink::bad : Ink::good, true});
+    return;
+  }
+  const std::string text = shown_value(parameter);
+  const bool given = preset_.origins.contains(std::string(parameter.key));
+  canvas.text(value.x, value.y, text.empty() ? "not given" : text,
+              {wrong   ? Ink::bad
+               : given ? Ink::plain
+                       : Ink::dim,
+               changed, is_chosen},
+              value.width);
+}
+
+void FormScreen::draw_detail(Canvas& canvas, const Area& area) const {
+  if (!message_.empty()) {
+    draw_paragraph(canvas, area, message_, {Ink::reference});
+    return;
+  }
+  const Parameter* row = chosen();
+  if (row == nullptr) return;
+  canvas.text(area.x, area.y, fmt::format("{}  {}", row->key, row->doc), {}, area.width);
+  canvas.text(area.x, area.y + 1, "allowed: " + allowed(*row), {Ink::dim}, area.width);
+  if (const std::string issue = issue_of(*row); !issue.empty())
+    canvas.text(area.x, area.y + 2, issue, {Ink::bad, true}, area.width);
+}
+
+void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
+  int y = area.y;
+  const int end = area.y + area.height;
+  const auto row = [&](const std::string& label, const std::string& text, const Style& style = {}) {
+    if (y >= end) return;
+    constexpr int labels = 13;
+    canvas.text(area.x, y, label, {Ink::reference, true}, labels - 1);
+    y += std::max(1, draw_paragraph(canvas, {area.x + labels, y, area.width - labels, end - y}, text, style));
+  };
+  for (const Issue& issue : preset_.issues)
+    row(y == area.y ? "mistakes" : "", issue.key.empty() ? to_text(issue) : issue.key + ": " + issue.text,
+        {Ink::bad});
+  if (!preset_.issues.empty()) return;
+  const Scene& scene = preset_.lanes.empty() ? preset_.scene : preset_.lanes.front();
+  if (!preset_.study.empty()) {
+    row("study", fmt::format("{} scenarios", preset_.study.size()));
+    for (const auto& [label, text] : at_once(preset_.study.front().scene)) row(label, text);
+    return;
+  }
+  const DryRunThread::Found found = dry_run_.found();
+  if (!found.rows.empty()) {
+    for (const auto& [label, text] : found.rows) row(label, text);
+    return;
+  }
+  for (const auto& [label, text] : at_once(scene)) row(label, text);
+  const char* label = "left out";
+  for (const std::string& line : left_out(scene)) row(label, line, {Ink::dim}), label = "";
+  if (!found.trouble.empty())
+    row("trouble", found.trouble, {Ink::bad});
+  else
+    row("exactly", found.doing.empty() ? "in a moment" : found.doing, {Ink::dim});
+}
+
+Turn FormScreen::press(const Press& press) {
+  message_.clear();
+  if (typing()) return type(press);
+  const int count = static_cast<int>(rows_.size());
+  if (press.key == key_click) {
+    const int at = list_.top + press.y - 2;
+    if (press.y < 2 || press.y >= 2 + list_rows_ || at >= count || rows_[at].parameter == nullptr) return {};
+    if (at == list_.chosen) return act(Action::open);
+    list_.chosen = at;
+    return {};
+  }
+  Action action = action_of(Where::form, press.key);
+  if (press.key == key_wheel_up) action = Action::up;
+  if (press.key == key_wheel_down) action = Action::down;
+  if (list_.move(action, count, list_rows_)) {
+    skip_tables(action == Action::up || action == Action::page_up ? -1 : 1);
+    return {};
+  }
+  return act(action);
+}
+
+Turn FormScreen::type(const Press& press) {
+  if (value_.typing()) {
+    const std::string key(chosen()->key);
+    const Prompt::State state = value_.press(press);
+    if (state == Prompt::State::cancelled) {
+      if (had_change_)
+        change(key, before_);
+      else
+        take_back(key);
+    } else if (value_.text() == without_quotes(toml_value(read_preset(path_).scene, *chosen())) &&
+               !had_change_) {
+      take_back(key);  // as it stands in the file
+    } else {
+      change(key, value_.text());
+    }
+    return {};
+  }
+  if (search_.typing()) {
+    wanted_ = search_.press(press) == Prompt::State::cancelled ? std::string() : search_.text();
+    list_rows();
+    return {};
+  }
+  if (name_.press(press) == Prompt::State::entered) save();
+  return {};
+}
+
+Turn FormScreen::act(Action action) {
+  const Parameter* row = chosen();
+  switch (action) {
+    case Action::open: {
+      if (row == nullptr) return {};
+      had_change_ = is_changed(row->key);
+      before_ = shown_value(*row);
+      value_ = Prompt("", before_);
+      return {};
+    }
+    case Action::reset:
+      if (row != nullptr) take_back(std::string(row->key));
+      return {};
+    case Action::run:
+      return run();
+    case Action::save:
+      name_ = Prompt("save as", path_.stem().string() + "_mine");
+      return {};
+    case Action::search:
+      search_ = Prompt("search", wanted_);
+      return {};
+    case Action::back:
+      return {Turn::Way::back, nullptr};
+    default:
+      return {};
+  }
+}
+
+Turn FormScreen::run() try {
+  if (!preset_.issues.empty()) {
+    message_ = "there are mistakes: nothing is run before they are mended";
+    return {};
+  }
+  dry_run_.give_up();
+  return {Turn::Way::forward, screen_of_preset(workshop_, path_, overrides())};
+} catch (const std::exception& error) {
+  message_ = error.what();
+  return {};
+}
+
+void FormScreen::save() try {
+  const std::string& name = name_.text();
+  const bool sound = !name.empty() && name.find_first_of("/\\ ") == std::string::npos && name.front() != '.';
+  if (!sound) {
+    message_ = fmt::format("\"{}\" is no name of a preset: letters, digits, - and _", name);
+  } else if (!preset_.issues.empty()) {
+    message_ = "there are mistakes: a preset is saved when they are mended";
+  } else if (const fs::path file = workshop_.own_presets / (name + ".toml"); fs::exists(file)) {
+    message_ = file.string() + " is there already: choose another name";
+  } else {
+    fs::create_directories(workshop_.own_presets);
+    results::write_whole_file(
+        file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}", path_.stem().string(),
+                          changes_.size(), preset_text(preset_)));
+    message_ = "saved: " + file.string();
+  }
+} catch (const std::exception& error) {
+  message_ = error.what();
+}
+
+}  // namespace rift::studio

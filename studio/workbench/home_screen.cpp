@@ -1,0 +1,307 @@
+#include "studio/workbench/home_screen.hpp"
+
+#include "engine/scene/preset.hpp"
+#include "studio/screen/box.hpp"
+#include "studio/workbench/open.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+struct Group {
+  std::string_view name;
+  std::array<std::string_view, 3> prefixes;
+};
+
+constexpr std::array groups{
+    Group{"Start here", {"quickstart", "plate_", "-"}},
+    Group{"Demonstrations", {"teach_", "-", "-"}},
+    Group{"Figures and claims of the paper", {"fig", "sec", "-"}},
+    Group{"Beyond the paper", {"beyond", "-", "-"}},
+    Group{"Studies", {"study_", "-", "-"}},
+    Group{"Others", {"", "-", "-"}},
+};
+
+/// The group of a preset, and by which prefix.
+std::pair<std::string_view, std::string_view> place_of(const std::string& preset) {
+  for (const Group& group : groups)
+    for (const std::string_view prefix : group.prefixes)
+      if (preset.starts_with(prefix)) return {group.name, prefix};
+  return {};
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+Ink ink_of(const std::string& outcome) {
+  return outcome == "finished"                           ? Ink::good
+         : outcome == "diverged" || outcome == "damaged" ? Ink::bad
+                                                         : Ink::plain;
+}
+
+}  // namespace
+
+HomeScreen::HomeScreen(Workshop& workshop) : workshop_(workshop), errands_(workshop.program) {
+  read();
+  list_.chosen = 1;
+}
+
+void HomeScreen::read() {
+  all_.clear();
+  const std::vector<PresetEntry> presets = preset_entries(workshop_.presets);
+  for (const Group& group : groups) {
+    const std::size_t heading = all_.size();
+    for (const std::string_view prefix : group.prefixes)
+      for (const PresetEntry& preset : presets) {
+        if (place_of(preset.name) != std::pair{group.name, prefix}) continue;
+        if (all_.size() == heading) all_.push_back({std::string(group.name), {}, {}});
+        all_.push_back({std::string(group.name), preset, {}});
+      }
+  }
+  std::error_code none;
+  if (fs::is_directory(workshop_.own_presets, none)) {
+    const std::vector<PresetEntry> own = preset_entries(workshop_.own_presets);
+    if (!own.empty()) all_.push_back({"Your own", {}, {}});
+    for (const PresetEntry& preset : own) all_.push_back({"Your own", preset, {}});
+  }
+  std::vector<RunEntry> runs = run_entries(workshop_.runs), studies = run_entries(workshop_.studies);
+  runs.insert(runs.end(), studies.begin(), studies.end());
+  if (!runs.empty()) all_.push_back({"Recent runs", {}, {}});
+  for (const RunEntry& run : runs) all_.push_back({"Recent runs", {}, run});
+  filter();
+}
+
+void HomeScreen::filter() {
+  rows_.clear();
+  const std::string wanted = lower(wanted_);
+  for (const Row& row : all_) {
+    const std::string text = lower(row.name() + " " + (row.preset ? row.preset->shows : std::string()));
+    const bool shown = wanted.empty() || (!row.heading() && text.find(wanted) != std::string::npos);
+    if (shown) rows_.push_back(row);
+  }
+  list_.keep(static_cast<int>(rows_.size()), list_rows_);
+  skip_headings(1);
+}
+
+const HomeScreen::Row* HomeScreen::chosen() const {
+  return list_.chosen < static_cast<int>(rows_.size()) ? &rows_[list_.chosen] : nullptr;
+}
+
+/// The first row is a heading, and one never ends the list.
+void HomeScreen::skip_headings(int way) {
+  const int count = static_cast<int>(rows_.size());
+  if (const Row* row = chosen(); row == nullptr || !row->heading()) return;
+  list_.chosen += list_.chosen == 0 ? 1 : way;
+  list_.keep(count, list_rows_);
+  if (list_.chosen == 1) list_.top = 0;
+}
+
+void HomeScreen::next_group() {
+  const int count = static_cast<int>(rows_.size());
+  for (int k = 1; k < count; ++k) {
+    const int at = (list_.chosen + k) % count;
+    if (!rows_[at].heading()) continue;
+    list_.chosen = at + 1;
+    list_.keep(count, list_rows_);
+    return;
+  }
+}
+
+void HomeScreen::draw(Canvas& canvas, Glyphs) {
+  const int width = canvas.width(), height = canvas.height();
+  if (draw_too_small(canvas)) return;
+  int x = canvas.text(1, 0, "rift", {Ink::title, true});
+  canvas.text(x + 3, 0, "a workbench for dynamic fracture", {Ink::dim});
+  if (search_.typing()) {
+    search_.draw(canvas, {1, 1, width - 2, 1});
+  } else if (!wanted_.empty()) {
+    canvas.text(1, 1, fmt::format("only what holds \"{}\"; / and enter shows all again", wanted_),
+                {Ink::reference});
+  }
+  constexpr int detail = 3;
+  list_rows_ = height - 3 - detail - 1;
+  list_.keep(static_cast<int>(rows_.size()), list_rows_);
+  for (int k = 0; k < list_rows_ && list_.top + k < static_cast<int>(rows_.size()); ++k)
+    draw_row(canvas, 2 + k, rows_[list_.top + k], list_.top + k == list_.chosen);
+  draw_detail(canvas, {1, height - detail - 1, width - 2, detail});
+  if (question_.typing()) {
+    question_.draw(canvas, {1, height - 1, width - 2, 1});
+  } else {
+    canvas.text(1, height - 1, foot_of(Where::home, width - 2), {Ink::dim});
+  }
+}
+
+void HomeScreen::draw_row(Canvas& canvas, int y, const Row& row, bool is_chosen) const {
+  const int width = canvas.width();
+  if (row.heading()) {
+    canvas.text(1, y, row.group, {Ink::title, true}, width - 2);
+    return;
+  }
+  const Style style{Ink::plain, false, is_chosen};
+  if (is_chosen) clear(canvas, {1, y, width - 2, 1}, style);
+  const bool marked = row.run && marked_.contains(row.run->path);
+  canvas.text(2, y, marked ? "*" : " ", style);
+  constexpr int name = 22;
+  canvas.text(4, y, row.name(), style, name - 1);
+  if (row.run) {
+    canvas.text(4 + name, y, row.run->outcome, {ink_of(row.run->outcome), false, is_chosen}, 12);
+    canvas.text(4 + name + 12, y, row.run->result, style, 10);
+    canvas.text(4 + name + 24, y, row.run->path.string(), {Ink::dim, false, is_chosen}, width - name - 30);
+    return;
+  }
+  const int cost = width >= 110 ? 34 : 0;
+  if (cost > 0) canvas.text(4 + name, y, row.preset->cost, {Ink::dim, false, is_chosen}, cost - 2);
+  canvas.text(4 + name + cost, y, row.preset->shows, style, width - name - cost - 6);
+}
+
+void HomeScreen::draw_detail(Canvas& canvas, const Area& area) const {
+  if (!message_.empty()) {
+    draw_paragraph(canvas, area, message_, {Ink::reference});
+    return;
+  }
+  const Row* row = chosen();
+  if (row == nullptr) {
+    canvas.text(area.x, area.y, "nothing holds these letters", {Ink::dim});
+  } else if (row->preset) {
+    const int lines =
+        draw_paragraph(canvas, {area.x, area.y, area.width, area.height - 1}, row->preset->shows);
+    canvas.text(area.x, area.y + lines, "cost: " + row->preset->cost, {Ink::dim}, area.width);
+  } else if (row->run) {
+    canvas.text(area.x, area.y, row->run->path.string(), {}, area.width);
+    canvas.text(area.x, area.y + 1,
+                row->run->result.empty() ? row->run->outcome : row->run->outcome + ", " + row->run->result,
+                {ink_of(row->run->outcome)}, area.width);
+  }
+}
+
+Turn HomeScreen::press(const Press& press) {
+  message_.clear();
+  if (question_.typing()) {
+    if (question_.press(press) != Prompt::State::typing) answer_question();
+    return {};
+  }
+  if (search_.typing()) {
+    const Prompt::State state = search_.press(press);
+    wanted_ = state == Prompt::State::cancelled ? std::string() : search_.text();
+    list_.chosen = 0;
+    filter();
+    return {};
+  }
+  if (press.key == key_click) {
+    const int at = list_.top + press.y - 2;
+    if (press.y < 2 || press.y >= 2 + list_rows_ || at >= static_cast<int>(rows_.size()) ||
+        rows_[at].heading())
+      return {};
+    if (at == list_.chosen) return open(true);
+    list_.chosen = at;
+    return {};
+  }
+  if (press.key == key_wheel_up || press.key == key_wheel_down) {
+    const Action way = press.key == key_wheel_up ? Action::up : Action::down;
+    list_.move(way, static_cast<int>(rows_.size()), list_rows_);
+    skip_headings(way == Action::up ? -1 : 1);
+    return {};
+  }
+  return act(action_of(Where::home, press.key));
+}
+
+Turn HomeScreen::act(Action action) {
+  if (list_.move(action, static_cast<int>(rows_.size()), list_rows_)) {
+    const bool up = action == Action::up || action == Action::page_up || action == Action::last;
+    skip_headings(up ? -1 : 1);
+    return {};
+  }
+  const Row* row = chosen();
+  switch (action) {
+    case Action::open:
+      return open(true);
+    case Action::run:
+      return open(false);
+    case Action::next:
+      next_group();
+      return {};
+    case Action::search:
+      search_ = Prompt("search", wanted_);
+      return {};
+    case Action::mark:
+      toggle_mark();
+      return {};
+    case Action::compare:
+      return compare_marked();
+    case Action::film:
+      message_ = row && row->run ? errands_.film(row->run->path, {}) : "choose a run: a film is made of one";
+      return {};
+    case Action::remove:
+      if (!row || !row->run) {
+        message_ = "choose a run: presets are not deleted here";
+        return {};
+      }
+      to_remove_ = row->run->path;
+      question_ = Prompt(fmt::format("delete {} and all that is in it? yes or no", to_remove_.string()), "");
+      return {};
+    case Action::back:
+      return {Turn::Way::back, nullptr};
+    default:
+      return {};
+  }
+}
+
+void HomeScreen::toggle_mark() {
+  const Row* row = chosen();
+  if (!row || !row->run) {
+    message_ = "choose a run: runs are compared";
+  } else if (!marked_.erase(row->run->path)) {
+    marked_.insert(row->run->path);
+  }
+}
+
+Turn HomeScreen::open(bool as_form) try {
+  const Row* row = chosen();
+  if (!row || row->heading()) return {};
+  if (row->run) return {Turn::Way::forward, screen_of_run(workshop_, row->run->path)};
+  return {Turn::Way::forward, as_form ? form_of_preset(workshop_, row->preset->path)
+                                      : screen_of_preset(workshop_, row->preset->path, {})};
+} catch (const std::exception& error) {
+  message_ = error.what();
+  return {};
+}
+
+Turn HomeScreen::compare_marked() try {
+  if (marked_.size() < 2) {
+    message_ = "mark two runs or more with the space bar first";
+    return {};
+  }
+  return {Turn::Way::forward, comparison_of(workshop_, {marked_.begin(), marked_.end()})};
+} catch (const std::exception& error) {
+  message_ = error.what();
+  return {};
+}
+
+void HomeScreen::answer_question() {
+  if (question_.text() != "yes") {
+    message_ = "nothing was deleted";
+    return;
+  }
+  std::error_code error;
+  fs::remove_all(to_remove_, error);
+  message_ = error ? fmt::format("cannot delete {}: {}", to_remove_.string(), error.message())
+                   : to_remove_.string() + " is deleted";
+  marked_.erase(to_remove_);
+  read();
+}
+
+Turn HomeScreen::look() {
+  if (const std::string news = errands_.news(); !news.empty()) message_ = news;
+  return {};
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "studio/report/catalogue.hpp"
+#include "studio/screen/list_view.hpp"
+#include "studio/screen/prompt.hpp"
+#include "studio/workbench/errands.hpp"
+#include "studio/workbench/screen.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+/// Presets by what they are for, and what has been computed: the first screen.
+class HomeScreen : public Screen {
+ public:
+  explicit HomeScreen(Workshop& workshop);
+
+  void draw(Canvas& canvas, Glyphs glyphs) override;
+  Turn press(const Press& press) override;
+  Turn look() override;
+  void resume() override { read(); }
+  [[nodiscard]] bool typing() const override { return search_.typing() || question_.typing(); }
+  [[nodiscard]] Where where() const override { return Where::home; }
+
+ private:
+  /// A line of the list: a group's name, a preset or a run.
+  struct Row {
+    std::string group;
+    std::optional<PresetEntry> preset;
+    std::optional<RunEntry> run;
+    [[nodiscard]] bool heading() const { return !preset && !run; }
+    [[nodiscard]] const std::string& name() const { return preset ? preset->name : run ? run->name : group; }
+  };
+
+  void read();
+  void filter();
+  [[nodiscard]] const Row* chosen() const;
+  void draw_row(Canvas& canvas, int y, const Row& row, bool is_chosen) const;
+  void draw_detail(Canvas& canvas, const Area& area) const;
+  void skip_headings(int way);
+  void next_group();
+  void toggle_mark();
+  Turn act(Action action);
+  Turn open(bool as_form);
+  Turn compare_marked();
+  void answer_question();
+
+  Workshop& workshop_;
+  Errands errands_;
+  std::vector<Row> all_, rows_;
+  std::set<std::filesystem::path> marked_;
+  ListView list_;
+  Prompt search_, question_;
+  std::string wanted_;  // letters that a row must hold
+  std::string message_;
+  std::filesystem::path to_remove_;
+  int list_rows_ = 10;
+};
+
+}  // namespace rift::studio

@@ -1,0 +1,268 @@
+#include "studio/workbench/live_run.hpp"
+
+#include "engine/interrupted.hpp"
+#include "engine/results/crack_tip.hpp"
+#include "engine/simulation/summary.hpp"
+#include "studio/screen/live_of_run.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace rift::studio {
+namespace {
+
+/// The scenes of a run, one lane each.
+std::vector<Scene> scenes_of(const Preset& preset) {
+  if (!preset.study.empty())
+    throw InputError({Issue{.file = preset.name, .key = {}, .text = "holds a study, not a run"}});
+  return preset.lanes.empty() ? std::vector<Scene>{preset.scene} : preset.lanes;
+}
+
+constexpr double stored_moments = 120;  // of a film over the whole run
+
+}  // namespace
+
+const std::vector<double>& slow_motions() {
+  static const std::vector<double> steps_per_s{400, 100, 25, 5};
+  return steps_per_s;
+}
+
+LiveRun::LiveRun(RunWish wish)
+    : wish_(std::move(wish)),
+      claim_(wish_.folder, wish_.force),
+      scenes_(scenes_of(wish_.preset)),
+      books_(scenes_.size()),
+      now_(scenes_.size()),
+      plate_(scenes_.size()),
+      plates_wanted_{0},
+      scene_now_(scenes_) {
+  thread_ = std::jthread([this] { work(); });
+}
+
+LiveRun::~LiveRun() { stop(); }
+
+void LiveRun::work() {
+  try {
+    run();
+  } catch (const Interrupted&) {
+    // nothing was written, nothing is to be said
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+  stage_ = Stage::ended;
+}
+
+void LiveRun::run() {
+  const auto start = Clock::now();
+  Prepared& p = prepared_.emplace(
+      prepare(wish_.preset, scenes_, wish_.cache, [this](std::string_view stage, double done) {
+        const std::lock_guard lock(mutex_);
+        doing_ = stage, doing_done_ = done;
+        return !stop_;
+      }));
+  claim_.keep();
+  if (wish_.began) wish_.began(wish_.folder);
+  geometry_ = geometry_of(p);
+  header_ = header_of(p, wish_.build);
+  Observer beside;
+  beside.sample = [this](const results::Sample& s) {
+    const std::lock_guard lock(mutex_);
+    books_[s.lane].push_back(s);
+  };
+  beside.steer = [this](const Moment& moment) { return steer(moment); };
+  beside.changed = [this](const Change& change, const std::string& refused) {
+    take_changed(change, refused);
+  };
+  stage_ = Stage::running;
+  const double preparation_s = std::chrono::duration<double>(Clock::now() - start).count();
+  recorded_ = record_run(p, wish_.folder, wish_.build, beside, {.threads = wish_.threads}, preparation_s);
+}
+
+/// On the run's thread, between two steps.
+Orders LiveRun::steer(const Moment& moment) {
+  std::unique_lock lock(mutex_);
+  progress_ = moment.progress;
+  frame_stored_ = frame_stored_ || std::exchange(frame_ordered_, false);
+  if (speed_ > 0 && !paused_)
+    news_.wait_for(lock, std::chrono::milliseconds(50), [this] { return stop_ || paused_; });
+  for (;;) {
+    if (looked_) {
+      lock.unlock();
+      show_plates(moment);
+      lock.lock();
+    }
+    if (!at_rest() || stop_ || !changes_wanted_.empty() || frames_wanted_ > 0) break;
+    news_.wait_for(lock, std::chrono::milliseconds(50));
+  }
+  Orders orders;
+  orders.stop = stop_;
+  orders.changes = std::exchange(changes_wanted_, {});
+  const bool due = storing_ && progress_.step >= next_stored_;
+  if (due)
+    next_stored_ =
+        progress_.step + static_cast<std::int64_t>(static_cast<double>(progress_.total) / stored_moments);
+  if (frames_wanted_ > 0 || due)
+    for (int k = 0; k < static_cast<int>(scenes_.size()); ++k) orders.frames.push_back(k);
+  frame_ordered_ = frame_ordered_ || frames_wanted_ > 0;
+  frames_wanted_ = 0;
+  orders.wait = at_rest();
+  if (steps_wanted_ > 0 && !orders.wait) {
+    --steps_wanted_;
+    orders.steps = 1;
+  } else if (speed_ > 0) {
+    orders.steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(slow_motions()[speed_ - 1] / 20));
+  }
+  return orders;
+}
+
+/// What the panel wants to see of this moment, once for each look.
+void LiveRun::show_plates(const Moment& moment) {
+  std::vector<int> wanted;
+  bool slow = false;
+  {
+    const std::lock_guard lock(mutex_);
+    wanted = plates_wanted_;
+    slow = paused_ || speed_ > 0;
+    looked_ = false;
+  }
+  for (const int k : wanted) {
+    auto frame = moment.frame(k);
+    auto books = slow ? moment.books(k) : std::nullopt;
+    const std::lock_guard lock(mutex_);
+    if (frame) plate_[k] = std::move(frame);
+    if (books) now_[k] = books;
+  }
+}
+
+void LiveRun::take_changed(const Change& change, const std::string& refused) {
+  const std::lock_guard lock(mutex_);
+  const std::string what =
+      fmt::format("lane {}, step {}: {} = {}", change.lane + 1, change.step, change.axis, change.value);
+  said_.push_back(refused.empty() ? what + "; kept in steering.toml" : what + " is refused: " + refused);
+  if (refused.empty()) (void)rift::steer(scene_now_[change.lane], change, 0.0);
+}
+
+void LiveRun::look(Live& live, const std::vector<int>& plates) {
+  const std::lock_guard lock(mutex_);
+  if (!described_ && stage_ != Stage::preparing && !header_.empty()) {
+    live = live_of_header(header_, wish_.folder);
+    live.geometry = &geometry_;
+    described_ = true;
+  }
+  live.name = wish_.folder.filename().string();
+  live.state = state();
+  if (!said_.empty()) live.message = std::exchange(said_, {}).back();
+  plates_wanted_ = plates;
+  looked_ = true;
+  if (!described_) {
+    live.done = doing_done_;
+    return;
+  }
+  for (std::size_t k = 0; k < live.lanes.size(); ++k) {
+    LiveLane& lane = live.lanes[k];
+    bool fresh = false;
+    for (const results::Sample& s : std::exchange(books_[k], {}))
+      if (s.phase == results::Phase::fracture) lane.books.push_back(s), fresh = true;
+    if (now_[k] && now_[k]->phase == results::Phase::fracture &&
+        (lane.books.empty() || now_[k]->step > lane.books.back().step))
+      lane.books.push_back(*now_[k]), fresh = true;
+    now_[k].reset();
+    if (fresh && lane.books.size() > 2) lane.rates = rate_curve(lane.books, lane.scale);
+    if (!plate_[k]) continue;
+    lane.displacement = std::move(plate_[k]->displacement);
+    lane.tips = results::tips_at(header_, plate_[k]->tip_m);
+    plate_[k].reset();
+  }
+  live.step = progress_.step, live.steps = progress_.total;
+  live.done =
+      progress_.total > 0 ? static_cast<double>(progress_.step) / static_cast<double>(progress_.total) : 0;
+  const auto now = Clock::now();
+  const double seconds = std::chrono::duration<double>(now - before_).count();
+  if (seconds > 0.4) {
+    const double speed = static_cast<double>(progress_.step - step_before_) / seconds;
+    steps_per_s_ = steps_per_s_ > 0 ? 0.5 * (steps_per_s_ + speed) : speed;
+    step_before_ = progress_.step, before_ = now;
+  }
+  const bool going = stage_ == Stage::running && !paused_;
+  live.steps_per_s = going ? steps_per_s_ : 0;
+  live.seconds_left =
+      going && steps_per_s_ > 0 ? static_cast<double>(live.steps - live.step) / steps_per_s_ : -1;
+  if (stage_ == Stage::ended && recorded_ && recorded_->result.outcome == Outcome::finished)
+    live.done = 1, live.step = live.steps;
+}
+
+std::string LiveRun::state() const {
+  if (stage_ == Stage::preparing) return fmt::format("{} {:.0f} %", doing_, 100 * doing_done_);
+  if (stage_ == Stage::ended) {
+    if (failure_) return "failed";
+    return recorded_ ? name_of(recorded_->result.outcome) : "stopped";
+  }
+  if (paused_) return "paused";
+  return speed_ > 0 ? fmt::format("{:g} steps/s", slow_motions()[speed_ - 1]) : "running";
+}
+
+Scene LiveRun::scene(int lane) const {
+  const std::lock_guard lock(mutex_);
+  return scene_now_[lane];
+}
+
+void LiveRun::pause(bool wanted) {
+  const std::lock_guard lock(mutex_);
+  paused_ = wanted;
+  news_.notify_all();
+}
+
+void LiveRun::single_step() {
+  const std::lock_guard lock(mutex_);
+  paused_ = true;
+  ++steps_wanted_;
+  news_.notify_all();
+}
+
+void LiveRun::change_speed(int by) {
+  const std::lock_guard lock(mutex_);
+  speed_ = std::clamp(speed_ - by, 0, static_cast<int>(slow_motions().size()));
+  news_.notify_all();
+}
+
+void LiveRun::change(Change wish) {
+  const std::lock_guard lock(mutex_);
+  changes_wanted_.push_back(std::move(wish));
+  news_.notify_all();
+}
+
+void LiveRun::store_frame() {
+  const std::lock_guard lock(mutex_);
+  ++frames_wanted_;
+  news_.notify_all();
+}
+
+void LiveRun::store_frames(bool wanted) {
+  const std::lock_guard lock(mutex_);
+  storing_ = wanted;
+  next_stored_ = 0;
+  ++frames_wanted_;  // the first and the last moment are always there
+  news_.notify_all();
+}
+
+bool LiveRun::stored() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(frame_stored_, false) || stage_ == Stage::ended;
+}
+
+void LiveRun::stop() {
+  const std::lock_guard lock(mutex_);
+  stop_ = true;
+  news_.notify_all();
+}
+
+std::optional<Recorded> LiveRun::result() {
+  if (thread_.joinable()) thread_.join();
+  if (failure_) std::rethrow_exception(failure_);
+  return recorded_;
+}
+
+}  // namespace rift::studio

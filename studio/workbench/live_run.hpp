@@ -1,0 +1,123 @@
+#pragma once
+
+#include "engine/results/run_folder.hpp"
+#include "engine/simulation/record.hpp"
+#include "studio/screen/live.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace rift::studio {
+
+/// What is to run, and where it is kept.
+struct RunWish {
+  Preset preset;  // without issues, no study
+  std::filesystem::path folder;
+  bool force = false;  // replace the run that is in the folder
+  int threads = 0;
+  Cache cache = {};
+  BuildInfo build = {};
+  std::function<void(const std::filesystem::path&)> began = {};  // the folder is there; on the run's thread
+};
+
+/// A run that marches in a thread of its own while a panel looks on and steers. The panel never waits for the
+/// engine, nor the engine for the panel but where it was told to.
+class LiveRun {
+ public:
+  /// Claims the folder, then starts. Throws as claim_run_folder(), InputError for a study.
+  explicit LiveRun(RunWish wish);
+  /// Stops the run, keeping what there is, and waits for its end.
+  ~LiveRun();
+  LiveRun(const LiveRun&) = delete;
+  LiveRun& operator=(const LiveRun&) = delete;
+
+  enum class Stage : std::uint8_t { preparing, running, ended };
+
+  /// Brings what the panel shows up to date. @param plates  the lanes whose plates are shown; others keep
+  /// theirs
+  void look(Live& live, const std::vector<int>& plates);
+
+  [[nodiscard]] Stage stage() const { return stage_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return wish_.folder; }
+  [[nodiscard]] bool paused() const { return paused_; }
+  /// The lane's scenario with the changes so far.
+  [[nodiscard]] Scene scene(int lane) const;
+
+  void pause(bool wanted);
+  void single_step();
+  void change_speed(int by);  // one slower is -1, one faster 1
+  void change(Change wish);
+  void store_frame();              // of all lanes, into the journal
+  void store_frames(bool wanted);  // again and again
+  [[nodiscard]] bool storing() const { return storing_; }
+  /// Whether a frame that was asked for has come into the journal since the last question, or never will.
+  [[nodiscard]] bool stored();
+  void stop();
+
+  /// How it ended; rethrows what went wrong. Nothing where it was stopped before its first step.
+  [[nodiscard]] std::optional<Recorded> result();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void work();
+  void run();
+  Orders steer(const Moment& moment);
+  void take_changed(const Change& change, const std::string& refused);
+  void show_plates(const Moment& moment);
+  [[nodiscard]] bool at_rest() const { return paused_ && steps_wanted_ == 0; }
+  [[nodiscard]] std::string state() const;
+
+  RunWish wish_;
+  results::ClaimedFolder claim_;
+  std::vector<Scene> scenes_;
+  std::atomic<Stage> stage_ = Stage::preparing;
+  std::exception_ptr failure_;
+  std::optional<Recorded> recorded_;
+  std::optional<Prepared> prepared_;
+  results::Geometry geometry_;
+  nlohmann::ordered_json header_;
+
+  // What both threads touch, under the mutex.
+  mutable std::mutex mutex_;
+  std::condition_variable_any news_;
+  std::string doing_ = "packing";
+  double doing_done_ = 0;
+  Progress progress_;
+  std::vector<std::vector<results::Sample>> books_;   // by lane, not yet looked at
+  std::vector<std::optional<results::Sample>> now_;   // by lane, between two samples
+  std::vector<std::optional<results::Frame>> plate_;  // by lane
+  std::vector<std::string> said_;
+  std::vector<int> plates_wanted_;
+  std::vector<Change> changes_wanted_;
+  std::vector<Scene> scene_now_;
+  int frames_wanted_ = 0;
+  std::int64_t steps_wanted_ = 0, next_stored_ = 0;
+  bool paused_ = false, stop_ = false, storing_ = false, looked_ = true;
+  bool frame_ordered_ = false, frame_stored_ = false;
+  int speed_ = 0;  // 0: as fast as can be
+
+  // The panel's own.
+  bool described_ = false;
+  double steps_per_s_ = 0;
+  std::int64_t step_before_ = 0;
+  Clock::time_point before_ = Clock::now();
+
+  std::jthread thread_;
+};
+
+/// Which steps a second slow motion makes, the fastest first; one slower than the last is not there.
+[[nodiscard]] const std::vector<double>& slow_motions();
+
+}  // namespace rift::studio

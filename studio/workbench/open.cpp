@@ -1,0 +1,46 @@
+#include "studio/workbench/open.hpp"
+
+#include "engine/scene/issue.hpp"
+#include "engine/scene/preset.hpp"
+#include "studio/workbench/compare_screen.hpp"
+#include "studio/workbench/form_screen.hpp"
+#include "studio/workbench/panel_screen.hpp"
+#include "studio/workbench/study_screen.hpp"
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+
+std::unique_ptr<Screen> form_of_preset(Workshop& workshop, const fs::path& preset) {
+  return std::make_unique<FormScreen>(workshop, preset);
+}
+
+std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const fs::path& path,
+                                         const std::vector<std::string>& overrides) {
+  const Preset preset = read_preset(path, overrides);
+  if (!preset.issues.empty()) throw InputError(preset.issues);
+  const std::string name = path.stem().string();
+  if (!preset.study.empty()) {
+    // A folder that holds the same study is continued; a changed one gets a folder of its own.
+    const fs::path folder = overrides.empty() ? workshop.studies / name : free_folder(workshop.studies, name);
+    return std::make_unique<StudyScreen>(workshop, preset, folder);
+  }
+  RunWish wish{.preset = preset, .folder = free_folder(workshop.runs, name)};
+  wish.threads = workshop.threads;
+  wish.cache = workshop.cache;
+  wish.build = workshop.build;
+  return std::make_unique<RunScreen>(workshop, std::move(wish));
+}
+
+std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const fs::path& run) {
+  if (fs::exists(run / "study.json"))
+    throw InputError({Issue{.file = run.string(),
+                            .key = {},
+                            .text = "is a study: its report.html shows it, and its preset goes on with it"}});
+  return std::make_unique<WatchScreen>(workshop, run);
+}
+
+std::unique_ptr<Screen> comparison_of(Workshop&, const std::vector<fs::path>& runs) {
+  return std::make_unique<CompareScreen>(runs);
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,245 @@
+#include "studio/workbench/panel_screen.hpp"
+
+#include "engine/scene/axes.hpp"
+#include "studio/screen/box.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rift::studio {
+
+void PanelScreen::draw(Canvas& canvas, Glyphs glyphs) {
+  draw_live(canvas, live(), {.shown = shown_, .beside = beside_, .foot = foot_of(where(), canvas.width())},
+            glyphs);
+  draw_question(canvas, glyphs);
+}
+
+bool PanelScreen::choose(const Press& press) {
+  const int count = lanes();
+  if (count == 0) return false;
+  const int asked = press.key - '1';
+  const Action action = action_of(where(), press.key);
+  if (asked >= 0 && asked < std::min(count, 8)) {
+    shown_ = asked;
+  } else if (action == Action::lane || action == Action::down) {
+    shown_ = (shown_ + 1) % count;
+  } else if (action == Action::up) {
+    shown_ = (shown_ + count - 1) % count;
+  } else if (action == Action::beside) {
+    beside_ = beside_ >= 0 ? -1 : count > 1 ? (shown_ + 1) % count : -1;
+  } else {
+    return false;
+  }
+  if (beside_ == shown_) beside_ = (shown_ + 1) % count;
+  return true;
+}
+
+WatchScreen::WatchScreen(Workshop& workshop, const std::filesystem::path& run)
+    : PanelScreen(workshop), folder_(run), run_(run), live_(run_.live()) {}
+
+Turn WatchScreen::press(const Press& press) {
+  if (choose(press)) return {};
+  switch (action_of(Where::watch, press.key)) {
+    case Action::frame:
+      live_.message = errands_.picture(folder_, shown_);
+      return {};
+    case Action::film:
+      live_.message = errands_.film(folder_, {});
+      return {};
+    case Action::export_tables:
+      live_.message = errands_.tables(folder_);
+      return {};
+    case Action::back:
+      return {Turn::Way::back, nullptr};
+    default:
+      return {};
+  }
+}
+
+Turn WatchScreen::look() {
+  const std::string message = live_.message, news = errands_.news();
+  if (run_.look()) live_ = run_.live();
+  live_.message = news.empty() ? message : news;
+  return {};
+}
+
+RunScreen::RunScreen(Workshop& workshop, RunWish wish, bool leave_at_end)
+    : PanelScreen(workshop), run_(std::make_shared<LiveRun>(std::move(wish))), leave_at_end_(leave_at_end) {}
+
+Turn RunScreen::look() {
+  std::vector<int> plates{shown_};
+  if (beside_ >= 0) plates.push_back(beside_);
+  const std::string message = live_.message;
+  run_->look(live_, plates);
+  if (live_.message.empty()) live_.message = message;
+  if (beside_ < 0 && lanes() > 1 && live_.step == 0) beside_ = 1;  // an ensemble begins as a comparison
+  if (const std::string news = errands_.news(); !news.empty()) say(news);
+  send_what_is_due();
+  const bool ended = run_->stage() == LiveRun::Stage::ended;
+  if (!ended) return {};
+  if (leaving_ || leave_at_end_) return {Turn::Way::back, nullptr};
+  if (!told_end_) {
+    told_end_ = true;
+    try {
+      if (const auto recorded = run_->result())
+        say(fmt::format("{}: {}", recorded->result.outcome == Outcome::finished ? "done" : "ended here",
+                        run_->folder().string()));
+    } catch (const std::exception& error) {
+      say(error.what());
+    }
+  }
+  return {};
+}
+
+void RunScreen::send_what_is_due() {
+  if ((!picture_due_ && !film_due_) || !run_->stored()) return;
+  if (std::exchange(picture_due_, false)) say(errands_.picture(run_->folder(), shown_));
+  if (!std::exchange(film_due_, false)) return;
+  std::vector<int> lanes{shown_};
+  if (beside_ >= 0) lanes.push_back(beside_);
+  say(errands_.film(run_->folder(), lanes, film_from_us_, time_us() + 1));
+}
+
+double RunScreen::time_us() const {
+  if (live_.lanes.empty() || live_.lanes[shown_].books.empty()) return 0;
+  const auto& books = live_.lanes[shown_].books;
+  return 1e6 * (books.back().time_s - books.front().time_s);
+}
+
+Turn RunScreen::press(const Press& press) {
+  if (value_.typing()) {
+    if (value_.press(press) == Prompt::State::entered)
+      run_->change({shown_, 0, std::string(steerable_axes()[axis_]), value_.text()});
+    return {};
+  }
+  if (choosing_) {
+    choose_change(press);
+    return {};
+  }
+  if (choose(press)) return {};
+  return act(action_of(Where::live, press.key));
+}
+
+Turn RunScreen::act(Action action) {
+  const bool running = run_->stage() == LiveRun::Stage::running;
+  switch (action) {
+    case Action::pause:
+      run_->pause(!run_->paused());
+      return {};
+    case Action::step:
+      run_->single_step();
+      return {};
+    case Action::slower:
+      run_->change_speed(-1);
+      return {};
+    case Action::faster:
+      run_->change_speed(1);
+      return {};
+    case Action::change:
+      begin_change();
+      return {};
+    case Action::frame:
+      take_frame();
+      return {};
+    case Action::film:
+      toggle_film();
+      return {};
+    case Action::export_tables:
+      say(errands_.tables(run_->folder()));
+      return {};
+    case Action::stop:
+      run_->stop();
+      return {};
+    case Action::back:
+      if (run_->stage() == LiveRun::Stage::ended) return {Turn::Way::back, nullptr};
+      run_->stop();
+      leaving_ = true;
+      say(running ? "stopping; what there is, is kept" : "stopping");
+      return {};
+    default:
+      return {};
+  }
+}
+
+void RunScreen::begin_change() {
+  if (run_->stage() != LiveRun::Stage::running) {
+    say("nothing to change: the crack does not run");
+    return;
+  }
+  choosing_ = true;
+}
+
+void RunScreen::choose_change(const Press& press) {
+  const int count = static_cast<int>(steerable_axes().size());
+  const Action action = action_of(Where::anywhere, press.key);
+  if (action == Action::up) axis_ = (axis_ + count - 1) % count;
+  if (action == Action::down) axis_ = (axis_ + 1) % count;
+  if (action == Action::back) choosing_ = false;
+  const int asked = press.key - '1';
+  if (asked >= 0 && asked < count) ask_value(asked);
+  if (press.key == key_enter) ask_value(axis_);
+}
+
+void RunScreen::ask_value(int axis) {
+  axis_ = axis;
+  choosing_ = false;
+  value_ = Prompt(fmt::format("{} of lane {}", steerable_axes()[axis], shown_ + 1), value_now(axis));
+}
+
+std::string RunScreen::value_now(int axis) const {
+  Scene scene = run_->scene(shown_);
+  if (scene.crack.velocity.size() > 1) {  // the last piece is the one that holds
+    scene.crack.velocity = {scene.crack.velocity.back()};
+    scene.crack.velocity.front().until.reset();
+  }
+  return axis_text(scene, *find_axis(steerable_axes()[axis]));
+}
+
+void RunScreen::draw_question(Canvas& canvas, Glyphs glyphs) {
+  if (value_.typing()) {
+    value_.draw(canvas, {0, canvas.height() - 1, canvas.width(), 1});
+    return;
+  }
+  if (!choosing_) return;
+  const auto axes = steerable_axes();
+  const Area inside = draw_box(canvas, 46, static_cast<int>(axes.size()),
+                               fmt::format("change lane {} from here on", shown_ + 1), glyphs);
+  for (int k = 0; k < inside.height; ++k) {
+    const Style style{Ink::plain, false, k == axis_};
+    clear(canvas, {inside.x, inside.y + k, inside.width, 1}, style);
+    canvas.text(inside.x + 1, inside.y + k, fmt::format("{} {:<20}{}", k + 1, axes[k], value_now(k)), style,
+                inside.width - 1);
+  }
+}
+
+void RunScreen::take_frame() {
+  if (run_->stage() == LiveRun::Stage::running) {
+    run_->store_frame();
+    picture_due_ = true;
+    say("frame: storing this moment");
+  } else {
+    say(errands_.picture(run_->folder(), shown_));
+  }
+}
+
+void RunScreen::toggle_film() {
+  if (run_->stage() != LiveRun::Stage::running && !run_->storing()) {
+    say(errands_.film(run_->folder(), {}));
+  } else if (run_->storing()) {
+    run_->store_frames(false);
+    film_due_ = true;
+  } else {
+    run_->store_frames(true);
+    film_from_us_ = time_us();
+    say("film: storing from here on; m again ends it");
+  }
+}
+
+std::string RunScreen::last_words() const {
+  return fmt::format("the run is in {0}, whole up to its last flush; rift watch {0} shows it\n",
+                     run_->folder().string());
+}
+
+}  // namespace rift::studio

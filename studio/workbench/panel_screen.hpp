@@ -1,0 +1,85 @@
+#pragma once
+
+#include "studio/screen/live_of_run.hpp"
+#include "studio/screen/prompt.hpp"
+#include "studio/workbench/errands.hpp"
+#include "studio/workbench/live_run.hpp"
+#include "studio/workbench/screen.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace rift::studio {
+
+/// What the panels of runs have in common: which lanes they show, and what they ask for of the run's folder.
+class PanelScreen : public Screen {
+ public:
+  void draw(Canvas& canvas, Glyphs glyphs) override;
+
+ protected:
+  explicit PanelScreen(Workshop& workshop) : errands_(workshop.program) {}
+  [[nodiscard]] virtual const Live& live() const = 0;
+  /// Drawn over the last line where something is asked.
+  virtual void draw_question(Canvas&, Glyphs) {}
+  /// @return whether the press was about what is shown
+  bool choose(const Press& press);
+  [[nodiscard]] int lanes() const { return static_cast<int>(live().lanes.size()); }
+
+  Errands errands_;
+  int shown_ = 0, beside_ = -1;
+};
+
+/// The panel of a run that goes on elsewhere, or has ended: read only.
+class WatchScreen : public PanelScreen {
+ public:
+  WatchScreen(Workshop& workshop, const std::filesystem::path& run);
+  Turn press(const Press& press) override;
+  Turn look() override;
+  [[nodiscard]] Where where() const override { return Where::watch; }
+
+ private:
+  [[nodiscard]] const Live& live() const override { return live_; }
+  std::filesystem::path folder_;
+  LiveOfRun run_;
+  Live live_;
+};
+
+/// The panel of a run that marches here, and is steered from here.
+class RunScreen : public PanelScreen {
+ public:
+  /// @param leave_at_end  the screen goes when the run has ended
+  RunScreen(Workshop& workshop, RunWish wish, bool leave_at_end = false);
+
+  Turn press(const Press& press) override;
+  Turn look() override;
+  [[nodiscard]] bool typing() const override { return value_.typing() || choosing_; }
+  [[nodiscard]] Where where() const override { return Where::live; }
+  [[nodiscard]] std::string last_words() const override;
+  /// Outlives the screen where somebody wants its result.
+  [[nodiscard]] std::shared_ptr<LiveRun> run() const { return run_; }
+
+ private:
+  [[nodiscard]] const Live& live() const override { return live_; }
+  void draw_question(Canvas& canvas, Glyphs glyphs) override;
+  void choose_change(const Press& press);
+  void begin_change();
+  void ask_value(int axis);
+  void take_frame();
+  void toggle_film();
+  [[nodiscard]] double time_us() const;  // since the crack's start
+  void send_what_is_due();
+  void say(std::string text) { live_.message = std::move(text); }
+  Turn act(Action action);
+  [[nodiscard]] std::string value_now(int axis) const;
+
+  std::shared_ptr<LiveRun> run_;
+  Live live_;
+  bool leave_at_end_, choosing_ = false, leaving_ = false, told_end_ = false;
+  int axis_ = 0;
+  Prompt value_;
+  bool picture_due_ = false, film_due_ = false;  // as soon as the journal holds their frames
+  double film_from_us_ = 0;
+};
+
+}  // namespace rift::studio

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/simulation/build_info.hpp"
+#include "engine/simulation/cache.hpp"
+#include "studio/screen/canvas.hpp"
+#include "studio/screen/keymap.hpp"
+#include "studio/screen/press.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+/// The workbench: screens on a stack. A screen draws itself into cells and answers presses; it knows no
+/// terminal.
+namespace rift::studio {
+
+class Screen;
+
+/// What is to happen after a press or a look.
+struct Turn {
+  enum class Way : std::uint8_t { stay, back, forward, replace } way = Way::stay;
+  std::unique_ptr<Screen> next = {};  // of forward and replace
+};
+
+class Screen {
+ public:
+  virtual ~Screen() = default;
+  virtual void draw(Canvas& canvas, Glyphs glyphs) = 0;
+  virtual Turn press(const Press& press) = 0;
+  /// Called before each drawing, some fifteen times a second: to look at what works in the background.
+  virtual Turn look() { return {}; }
+  /// It is on the top again.
+  virtual void resume() {}
+  /// Whether letters are typed into it, so that none of them is a key.
+  [[nodiscard]] virtual bool typing() const { return false; }
+  [[nodiscard]] virtual Where where() const = 0;
+  /// What to say should the program crash now.
+  [[nodiscard]] virtual std::string last_words() const { return {}; }
+};
+
+/// What all screens share: where things are, and how things are run.
+struct Workshop {
+  std::filesystem::path presets, own_presets, runs = "runs", studies = "studies";
+  std::filesystem::path program;  // rift itself, for what it does in the background
+  Cache cache = {};
+  BuildInfo build = {};
+  int threads = 0;
+};
+
+/// The first of folder/NAME, folder/NAME-2, ... that does not exist yet.
+[[nodiscard]] std::filesystem::path free_folder(const std::filesystem::path& folder, const std::string& name);
+
+}  // namespace rift::studio

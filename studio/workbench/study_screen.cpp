@@ -1,0 +1,222 @@
+#include "studio/workbench/study_screen.hpp"
+
+#include "engine/results/files.hpp"
+#include "engine/theory/references.hpp"
+#include "studio/report/study_report.hpp"
+#include "studio/report/study_table.hpp"
+#include "studio/screen/box.hpp"
+#include "studio/screen/curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rift::studio {
+namespace {
+
+double number(const SummaryRow& row, const char* key) {
+  return row.is_object() && row.contains(key) && row[key].is_number() ? row[key].get<double>() : std::nan("");
+}
+
+/// The axis whose values make the columns: the velocity where it is varied, else the last one.
+std::size_t column_axis(const Preset& preset) {
+  const auto& axes = preset.study.front().axes;
+  for (std::size_t k = 0; k < axes.size(); ++k)
+    if (axes[k].first == "crack_velocity") return k;
+  return axes.size() - 1;
+}
+
+std::string row_name(const StudyRow& row, std::size_t without) {
+  std::string name;
+  for (std::size_t k = 0; k < row.axes.size(); ++k)
+    if (k != without && row.axes[k].second != "-") name += (name.empty() ? "" : " ") + row.axes[k].second;
+  return name;
+}
+
+}  // namespace
+
+StudyScreen::StudyScreen(Workshop& workshop, Preset preset, std::filesystem::path folder)
+    : workshop_(workshop),
+      preset_(std::move(preset)),
+      folder_(std::move(folder)),
+      rows_(preset_.study.size()) {
+  thread_ = std::jthread([this] { work(); });
+}
+
+StudyScreen::~StudyScreen() { stop_ = true; }
+
+void StudyScreen::work() {
+  StudyObserver observer;
+  observer.progress = [this](std::string_view stage, double done) {
+    const std::lock_guard lock(mutex_);
+    stage_ = stage, done_ = done;
+    return !stop_;
+  };
+  observer.finished = [this](const SummaryRow& row, int, int) {
+    const std::lock_guard lock(mutex_);
+    rows_[row.at("row").get<std::size_t>()] = row;
+  };
+  std::string message;
+  try {
+    Cache cache = workshop_.cache;
+    const StudyResult result = run_study(preset_, {.folder = folder_, .threads = workshop_.threads}, cache,
+                                         workshop_.build, observer);
+    if (const std::string csv = study_csv(result.rows); !csv.empty())
+      results::write_whole_file(folder_ / "table.csv", csv);
+    if (result.outcome != Outcome::stopped) write_study_report(preset_, workshop_.build, result, folder_);
+    message = result.outcome == Outcome::stopped ? "stopped; rift study goes on from here"
+                                                 : fmt::format("done: {}/report.html", folder_.string());
+  } catch (const std::exception& error) {
+    message = error.what();
+  }
+  const std::lock_guard lock(mutex_);
+  message_ = message;
+  ended_ = true;
+}
+
+Turn StudyScreen::look() {
+  const std::lock_guard lock(mutex_);
+  shown_ = rows_;
+  return leaving_ && ended_ ? Turn{Turn::Way::back, nullptr} : Turn{};
+}
+
+void StudyScreen::draw(Canvas& canvas, Glyphs glyphs) {
+  const int width = canvas.width(), height = canvas.height();
+  if (draw_too_small(canvas)) return;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto computed =
+        std::count_if(shown_.begin(), shown_.end(), [](const auto& row) { return row.is_object(); });
+    int x = canvas.text(1, 0, folder_.filename().string(), {Ink::title, true}) + 3;
+    x += canvas.text(x, 0, fmt::format("{} of {} scenarios", computed, shown_.size()), {Ink::good, true}) + 2;
+    canvas.text(x, 0, ended_ ? message_ : fmt::format("{}  {:.0f} %", stage_, 100 * done_), {Ink::dim},
+                width - x);
+  }
+  canvas.text(1, height - 1, foot_of(Where::study, width - 2), {Ink::dim});
+  const int top = 2, left = height - 3;
+  const int plots = std::max(7, left * 45 / 100);
+  draw_grid(canvas, {1, top, width - 2, left - plots});
+  draw_velocities(canvas, {1, top + left - plots, width / 2 - 2, plots}, glyphs);
+  draw_errors(canvas, {width / 2 + 1, top + left - plots, width - width / 2 - 2, plots}, glyphs);
+}
+
+/// Every scenario is a cell of its ratio, red above Broberg and blue below.
+void StudyScreen::draw_grid(Canvas& canvas, const Area& area) const {
+  const std::size_t axis = column_axis(preset_);
+  std::vector<std::string> columns, names;
+  std::map<std::pair<std::string, std::string>, std::size_t> cell;
+  const auto add = [](std::vector<std::string>& all, const std::string& one) {
+    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+  };
+  for (std::size_t k = 0; k < preset_.study.size(); ++k) {
+    const StudyRow& row = preset_.study[k];
+    add(columns, row.axes[axis].second);
+    add(names, row_name(row, axis));
+    cell[{row_name(row, axis), row.axes[axis].second}] = k;
+  }
+  std::size_t longest = 8;
+  for (const std::string& name : names) longest = std::max(longest, letters_of(name).size());
+  const int label = std::min(static_cast<int>(longest) + 1, area.width / 2);
+  const int wide = std::clamp((area.width - label) / static_cast<int>(columns.size()), 3, 10);
+  canvas.text(area.x, area.y, preset_.study.front().axes[axis].first, {Ink::dim}, label - 1);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    canvas.text(area.x + label + static_cast<int>(c) * wide, area.y,
+                fmt::format("{:>{}}", columns[c], wide - 1), {Ink::dim},
+                std::min(wide - 1, area.width - label - static_cast<int>(c) * wide));
+  for (std::size_t r = 0; r < names.size() && static_cast<int>(r) + 1 < area.height; ++r) {
+    const int y = area.y + 1 + static_cast<int>(r);
+    canvas.text(area.x, y, names[r], {}, label - 1);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const auto found = cell.find({names[r], columns[c]});
+      const int x = area.x + label + static_cast<int>(c) * wide;
+      if (found == cell.end() || x + wide > area.x + area.width) continue;
+      const SummaryRow& row = shown_[found->second];
+      const double ratio = number(row, "ratio"), off = number(row, "error_broberg");
+      if (!row.is_object()) {
+        canvas.text(x, y, fmt::format("{:>{}}", ".", wide - 1), {Ink::dim});
+      } else {
+        const Ink ink = std::isnan(off) ? Ink::plain
+                        : off > 0.05    ? Ink::bad
+                        : off < -0.05   ? Ink::elastic
+                                        : Ink::good;
+        const std::string text =
+            std::isnan(ratio) ? row.value("outcome", std::string("?")) : fmt::format("{:.3f}", ratio);
+        canvas.text(x, y, fmt::format("{:>{}}", text, wide - 1), {ink, true}, wide - 1);
+      }
+    }
+  }
+  if (static_cast<int>(names.size()) + 1 < area.height)
+    canvas.text(area.x, area.y + static_cast<int>(names.size()) + 1,
+                "G_ID/G_I0; green: within 0.05 of Broberg, red: above, blue: below", {Ink::dim}, area.width);
+}
+
+void StudyScreen::draw_velocities(Canvas& canvas, const Area& area, Glyphs glyphs) const {
+  std::vector<Curve> curves;
+  const Scene::Material& m = preset_.study.front().scene.material;
+  double fastest = 0.8, most = 1.2;
+  std::map<std::string, std::vector<std::array<double, 2>>> by_name;
+  const std::size_t axis = column_axis(preset_);
+  for (std::size_t k = 0; k < shown_.size(); ++k) {
+    const double v = number(shown_[k], "crack_velocity_over_cr"), ratio = number(shown_[k], "ratio");
+    if (std::isnan(v) || std::isnan(ratio)) continue;
+    by_name[row_name(preset_.study[k], axis)].push_back({v, ratio});
+    fastest = std::max(fastest, v), most = std::max(most, std::min(ratio, 3.0));
+  }
+  Curve broberg{{}, {Ink::reference}}, strip{{}, {Ink::dim}};
+  for (int k = 1; k <= 60; ++k) {
+    const double v = std::min(fastest, 1.0) * k / 60.0;
+    broberg.points.push_back({v, theory::broberg(v, m.poisson_ratio, m.plane).g});
+    strip.points.push_back({v, theory::strip(v, m.poisson_ratio, m.plane).g});
+  }
+  curves.push_back(broberg), curves.push_back(strip);
+  constexpr Ink inks[] = {Ink::fracture, Ink::elastic, Ink::kinetic, Ink::damping, Ink::good, Ink::bad};
+  std::size_t next = 0;
+  for (auto& [name, points] : by_name) {
+    std::sort(points.begin(), points.end());
+    curves.push_back({points, {inks[next++ % std::size(inks)], true}});
+  }
+  draw_curves(canvas, area, {{0, fastest}, {0, most}, "v [c_R]", "G_ID/G_I0; lines: Broberg, strip"}, curves,
+              glyphs);
+}
+
+/// Points appear as the scenarios end: |off Broberg| against seconds, both logarithmic.
+void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) const {
+  std::vector<Curve> curves;
+  double low = 1e9, high = -1e9, small = 1e9, large = -1e9;
+  for (const SummaryRow& row : shown_) {
+    const double seconds = number(row, "wall_fracture_s"), error = std::abs(number(row, "error_broberg"));
+    if (!(seconds > 0) || !(error > 0)) continue;
+    const double x = std::log10(seconds), y = std::log10(error);
+    low = std::min(low, x), high = std::max(high, x), small = std::min(small, y), large = std::max(large, y);
+    curves.push_back({{{x, y}}, {Ink::fracture, true}});
+  }
+  if (curves.empty()) low = -1, high = 1, small = -3, large = 0;
+  draw_curves(canvas, area,
+              {{std::floor(low), std::ceil(high + 1e-9)},
+               {std::floor(small), std::ceil(large + 1e-9)},
+               "log10 seconds",
+               "log10 |off Broberg|"},
+              curves, glyphs);
+}
+
+Turn StudyScreen::press(const Press& press) {
+  switch (action_of(Where::study, press.key)) {
+    case Action::stop:
+      stop_ = true;
+      return {};
+    case Action::back:
+      if (ended_) return {Turn::Way::back, nullptr};
+      stop_ = leaving_ = true;
+      return {};
+    default:
+      return {};
+  }
+}
+
+std::string StudyScreen::last_words() const {
+  return fmt::format("the study is in {}: the same preset goes on from there\n", folder_.string());
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/study/runner.hpp"
+#include "studio/workbench/screen.hpp"
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace rift::studio {
+
+/// A study as it fills: its grid as a heat map, the ratio against velocity with the theory, and the error
+/// against run time.
+class StudyScreen : public Screen {
+ public:
+  /// Begins, or goes on, in a thread of its own.
+  StudyScreen(Workshop& workshop, Preset preset, std::filesystem::path folder);
+  /// Stops it: what has been computed is kept.
+  ~StudyScreen() override;
+
+  void draw(Canvas& canvas, Glyphs glyphs) override;
+  Turn press(const Press& press) override;
+  Turn look() override;
+  [[nodiscard]] Where where() const override { return Where::study; }
+  [[nodiscard]] std::string last_words() const override;
+
+ private:
+  void work();
+  void draw_grid(Canvas& canvas, const Area& area) const;
+  void draw_velocities(Canvas& canvas, const Area& area, Glyphs glyphs) const;
+  void draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) const;
+
+  Workshop& workshop_;
+  Preset preset_;
+  std::filesystem::path folder_;
+  std::atomic<bool> stop_ = false, ended_ = false;
+  mutable std::mutex mutex_;
+  std::string stage_ = "begins";
+  double done_ = 0;
+  std::vector<SummaryRow> rows_;  // by their place in the study; null: not yet
+  std::string message_;
+  bool leaving_ = false;
+  std::vector<SummaryRow> shown_;  // the panel's own copy
+  std::jthread thread_;
+};
+
+}  // namespace rift::studio
