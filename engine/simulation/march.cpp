@@ -293,9 +293,11 @@ class Run {
       Seat* seat = seat_of(scenario);
       return seat ? std::optional(books(*seat)) : std::nullopt;
     };
-    moment.frame = [this](int scenario) -> std::optional<results::Frame> {
+    moment.frame = [this](int scenario, bool velocity) -> std::optional<results::Frame> {
       Seat* seat = seat_of(scenario);
-      return seat ? std::optional(frame(*seat, {"displacement"})) : std::nullopt;
+      std::vector<std::string> fields{"displacement"};
+      if (velocity) fields.emplace_back("velocity");
+      return seat ? std::optional(frame(*seat, fields)) : std::nullopt;
     };
     Orders orders;
     do {

@@ -23,10 +23,10 @@ struct RunResult;
 /// A run as whoever steers it finds it between two steps.
 struct Moment {
   Progress progress;
-  /// The books and the displacements of a scenario now; nothing where it does not march. Cost: two looks at
-  /// every beam for all lanes; a copy.
+  /// The books and the displacements of a scenario now, with velocities where they are wanted; nothing where
+  /// it does not march. Cost: a copy; of books and velocities two looks at every beam for all lanes.
   std::function<std::optional<results::Sample>(int scenario)> books;
-  std::function<std::optional<results::Frame>(int scenario)> frame;
+  std::function<std::optional<results::Frame>(int scenario, bool velocity)> frame;
 };
 
 /// What a run is to do next. Whoever wants it to wait answers late; waiting is not counted as marching.

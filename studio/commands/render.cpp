@@ -1,4 +1,5 @@
 #include "engine/results/run_folder.hpp"
+#include "engine/scene/units.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_options.hpp"
 #include "studio/commands/scene_options.hpp"
@@ -6,9 +7,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 namespace rift::studio {
@@ -19,10 +22,32 @@ struct RenderOptions {
   FilmOptions look;
   std::vector<std::string> runs;
   std::string film, pictures, picture;
+  std::string from, to;  // of the crack's time
   std::optional<double> at;
   int frames = 0;
   bool poster = false, force = false, quiet = false, json = false;
 };
+
+double time_of(const char* option, const std::string& text) {
+  const Parsed<double> time = read_quantity(text, Dimension::time);
+  if (!time.value) throw viz::BadWish(fmt::format("{} {}: {}", option, text, time.problem));
+  return *time.value;
+}
+
+/// The moments of the plan that --from and --to leave.
+std::vector<double> times_of(const RenderOptions& options, const viz::Plan& plan) {
+  const double from = options.from.empty() ? plan.times_s.front() : time_of("--from", options.from);
+  const double to = options.to.empty() ? plan.times_s.back() : time_of("--to", options.to);
+  std::vector<double> times;
+  std::copy_if(plan.times_s.begin(), plan.times_s.end(), std::back_inserter(times),
+               [&](double t) { return t >= from && t <= to; });
+  if (times.empty())
+    throw viz::BadWish(fmt::format("no moment is stored from {} to {}: there are those from {} to {}",
+                                   quantity_text(from, Dimension::time), quantity_text(to, Dimension::time),
+                                   rounded_text(plan.times_s.front(), Dimension::time),
+                                   rounded_text(plan.times_s.back(), Dimension::time)));
+  return options.frames > 0 ? viz::evenly_chosen(times, options.frames) : times;
+}
 
 void refuse_to_overwrite(const fs::path& path, bool force) {
   if (force || !fs::exists(path) || (fs::is_directory(path) && fs::is_empty(path))) return;
@@ -96,8 +121,7 @@ ExitCode draw(const RenderOptions& options, const viz::Plan& plan, ProgressLine&
                                                   : fs::path(options.picture);
     draw_picture(options, plan, plan.times_s[k], path, making_of(options, line, stop, "picture"));
   }
-  const std::vector<double> times =
-      options.frames > 0 ? viz::evenly_chosen(plan.times_s, options.frames) : plan.times_s;
+  const std::vector<double> times = times_of(options, plan);
   if (!options.pictures.empty()) {
     refuse_to_overwrite(options.pictures, options.force);
     viz::make_pictures(plan.job, times, options.pictures, making_of(options, line, stop, "pictures"));
@@ -153,6 +177,8 @@ void add_render(CLI::App& app, ExitCode& exit_code) {
   command
       .add_option("--frames", options->frames, "Frames, evenly chosen from the stored moments (default: all)")
       ->check(CLI::Range(1, 1000000));
+  command.add_option("--from", options->from, "Film and pictures from this time of the crack on: \"12 us\"");
+  command.add_option("--to", options->to, "Film and pictures up to this time of the crack");
   command.add_option("--png", options->pictures, "Folder for the frames as pictures");
   command.add_option("--at", options->at, "One picture, at this fraction of the moments")
       ->check(CLI::Range(0.0, 1.0));

@@ -35,6 +35,7 @@ enum class Action : std::uint8_t {
   save,
   lane,
   beside,
+  velocity,
   pause,
   step,
   slower,

@@ -180,7 +180,8 @@ void draw_rates(Canvas& canvas, const Area& area, const Live& live, const LiveLo
               glyphs);
 }
 
-void draw_plate_of(Canvas& canvas, const Area& area, const Live& live, int k, Ink title, Glyphs glyphs) {
+void draw_plate_of(Canvas& canvas, const Area& area, const Live& live, int k, bool velocity, Ink title,
+                   Glyphs glyphs) {
   if (area.empty() || live.geometry == nullptr) return;
   const LiveLane& lane = live.lanes[k];
   Area plate = area;
@@ -188,8 +189,9 @@ void draw_plate_of(Canvas& canvas, const Area& area, const Live& live, int k, In
     canvas.text(area.x, area.y, fmt::format("{} {}", k + 1, lane.title), {title, true}, area.width);
     ++plate.y, --plate.height;
   }
-  draw_plate(canvas, plate, *live.geometry, lane.displacement,
-             {live.length, live.height, live.pulled, lane.tips}, glyphs);
+  PlateLook look{live.length, live.height, live.pulled, lane.tips};
+  if (velocity) look.velocity = lane.velocity, look.fastest = live.fastest;
+  draw_plate(canvas, plate, *live.geometry, lane.displacement, look, glyphs);
 }
 
 }  // namespace
@@ -204,8 +206,8 @@ void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs gl
   canvas.text(layout.foot.x, layout.foot.y, look.foot, {Ink::dim}, layout.foot.width);
   if (live.lanes.empty()) return;
   const LiveLane& lane = live.lanes[look.shown];
-  draw_plate_of(canvas, layout.plate, live, look.shown, Ink::fracture, glyphs);
-  if (two) draw_plate_of(canvas, layout.plate_beside, live, look.beside, Ink::elastic, glyphs);
+  draw_plate_of(canvas, layout.plate, live, look.shown, look.velocity, Ink::fracture, glyphs);
+  if (two) draw_plate_of(canvas, layout.plate_beside, live, look.beside, look.velocity, Ink::elastic, glyphs);
   draw_budget(canvas, layout.budget, lane, live.ledger_limit, glyphs);
   draw_table(canvas, layout.table, live, look);
   draw_energies(canvas, layout.energies, lane, glyphs);

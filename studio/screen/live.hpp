@@ -14,13 +14,13 @@ namespace rift::studio {
 
 /// What is known of one lane.
 struct LiveLane {
-  std::string title;                               // "simple release, 0.1 c_r"
-  RateScale scale;                                 // of its release rate
-  std::vector<results::Sample> books;              // of the crack, in time
-  std::vector<results::RatePoint> rates;           // against tip position
-  std::optional<double> broberg, strip;            // to compare with
-  std::vector<std::array<float, 3>> displacement;  // of the last frame; may be empty
-  std::vector<std::array<double, 2>> tips;         // of that frame [m]
+  std::string title;                                         // "simple release, 0.1 c_r"
+  RateScale scale;                                           // of its release rate
+  std::vector<results::Sample> books;                        // of the crack, in time
+  std::vector<results::RatePoint> rates;                     // against tip position
+  std::optional<double> broberg, strip;                      // to compare with
+  std::vector<std::array<float, 3>> displacement, velocity;  // of the last frame; may be empty
+  std::vector<std::array<double, 2>> tips;                   // of that frame [m]
 };
 
 /// All that the screen shows.
@@ -34,6 +34,7 @@ struct Live {
   std::int64_t step = 0, steps = 0;
   const results::Geometry* geometry = nullptr;
   double length = 0, height = 0, pulled = 0;  // of the plate [m]
+  double fastest = 0;                         // that colours of the velocity tell apart [m/s]
   double ledger_limit = 1e-9;                 // residuals beyond are told
   std::vector<LiveLane> lanes;
 };
@@ -42,6 +43,7 @@ struct Live {
 struct LiveLook {
   int shown = 0;          // the lane that plate, bars and curves are of
   int beside = -1;        // a second one, or none
+  bool velocity = false;  // the plates' colours are of the vertical velocity, not of the displacement
   std::string_view foot;  // the last line
 };
 

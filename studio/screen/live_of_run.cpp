@@ -45,6 +45,9 @@ Live live_of_header(const Header& header, const std::filesystem::path& run) {
   live.length = header.value("length_m", 0.0);
   live.height = header.value("height_m", 0.0);
   live.pulled = header.value("displacement_m", 0.0);
+  // What a strip that is let go shows: a part of strain times wave speed.
+  if (live.height > 0)
+    live.fastest = 0.5 * live.pulled / live.height * header.value("rayleigh_speed_m_s", 0.0);
   live.steps = header.value("steps", std::int64_t{0});
   const Header all = header.value("scenarios", Header::array());
   const std::vector<Header> scenarios(all.begin(), all.end());
@@ -92,7 +95,9 @@ void LiveOfRun::read_lane(int k) {
   if (lane.books.size() > 2) lane.rates = rate_curve(lane.books, lane.scale);
   if (journal_.frames(k).empty()) return;
   const results::FrameEntry& last = journal_.frames(k).back();
-  lane.displacement = journal_.frame(last).displacement;
+  results::Frame frame = journal_.frame(last);
+  lane.displacement = std::move(frame.displacement);
+  lane.velocity = std::move(frame.velocity);
   if (header_.contains("path")) lane.tips = results::tips_at(header_, last.tip_m);
 }
 

@@ -47,8 +47,8 @@ Area fitted(const Area& area, double aspect) {
   return plate;
 }
 
-std::int8_t shade_of(double value, double most) {
-  const double part = most > 0 ? std::clamp(value / most, 0.0, 1.0) : 0.5;
+std::int8_t shade_of(double value, double least, double most) {
+  const double part = most > least ? std::clamp((value - least) / (most - least), 0.0, 1.0) : 0.5;
   return static_cast<std::int8_t>(std::lround(part * (shade_steps - 1)));
 }
 
@@ -73,15 +73,17 @@ void draw_plate(Canvas& canvas, const Area& area, const results::Geometry& geome
   Grid grid(plate.width, 2 * plate.height);
   const auto column = [&](double x) { return x / look.length * grid.width; };
   const auto row = [&](double y) { return (1 - y / height) * grid.height; };
+  const bool by_velocity = look.velocity.size() == geometry.position.size();
   for (std::size_t i = 0; i < geometry.position.size(); ++i) {
     const double ux = displacement.empty() ? 0 : displacement[i][0],
                  uy = displacement.empty() ? 0 : displacement[i][1];
     const double r = geometry.radius[i];
     grid.add(column(geometry.position[i][0] + ux), row(geometry.position[i][1] + uy),
-             r / look.length * grid.width, r / height * grid.height, uy);
+             r / look.length * grid.width, r / height * grid.height, by_velocity ? look.velocity[i][1] : uy);
   }
+  const double least = by_velocity ? -look.fastest : 0, most = by_velocity ? look.fastest : look.pulled;
   const auto shade = [&](int x, int y) {
-    return grid.empty(x, y) ? no_shade : shade_of(grid.mean(x, y), look.pulled);
+    return grid.empty(x, y) ? no_shade : shade_of(grid.mean(x, y), least, most);
   };
   for (int y = 0; y < plate.height; ++y)
     for (int x = 0; x < plate.width; ++x)

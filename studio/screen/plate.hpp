@@ -8,12 +8,15 @@
 
 namespace rift::studio {
 
-/// The plate as its front looks in a terminal: vertical displacement in half blocks of colour, the tip
-/// marked.
+/// The plate as its front looks in a terminal: vertical displacement or velocity in half blocks of colour,
+/// the tip marked.
 struct PlateLook {
   double length = 0, height = 0;  // [m]
   double pulled = 0;              // displacement of the upper grip [m]; the colours run from 0 to it
   std::span<const std::array<double, 2>> tips;  // [m]
+  /// N [m/s]; where given, the colours are of its y, from -fastest to fastest
+  std::span<const std::array<float, 3>> velocity = {};
+  double fastest = 0;
 };
 
 /// Draws the elements where they are, by their mean over what each half of a cell covers; in ASCII by a

@@ -72,6 +72,10 @@ void LiveRun::run() {
     const std::lock_guard lock(mutex_);
     books_[s.lane].push_back(s);
   };
+  beside.ended = [this](int, const RunResult&) {
+    const std::lock_guard lock(mutex_);
+    ++lanes_ended_;
+  };
   beside.steer = [this](const Moment& moment) { return steer(moment); };
   beside.changed = [this](const Change& change, const std::string& refused) {
     take_changed(change, refused);
@@ -121,15 +125,15 @@ Orders LiveRun::steer(const Moment& moment) {
 /// What the panel wants to see of this moment, once for each look.
 void LiveRun::show_plates(const Moment& moment) {
   std::vector<int> wanted;
-  bool slow = false;
+  bool slow = false, velocity = false;
   {
     const std::lock_guard lock(mutex_);
-    wanted = plates_wanted_;
+    wanted = plates_wanted_, velocity = velocity_wanted_;
     slow = paused_ || speed_ > 0;
     looked_ = false;
   }
   for (const int k : wanted) {
-    auto frame = moment.frame(k);
+    auto frame = moment.frame(k, velocity);
     auto books = slow ? moment.books(k) : std::nullopt;
     const std::lock_guard lock(mutex_);
     if (frame) plate_[k] = std::move(frame);
@@ -145,7 +149,7 @@ void LiveRun::take_changed(const Change& change, const std::string& refused) {
   if (refused.empty()) (void)rift::steer(scene_now_[change.lane], change, 0.0);
 }
 
-void LiveRun::look(Live& live, const std::vector<int>& plates) {
+void LiveRun::look(Live& live, const std::vector<int>& plates, bool velocity) {
   const std::lock_guard lock(mutex_);
   if (!described_ && stage_ != Stage::preparing && !header_.empty()) {
     live = live_of_header(header_, wish_.folder);
@@ -155,7 +159,7 @@ void LiveRun::look(Live& live, const std::vector<int>& plates) {
   live.name = wish_.folder.filename().string();
   live.state = state();
   if (!said_.empty()) live.message = std::exchange(said_, {}).back();
-  plates_wanted_ = plates;
+  plates_wanted_ = plates, velocity_wanted_ = velocity;
   looked_ = true;
   if (!described_) {
     live.done = doing_done_;
@@ -173,6 +177,7 @@ void LiveRun::look(Live& live, const std::vector<int>& plates) {
     if (fresh && lane.books.size() > 2) lane.rates = rate_curve(lane.books, lane.scale);
     if (!plate_[k]) continue;
     lane.displacement = std::move(plate_[k]->displacement);
+    lane.velocity = std::move(plate_[k]->velocity);
     lane.tips = results::tips_at(header_, plate_[k]->tip_m);
     plate_[k].reset();
   }
@@ -200,6 +205,7 @@ std::string LiveRun::state() const {
     if (failure_) return "failed";
     return recorded_ ? name_of(recorded_->result.outcome) : "stopped";
   }
+  if (lanes_ended_ == scenes_.size()) return "writing the archive";
   if (paused_) return "paused";
   return speed_ > 0 ? fmt::format("{:g} steps/s", slow_motions()[speed_ - 1]) : "running";
 }

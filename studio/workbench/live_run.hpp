@@ -45,9 +45,9 @@ class LiveRun {
 
   enum class Stage : std::uint8_t { preparing, running, ended };
 
-  /// Brings what the panel shows up to date. @param plates  the lanes whose plates are shown; others keep
-  /// theirs
-  void look(Live& live, const std::vector<int>& plates);
+  /// Brings what the panel shows up to date. @param plates  the lanes whose plates are shown, by velocity or
+  /// not; others keep theirs
+  void look(Live& live, const std::vector<int>& plates, bool velocity = false);
 
   [[nodiscard]] Stage stage() const { return stage_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return wish_.folder; }
@@ -105,7 +105,8 @@ class LiveRun {
   int frames_wanted_ = 0;
   std::int64_t steps_wanted_ = 0, next_stored_ = 0;
   bool paused_ = false, stop_ = false, storing_ = false, looked_ = true;
-  bool frame_ordered_ = false, frame_stored_ = false;
+  bool frame_ordered_ = false, frame_stored_ = false, velocity_wanted_ = false;
+  std::size_t lanes_ended_ = 0;
   int speed_ = 0;  // 0: as fast as can be
 
   // The panel's own.

@@ -11,8 +11,10 @@
 namespace rift::studio {
 
 void PanelScreen::draw(Canvas& canvas, Glyphs glyphs) {
-  draw_live(canvas, live(), {.shown = shown_, .beside = beside_, .foot = foot_of(where(), canvas.width())},
-            glyphs);
+  draw_live(
+      canvas, live(),
+      {.shown = shown_, .beside = beside_, .velocity = velocity_, .foot = foot_of(where(), canvas.width())},
+      glyphs);
   draw_question(canvas, glyphs);
 }
 
@@ -27,6 +29,8 @@ bool PanelScreen::choose(const Press& press) {
     shown_ = (shown_ + 1) % count;
   } else if (action == Action::up) {
     shown_ = (shown_ + count - 1) % count;
+  } else if (action == Action::velocity) {
+    velocity_ = !velocity_;
   } else if (action == Action::beside) {
     beside_ = beside_ >= 0 ? -1 : count > 1 ? (shown_ + 1) % count : -1;
   } else {
@@ -72,9 +76,12 @@ Turn RunScreen::look() {
   std::vector<int> plates{shown_};
   if (beside_ >= 0) plates.push_back(beside_);
   const std::string message = live_.message;
-  run_->look(live_, plates);
+  run_->look(live_, plates, velocity_);
   if (live_.message.empty()) live_.message = message;
-  if (beside_ < 0 && lanes() > 1 && live_.step == 0) beside_ = 1;  // an ensemble begins as a comparison
+  if (!seen_ && lanes() > 0) {
+    seen_ = true;
+    if (lanes() > 1) beside_ = 1;  // an ensemble begins as a comparison
+  }
   if (const std::string news = errands_.news(); !news.empty()) say(news);
   send_what_is_due();
   const bool ended = run_->stage() == LiveRun::Stage::ended;

@@ -28,6 +28,7 @@ class PanelScreen : public Screen {
 
   Errands errands_;
   int shown_ = 0, beside_ = -1;
+  bool velocity_ = false;
 };
 
 /// The panel of a run that goes on elsewhere, or has ended: read only.
@@ -75,7 +76,7 @@ class RunScreen : public PanelScreen {
 
   std::shared_ptr<LiveRun> run_;
   Live live_;
-  bool leave_at_end_, choosing_ = false, leaving_ = false, told_end_ = false;
+  bool leave_at_end_, choosing_ = false, leaving_ = false, told_end_ = false, seen_ = false;
   int axis_ = 0;
   Prompt value_;
   bool picture_due_ = false, film_due_ = false;  // as soon as the journal holds their frames

@@ -146,7 +146,9 @@ TEST(Steering, WaitingForOrdersIsNotMarching) {
   observer.steer = [&](const Moment& moment) {
     if (!waited) std::this_thread::sleep_for(std::chrono::milliseconds(700));
     waited = true;
-    EXPECT_TRUE(moment.frame(0)->displacement.size() == p.lattice.centre.size());
+    EXPECT_EQ(moment.frame(0, true)->displacement.size(), p.lattice.centre.size());
+    EXPECT_EQ(moment.frame(0, true)->velocity.size(), p.lattice.centre.size());
+    EXPECT_TRUE(moment.frame(0, false)->velocity.empty());
     EXPECT_EQ(moment.books(0)->lane, 0);
     EXPECT_FALSE(moment.books(3).has_value());
     return Orders{.steps = 1};
