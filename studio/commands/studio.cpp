@@ -15,9 +15,15 @@ namespace rift::studio {
 namespace {
 
 struct StudioOptions {
-  std::string preset, color;
+  std::string preset, lesson, color;
   int threads = 0;
 };
+
+std::unique_ptr<Screen> first_screen(const StudioOptions& options, Workshop& workshop) {
+  if (!options.lesson.empty()) return lesson_screen(workshop, options.lesson);
+  if (!options.preset.empty()) return form_of_preset(workshop, resolve_preset(options.preset));
+  return std::make_unique<HomeScreen>(workshop);
+}
 
 ExitCode open_studio(const StudioOptions& options) {
   if (!Terminal::there()) {
@@ -29,23 +35,24 @@ ExitCode open_studio(const StudioOptions& options) {
   }
   Workshop workshop = workshop_here(options.threads);
   const StopSignal stop;
-  std::unique_ptr<Screen> first = options.preset.empty()
-                                      ? std::make_unique<HomeScreen>(workshop)
-                                      : form_of_preset(workshop, resolve_preset(options.preset));
-  work_in_terminal(std::move(first), wants_color(options.color, stdout),
+  work_in_terminal(first_screen(options, workshop), wants_color(options.color, stdout),
                    [&] { return stop.received() != 0; });
   return stop.received() == 0 ? ExitCode::done : static_cast<ExitCode>(128 + stop.received());
 }
 
 }  // namespace
 
-ExitCode open_studio() { return open_studio(StudioOptions{.preset = {}, .color = "auto"}); }
+ExitCode open_studio() { return open_studio(StudioOptions{.preset = {}, .lesson = {}, .color = "auto"}); }
 
 void add_studio(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("studio", "The workbench in the terminal; 'rift' alone opens it too");
   const auto options = std::make_shared<StudioOptions>();
-  command.add_option("preset", options->preset, "A preset to begin with");
+  CLI::Option* preset = command.add_option("preset", options->preset, "A preset to begin with");
+  command
+      .add_option("--lesson", options->lesson,
+                  "A guided lesson with a live run: node-release, damping, velocity")
+      ->excludes(preset);
   command.add_option("--threads", options->threads, "Threads (default: one per core)")
       ->check(CLI::Range(1, 1024));
   add_color_option(command, options->color);

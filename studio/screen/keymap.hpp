@@ -12,7 +12,7 @@
 namespace rift::studio {
 
 /// Which screen a binding is of.
-enum class Where : std::uint8_t { anywhere, home, form, live, watch, study, compare, lesson };
+enum class Where : std::uint8_t { anywhere, home, form, live, watch, study, compare, lesson, lesson_run };
 
 enum class Action : std::uint8_t {
   none,

@@ -21,7 +21,8 @@ class Grid {
         if (x < 0 || y < 0 || x >= width || y >= height) continue;
         const bool in_it =
             x == static_cast<int>(std::floor(column)) && y == static_cast<int>(std::floor(row));
-        if (!in_it && std::hypot((x + 0.5 - column) / radius_x, (y + 0.5 - row) / radius_y) > 1) continue;
+        const double from_x = (x + 0.5 - column) / radius_x, from_y = (y + 0.5 - row) / radius_y;
+        if (!in_it && from_x * from_x + from_y * from_y > 1) continue;
         sum_[index(x, y)] += value;
         ++count_[index(x, y)];
       }

@@ -160,16 +160,20 @@ void Terminal::set_style(const Style& style) {
   attr_set(attributes, 0, &pair);
 }
 
+/// Only what differs from what is there is handed on: a panel that is drawn fifteen times a second leaves the
+/// machine to the engine.
 void Terminal::show(const Canvas& canvas) {
-  erase();
+  const bool anew = canvas.width() != shown_.width() || canvas.height() != shown_.height();
+  if (anew) erase();
   for (int y = 0; y < std::min(canvas.height(), height()); ++y)
     for (int x = 0; x < std::min(canvas.width(), width()); ++x) {
       const Cell& cell = canvas.at(x, y);
-      if (cell == Cell{}) continue;
+      if (cell == (anew ? Cell{} : shown_.at(x, y))) continue;
       set_style(cell.style);
       const wchar_t glyph[2] = {static_cast<wchar_t>(cell.glyph), L'\0'};
       mvaddnwstr(y, x, glyph, 1);
     }
+  shown_ = canvas;
   refresh();
 }
 

@@ -38,6 +38,7 @@ class Terminal {
 
   bool color_;
   Glyphs glyphs_;
+  Canvas shown_{0, 0};
   std::map<std::pair<int, int>, int> pairs_;  // of foreground and background
 };
 

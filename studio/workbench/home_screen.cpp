@@ -67,6 +67,8 @@ void HomeScreen::read() {
         all_.push_back({std::string(group.name), preset, {}});
       }
   }
+  all_.push_back({"Lessons", {}, {}});
+  for (const Lesson& lesson : lessons()) all_.push_back({"Lessons", {}, {}, &lesson});
   std::error_code none;
   if (fs::is_directory(workshop_.own_presets, none)) {
     const std::vector<PresetEntry> own = preset_entries(workshop_.own_presets);
@@ -84,7 +86,7 @@ void HomeScreen::filter() {
   rows_.clear();
   const std::string wanted = lower(wanted_);
   for (const Row& row : all_) {
-    const std::string text = lower(row.name() + " " + (row.preset ? row.preset->shows : std::string()));
+    const std::string text = lower(row.name() + " " + row.shows());
     const bool shown = wanted.empty() || (!row.heading() && text.find(wanted) != std::string::npos);
     if (shown) rows_.push_back(row);
   }
@@ -159,8 +161,9 @@ void HomeScreen::draw_row(Canvas& canvas, int y, const Row& row, bool is_chosen)
     return;
   }
   const int cost = width >= 110 ? 34 : 0;
-  if (cost > 0) canvas.text(4 + name, y, row.preset->cost, {Ink::dim, false, is_chosen}, cost - 2);
-  canvas.text(4 + name + cost, y, row.preset->shows, style, width - name - cost - 6);
+  if (cost > 0 && row.preset)
+    canvas.text(4 + name, y, row.preset->cost, {Ink::dim, false, is_chosen}, cost - 2);
+  canvas.text(4 + name + cost, y, row.shows(), style, width - name - cost - 6);
 }
 
 void HomeScreen::draw_detail(Canvas& canvas, const Area& area) const {
@@ -175,6 +178,10 @@ void HomeScreen::draw_detail(Canvas& canvas, const Area& area) const {
     const int lines =
         draw_paragraph(canvas, {area.x, area.y, area.width, area.height - 1}, row->preset->shows);
     canvas.text(area.x, area.y + lines, "cost: " + row->preset->cost, {Ink::dim}, area.width);
+  } else if (row->lesson != nullptr) {
+    canvas.text(area.x, area.y, row->lesson->title, {}, area.width);
+    canvas.text(area.x, area.y + 1, "a few pages, a live run, a question and its answer out of the run",
+                {Ink::dim}, area.width);
   } else if (row->run) {
     canvas.text(area.x, area.y, row->run->path.string(), {}, area.width);
     canvas.text(area.x, area.y + 1,
@@ -267,6 +274,7 @@ void HomeScreen::toggle_mark() {
 Turn HomeScreen::open(bool as_form) try {
   const Row* row = chosen();
   if (!row || row->heading()) return {};
+  if (row->lesson) return {Turn::Way::forward, lesson_screen(workshop_, std::string(row->lesson->name))};
   if (row->run) return {Turn::Way::forward, screen_of_run(workshop_, row->run->path)};
   return {Turn::Way::forward, as_form ? form_of_preset(workshop_, row->preset->path)
                                       : screen_of_preset(workshop_, row->preset->path, {})};

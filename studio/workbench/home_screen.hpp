@@ -4,6 +4,7 @@
 #include "studio/screen/list_view.hpp"
 #include "studio/screen/prompt.hpp"
 #include "studio/workbench/errands.hpp"
+#include "studio/workbench/lesson.hpp"
 #include "studio/workbench/screen.hpp"
 
 #include <optional>
@@ -26,13 +27,19 @@ class HomeScreen : public Screen {
   [[nodiscard]] Where where() const override { return Where::home; }
 
  private:
-  /// A line of the list: a group's name, a preset or a run.
+  /// A line of the list: a group's name, a preset, a lesson or a run.
   struct Row {
     std::string group;
     std::optional<PresetEntry> preset;
     std::optional<RunEntry> run;
-    [[nodiscard]] bool heading() const { return !preset && !run; }
-    [[nodiscard]] const std::string& name() const { return preset ? preset->name : run ? run->name : group; }
+    const Lesson* lesson = nullptr;
+    [[nodiscard]] bool heading() const { return !preset && !run && lesson == nullptr; }
+    [[nodiscard]] std::string name() const {
+      return preset ? preset->name : run ? run->name : lesson ? std::string(lesson->name) : group;
+    }
+    [[nodiscard]] std::string shows() const {
+      return preset ? preset->shows : lesson ? std::string(lesson->title) : std::string();
+    }
   };
 
   void read();

@@ -4,6 +4,7 @@
 #include "engine/scene/preset.hpp"
 #include "studio/workbench/compare_screen.hpp"
 #include "studio/workbench/form_screen.hpp"
+#include "studio/workbench/lesson_screen.hpp"
 #include "studio/workbench/panel_screen.hpp"
 #include "studio/workbench/study_screen.hpp"
 
@@ -41,6 +42,10 @@ std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const fs::path& run) {
 
 std::unique_ptr<Screen> comparison_of(Workshop&, const std::vector<fs::path>& runs) {
   return std::make_unique<CompareScreen>(runs);
+}
+
+std::unique_ptr<Screen> lesson_screen(Workshop& workshop, const std::string& name) {
+  return std::make_unique<LessonScreen>(workshop, lesson_of(name));
 }
 
 }  // namespace rift::studio

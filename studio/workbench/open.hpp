@@ -17,5 +17,7 @@ std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const std::filesyst
 /// Of a folder with a run in it, going on or ended.
 std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const std::filesystem::path& run);
 std::unique_ptr<Screen> comparison_of(Workshop& workshop, const std::vector<std::filesystem::path>& runs);
+/// @param name  of a lesson
+std::unique_ptr<Screen> lesson_screen(Workshop& workshop, const std::string& name);
 
 }  // namespace rift::studio

@@ -16,10 +16,11 @@ namespace rift::studio {
 class PanelScreen : public Screen {
  public:
   void draw(Canvas& canvas, Glyphs glyphs) override;
+  [[nodiscard]] virtual const Live& live() const = 0;
+  void show_velocity(bool wanted) { velocity_ = wanted; }
 
  protected:
   explicit PanelScreen(Workshop& workshop) : errands_(workshop.program) {}
-  [[nodiscard]] virtual const Live& live() const = 0;
   /// Drawn over the last line where something is asked.
   virtual void draw_question(Canvas&, Glyphs) {}
   /// @return whether the press was about what is shown
@@ -39,8 +40,9 @@ class WatchScreen : public PanelScreen {
   Turn look() override;
   [[nodiscard]] Where where() const override { return Where::watch; }
 
- private:
   [[nodiscard]] const Live& live() const override { return live_; }
+
+ private:
   std::filesystem::path folder_;
   LiveOfRun run_;
   Live live_;
@@ -60,8 +62,9 @@ class RunScreen : public PanelScreen {
   /// Outlives the screen where somebody wants its result.
   [[nodiscard]] std::shared_ptr<LiveRun> run() const { return run_; }
 
- private:
   [[nodiscard]] const Live& live() const override { return live_; }
+
+ private:
   void draw_question(Canvas& canvas, Glyphs glyphs) override;
   void choose_change(const Press& press);
   void begin_change();

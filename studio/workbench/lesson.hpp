@@ -1,0 +1,45 @@
+#pragma once
+
+#include "studio/report/table.hpp"
+#include "studio/screen/live.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Lessons: a few pages of text, an ensemble that runs on the screen, a question, and the answer out of it.
+namespace rift::studio {
+
+/// What the run has to say to the question.
+struct Answer {
+  int right = 0;    // of the choices
+  std::string why;  // with the numbers of the run
+};
+
+struct Lesson {
+  std::string_view name, title, preset;
+  std::vector<std::string_view> before;  // pages
+  std::string_view watch;                // above the panel
+  std::string_view question;
+  std::vector<std::string_view> choices;
+  Answer (*answer)(const nlohmann::ordered_json& scenarios);  // of summary.json; all finished
+  std::string_view after;
+};
+
+[[nodiscard]] std::span<const Lesson> lessons();
+/// Throws InputError with the nearest name where there is none.
+[[nodiscard]] const Lesson& lesson_of(const std::string& name);
+
+/// The numbers that the answer is read off, a row for each lane.
+[[nodiscard]] Table lesson_table(const nlohmann::ordered_json& scenarios);
+
+/// Writes the lesson as one page of HTML, with the numbers and curves of the run.
+/// @param live  of the run; @param scenarios  of its summary. Throws WorldError.
+void write_handout(const Lesson& lesson, const nlohmann::ordered_json& scenarios, const Live& live,
+                   const std::filesystem::path& file);
+
+}  // namespace rift::studio

@@ -1,0 +1,160 @@
+#include "studio/workbench/lesson_screen.hpp"
+
+#include "engine/scene/issue.hpp"
+#include "studio/screen/box.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+/// The lesson's run, without the frames that nobody will look at again.
+RunWish wish_of(Workshop& workshop, const Lesson& lesson) {
+  const Preset preset =
+      read_preset(workshop.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=0"});
+  if (!preset.issues.empty()) throw InputError(preset.issues);
+  RunWish wish{.preset = preset, .folder = free_folder(workshop.runs, fmt::format("lesson_{}", lesson.name))};
+  wish.threads = workshop.threads;
+  wish.cache = workshop.cache;
+  wish.build = workshop.build;
+  return wish;
+}
+
+/// Lines of a text are easier to read when they are not too long.
+Area readable(const Canvas& canvas, int top) {
+  const int width = std::min(canvas.width() - 4, 76);
+  return {(canvas.width() - width) / 2, top, width, canvas.height() - top - 2};
+}
+
+}  // namespace
+
+LessonScreen::LessonScreen(Workshop& workshop, const Lesson& lesson)
+    : workshop_(workshop),
+      lesson_(lesson),
+      panel_(std::make_unique<RunScreen>(workshop, wish_of(workshop, lesson))) {
+  panel_->show_velocity(true);
+  panel_->run()->pause(true);  // until the page that shows it
+}
+
+Turn LessonScreen::look() {
+  (void)panel_->look();
+  if (run_has_ended() || panel_->run()->stage() != LiveRun::Stage::ended) return {};
+  try {
+    const auto recorded = panel_->run()->result();
+    if (recorded && recorded->result.outcome == Outcome::finished)
+      scenarios_ = recorded->summary.at("scenarios");
+    else
+      message_ = "the run did not come to its end: there is no answer in it";
+  } catch (const std::exception& error) {
+    message_ = error.what();
+  }
+  return {};
+}
+
+void LessonScreen::draw(Canvas& canvas, Glyphs glyphs) {
+  if (draw_too_small(canvas)) return;
+  const int last = answer_page() + 1;
+  canvas.text(2, 0, lesson_.title, {Ink::title, true}, canvas.width() - 4);
+  canvas.text(canvas.width() - 8, 0, fmt::format("{} of {}", page_ + 1, last), {Ink::dim});
+  if (page_ < watch_page())
+    draw_paragraph(canvas, readable(canvas, 3), lesson_.before[page_]);
+  else if (page_ == watch_page())
+    draw_watch(canvas, {0, 1, canvas.width(), canvas.height() - 2}, glyphs);
+  else if (page_ == question_page())
+    draw_question(canvas, readable(canvas, 3));
+  else
+    draw_answer(canvas, readable(canvas, 3));
+  if (!message_.empty()) canvas.text(2, canvas.height() - 2, message_, {Ink::reference}, canvas.width() - 4);
+  if (page_ != watch_page() || !panel_->typing())
+    canvas.text(1, canvas.height() - 1, foot_of(where(), canvas.width() - 2), {Ink::dim});
+}
+
+void LessonScreen::draw_watch(Canvas& canvas, const Area& area, Glyphs glyphs) {
+  const int text =
+      draw_paragraph(canvas, {2, area.y, area.width - 4, 4}, lesson_.watch, {Ink::reference}) + 1;
+  Canvas panel(area.width, std::max(least_height, area.height - text + 1));
+  panel_->draw(panel, glyphs);
+  for (int y = 0; y < panel.height() && area.y + text + y < canvas.height(); ++y)
+    for (int x = 0; x < panel.width(); ++x)
+      canvas.put(x, area.y + text + y, panel.at(x, y).glyph, panel.at(x, y).style);
+  if (!panel_->typing()) clear(canvas, {0, canvas.height() - 1, canvas.width(), 1});
+}
+
+void LessonScreen::draw_question(Canvas& canvas, const Area& area) const {
+  int y = area.y + draw_paragraph(canvas, area, lesson_.question, {Ink::title, true}) + 1;
+  for (int k = 0; k < static_cast<int>(lesson_.choices.size()); ++k)
+    canvas.text(area.x + 2, y++, fmt::format("{}  {}", k + 1, lesson_.choices[k]),
+                {Ink::plain, false, k == chosen_}, area.width - 2);
+  canvas.text(area.x, y + 1,
+              run_has_ended() ? "Press the number of your answer."
+                              : "The run goes on; press the number of your answer.",
+              {Ink::dim}, area.width);
+}
+
+void LessonScreen::draw_answer(Canvas& canvas, const Area& area) const {
+  if (!run_has_ended()) {
+    draw_paragraph(canvas, area, "The run has not come to its end yet: the answer is read off it.",
+                   {Ink::dim});
+    return;
+  }
+  const Answer answer = lesson_.answer(scenarios_);
+  int y = area.y;
+  const auto paragraph = [&](std::string_view text, const Style& style) {
+    y += draw_paragraph(canvas, {area.x, y, area.width, area.y + area.height - y}, text, style) + 1;
+  };
+  if (chosen_ >= 0)
+    paragraph(chosen_ == answer.right ? "Right." : fmt::format("You said: {}.", lesson_.choices[chosen_]),
+              {chosen_ == answer.right ? Ink::good : Ink::bad, true});
+  paragraph(fmt::format("This run says: {}.", lesson_.choices[answer.right]), {Ink::title, true});
+  paragraph(answer.why, {});
+  paragraph(lesson_.after, {});
+}
+
+void LessonScreen::go_to(int page) {
+  page_ = std::clamp(page, 0, answer_page());
+  if (page_ >= watch_page()) panel_->run()->pause(false);
+}
+
+void LessonScreen::write() try {
+  if (!run_has_ended()) {
+    message_ = "the handout holds the numbers of the run: it is written when the run has ended";
+    return;
+  }
+  const fs::path file = panel_->run()->folder() / "handout.html";
+  write_handout(lesson_, scenarios_, panel_->live(), file);
+  message_ = "handout: " + file.string();
+} catch (const std::exception& error) {
+  message_ = error.what();
+}
+
+Turn LessonScreen::press(const Press& press) {
+  if (typing()) return panel_->press(press);
+  message_.clear();
+  const int asked = press.key - '1';
+  if (page_ == question_page() && asked >= 0 && asked < static_cast<int>(lesson_.choices.size())) {
+    chosen_ = asked;
+    go_to(answer_page());
+    return {};
+  }
+  switch (action_of(where(), press.key)) {
+    case Action::next:
+      go_to(page_ + 1);
+      return {};
+    case Action::previous:
+      go_to(page_ - 1);
+      return {};
+    case Action::handout:
+      write();
+      return {};
+    case Action::back:
+      panel_->run()->stop();
+      return {Turn::Way::back, nullptr};
+    default:
+      return page_ == watch_page() ? panel_->press(press) : Turn{};
+  }
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "studio/workbench/lesson.hpp"
+#include "studio/workbench/panel_screen.hpp"
+#include "studio/workbench/screen.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace rift::studio {
+
+/// A lesson page by page: texts, the ensemble live, the question, the answer out of the run.
+class LessonScreen : public Screen {
+ public:
+  LessonScreen(Workshop& workshop, const Lesson& lesson);
+
+  void draw(Canvas& canvas, Glyphs glyphs) override;
+  Turn press(const Press& press) override;
+  Turn look() override;
+  [[nodiscard]] bool typing() const override { return page_ == watch_page() && panel_->typing(); }
+  [[nodiscard]] Where where() const override {
+    return page_ == watch_page() ? Where::lesson_run : Where::lesson;
+  }
+
+ private:
+  [[nodiscard]] int watch_page() const { return static_cast<int>(lesson_.before.size()); }
+  [[nodiscard]] int question_page() const { return watch_page() + 1; }
+  [[nodiscard]] int answer_page() const { return watch_page() + 2; }
+  [[nodiscard]] bool run_has_ended() const { return !scenarios_.is_null(); }
+  void draw_watch(Canvas& canvas, const Area& area, Glyphs glyphs);
+  void draw_question(Canvas& canvas, const Area& area) const;
+  void draw_answer(Canvas& canvas, const Area& area) const;
+  void go_to(int page);
+  void write();
+
+  Workshop& workshop_;
+  const Lesson& lesson_;
+  std::unique_ptr<RunScreen> panel_;
+  nlohmann::ordered_json scenarios_;  // null as long as it runs
+  int page_ = 0, chosen_ = -1;
+  std::string message_;
+};
+
+}  // namespace rift::studio
