@@ -4,6 +4,7 @@
 #include "engine/results/files.hpp"
 #include "studio/screen/box.hpp"
 #include "studio/screen/curves.hpp"
+#include "studio/screen/layouts.hpp"
 #include "studio/screen/live_of_run.hpp"
 
 #include <fmt/format.h>
@@ -74,25 +75,18 @@ CompareScreen::CompareScreen(const std::vector<std::filesystem::path>& runs) {
 }
 
 void CompareScreen::draw(Canvas& canvas, Glyphs glyphs) {
-  const int width = canvas.width(), height = canvas.height();
   if (draw_too_small(canvas)) return;
   const int count = static_cast<int>(columns_.size());
+  const CompareLayout layout = compare_layout(canvas.width(), canvas.height(), count);
   std::string title = fmt::format("{} scenarios beside each other", count);
   if (left_out_ > 0) title += fmt::format("; {} more have no room", left_out_);
-  canvas.text(1, 0, title, {Ink::title, true});
-  for (int k = 0; k < count && k + 1 < height; ++k)
-    canvas.text(1, 1 + k, fmt::format("{} {}", k + 1, columns_[k].title), {inks[k], true}, width - 2);
-  const int top = count + 2, left = height - top - 1;
-  const int table = std::min(16 + 10 * count, width >= 110 ? width / 2 : width);
-  const bool beside = width - table >= 40;
-  const int rows =
-      beside ? left : std::min(static_cast<int>(std::size(quantities)) + 1, std::max(5, left / 2));
-  draw_table(canvas, {1, top, table, rows});
-  if (beside)
-    draw_rates(canvas, {table + 2, top, width - table - 3, left}, glyphs);
-  else if (left - rows >= 6)
-    draw_rates(canvas, {1, top + rows + 1, width - 2, left - rows - 1}, glyphs);
-  canvas.text(1, height - 1, foot_of(Where::compare, width - 2), {Ink::dim});
+  canvas.text(layout.head.x, layout.head.y, title, {Ink::title, true}, layout.head.width);
+  for (int k = 0; k < layout.titles.height; ++k)
+    canvas.text(layout.titles.x, layout.titles.y + k, fmt::format("{} {}", k + 1, columns_[k].title),
+                {inks[k], true}, layout.titles.width);
+  draw_table(canvas, layout.table);
+  if (!layout.rates.empty()) draw_rates(canvas, layout.rates, glyphs);
+  canvas.text(layout.foot.x, layout.foot.y, foot_of(Where::compare, layout.foot.width), {Ink::dim});
 }
 
 void CompareScreen::draw_table(Canvas& canvas, const Area& area) const {

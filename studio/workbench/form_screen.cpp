@@ -4,6 +4,7 @@
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
 #include "studio/screen/box.hpp"
+#include "studio/screen/layouts.hpp"
 #include "studio/workbench/open.hpp"
 
 #include <fmt/format.h>
@@ -116,36 +117,35 @@ void FormScreen::skip_tables(int way) {
 }
 
 void FormScreen::draw(Canvas& canvas, Glyphs) {
-  const int width = canvas.width(), height = canvas.height();
   if (draw_too_small(canvas)) return;
-  int x = canvas.text(1, 0, path_.stem().string(), {Ink::title, true}) + 3;
+  const FormLayout layout = form_layout(canvas.width(), canvas.height());
+  draw_head(canvas, layout.head);
+  if (search_.typing()) search_.draw(canvas, layout.search);
+  list_rows_ = layout.rows.height;
+  draw_rows(canvas, layout.rows);
+  draw_derived(canvas, layout.derived);
+  draw_detail(canvas, layout.detail);
+  if (name_.typing())
+    name_.draw(canvas, layout.foot);
+  else
+    canvas.text(layout.foot.x, layout.foot.y,
+                value_.typing() ? "enter take it  escape leave it as it was"
+                                : foot_of(Where::form, layout.foot.width),
+                {Ink::dim}, layout.foot.width);
+}
+
+void FormScreen::draw_head(Canvas& canvas, const Area& area) const {
   const std::size_t wrong = preset_.issues.size();
-  x += canvas.text(x, 0,
-                   wrong == 0 ? "ready to run" : fmt::format("{} mistake{}", wrong, wrong > 1 ? "s" : ""),
-                   {wrong == 0 ? Ink::good : Ink::bad, true}) +
-       3;
+  const std::string state =
+      wrong == 0 ? "ready to run" : fmt::format("{} mistake{}", wrong, wrong > 1 ? "s" : "");
   const std::string holds = !preset_.study.empty()
                                 ? fmt::format("a study of {} scenarios", preset_.study.size())
                             : !preset_.lanes.empty() ? fmt::format("{} lanes", preset_.lanes.size())
                                                      : std::string("one scenario");
-  canvas.text(x, 0, fmt::format("{}, {} changed", holds, changes_.size()), {Ink::dim}, width - x);
-  if (search_.typing()) search_.draw(canvas, {1, 1, width - 2, 1});
-  constexpr int detail = 3;
-  const int beside = width >= 100 ? std::max(44, width * 45 / 100) : 0;
-  list_rows_ = height - 2 - detail - 1 - (beside == 0 ? std::min(8, height / 4) : 0);
-  draw_rows(canvas, {1, 2, width - beside - 2, list_rows_});
-  if (beside > 0)
-    draw_derived(canvas, {width - beside + 1, 2, beside - 2, height - 2 - detail - 1});
-  else
-    draw_derived(canvas, {1, 2 + list_rows_, width - 2, height - detail - 3 - list_rows_});
-  draw_detail(canvas, {1, height - detail - 1, width - 2, detail});
-  if (name_.typing())
-    name_.draw(canvas, {1, height - 1, width - 2, 1});
-  else
-    canvas.text(
-        1, height - 1,
-        value_.typing() ? "enter take it  escape leave it as it was" : foot_of(Where::form, width - 2),
-        {Ink::dim}, width - 2);
+  int x = area.x + canvas.text(area.x, area.y, path_.stem().string(), {Ink::title, true}, area.width) + 3;
+  x += canvas.text(x, area.y, state, {wrong == 0 ? Ink::good : Ink::bad, true}) + 3;
+  canvas.text(x, area.y, fmt::format("{}, {} changed", holds, changes_.size()), {Ink::dim},
+              area.x + area.width - x);
 }
 
 void FormScreen::draw_rows(Canvas& canvas, const Area& area) {

@@ -45,6 +45,7 @@ class FormScreen : public Screen {
   void change(const std::string& key, const std::string& value);
   void take_back(const std::string& key);
   void skip_tables(int way);
+  void draw_head(Canvas& canvas, const Area& area) const;
   void draw_rows(Canvas& canvas, const Area& area);
   void draw_row(Canvas& canvas, const Area& area, const Row& row, bool is_chosen) const;
   void draw_derived(Canvas& canvas, const Area& area) const;

@@ -2,6 +2,7 @@
 
 #include "engine/scene/preset.hpp"
 #include "studio/screen/box.hpp"
+#include "studio/screen/layouts.hpp"
 #include "studio/workbench/open.hpp"
 
 #include <fmt/format.h>
@@ -119,51 +120,51 @@ void HomeScreen::next_group() {
 }
 
 void HomeScreen::draw(Canvas& canvas, Glyphs) {
-  const int width = canvas.width(), height = canvas.height();
   if (draw_too_small(canvas)) return;
-  int x = canvas.text(1, 0, "rift", {Ink::title, true});
-  canvas.text(x + 3, 0, "a workbench for dynamic fracture", {Ink::dim});
+  const HomeLayout layout = home_layout(canvas.width(), canvas.height());
+  const int x = canvas.text(layout.head.x, layout.head.y, "rift", {Ink::title, true});
+  canvas.text(layout.head.x + x + 2, layout.head.y, "a workbench for dynamic fracture", {Ink::dim});
   if (search_.typing()) {
-    search_.draw(canvas, {1, 1, width - 2, 1});
+    search_.draw(canvas, layout.search);
   } else if (!wanted_.empty()) {
-    canvas.text(1, 1, fmt::format("only what holds \"{}\"; / and enter shows all again", wanted_),
-                {Ink::reference});
+    canvas.text(layout.search.x, layout.search.y,
+                fmt::format("only what holds \"{}\"; / and enter shows all again", wanted_), {Ink::reference},
+                layout.search.width);
   }
-  constexpr int detail = 3;
-  list_rows_ = height - 3 - detail - 1;
+  list_rows_ = layout.list.height;
   list_.keep(static_cast<int>(rows_.size()), list_rows_);
   for (int k = 0; k < list_rows_ && list_.top + k < static_cast<int>(rows_.size()); ++k)
-    draw_row(canvas, 2 + k, rows_[list_.top + k], list_.top + k == list_.chosen);
-  draw_detail(canvas, {1, height - detail - 1, width - 2, detail});
-  if (question_.typing()) {
-    question_.draw(canvas, {1, height - 1, width - 2, 1});
-  } else {
-    canvas.text(1, height - 1, foot_of(Where::home, width - 2), {Ink::dim});
-  }
+    draw_row(canvas, {layout.list.x, layout.list.y + k, layout.list.width, 1}, rows_[list_.top + k],
+             list_.top + k == list_.chosen);
+  draw_detail(canvas, layout.detail);
+  if (question_.typing())
+    question_.draw(canvas, layout.foot);
+  else
+    canvas.text(layout.foot.x, layout.foot.y, foot_of(Where::home, layout.foot.width), {Ink::dim});
 }
 
-void HomeScreen::draw_row(Canvas& canvas, int y, const Row& row, bool is_chosen) const {
-  const int width = canvas.width();
+void HomeScreen::draw_row(Canvas& canvas, const Area& line, const Row& row, bool is_chosen) const {
   if (row.heading()) {
-    canvas.text(1, y, row.group, {Ink::title, true}, width - 2);
+    canvas.text(line.x, line.y, row.group, {Ink::title, true}, line.width);
     return;
   }
-  const Style style{Ink::plain, false, is_chosen};
-  if (is_chosen) clear(canvas, {1, y, width - 2, 1}, style);
-  const bool marked = row.run && marked_.contains(row.run->path);
-  canvas.text(2, y, marked ? "*" : " ", style);
-  constexpr int name = 22;
-  canvas.text(4, y, row.name(), style, name - 1);
+  const Style style{Ink::plain, false, is_chosen}, dim{Ink::dim, false, is_chosen};
+  if (is_chosen) clear(canvas, line, style);
+  const auto text = [&](int from, const std::string& what, const Style& look, int width) {
+    canvas.text(line.x + from, line.y, what, look, std::min(width, line.width - from));
+  };
+  constexpr int names = 24;
+  text(1, row.run && marked_.contains(row.run->path) ? "*" : " ", style, 1);
+  text(3, row.name(), style, names - 4);
   if (row.run) {
-    canvas.text(4 + name, y, row.run->outcome, {ink_of(row.run->outcome), false, is_chosen}, 12);
-    canvas.text(4 + name + 12, y, row.run->result, style, 10);
-    canvas.text(4 + name + 24, y, row.run->path.string(), {Ink::dim, false, is_chosen}, width - name - 30);
+    text(names, row.run->outcome, {ink_of(row.run->outcome), false, is_chosen}, 11);
+    text(names + 12, row.run->result, style, 11);
+    text(names + 24, row.run->path.string(), dim, line.width);
     return;
   }
-  const int cost = width >= 110 ? 34 : 0;
-  if (cost > 0 && row.preset)
-    canvas.text(4 + name, y, row.preset->cost, {Ink::dim, false, is_chosen}, cost - 2);
-  canvas.text(4 + name + cost, y, row.shows(), style, width - name - cost - 6);
+  const int costs = line.width >= 108 ? 36 : 0;
+  if (costs > 0 && row.preset) text(names, row.preset->cost, dim, costs - 1);
+  text(names + costs, row.shows(), style, line.width);
 }
 
 void HomeScreen::draw_detail(Canvas& canvas, const Area& area) const {

@@ -45,7 +45,7 @@ class HomeScreen : public Screen {
   void read();
   void filter();
   [[nodiscard]] const Row* chosen() const;
-  void draw_row(Canvas& canvas, int y, const Row& row, bool is_chosen) const;
+  void draw_row(Canvas& canvas, const Area& line, const Row& row, bool is_chosen) const;
   void draw_detail(Canvas& canvas, const Area& area) const;
   void skip_headings(int way);
   void next_group();

@@ -6,6 +6,7 @@
 #include "studio/report/study_table.hpp"
 #include "studio/screen/box.hpp"
 #include "studio/screen/curves.hpp"
+#include "studio/screen/layouts.hpp"
 
 #include <fmt/format.h>
 
@@ -28,10 +29,16 @@ std::size_t column_axis(const Preset& preset) {
   return axes.size() - 1;
 }
 
+/// "progressive linear r_l 4 seed 1": words speak for themselves, numbers by the name of their axis.
 std::string row_name(const StudyRow& row, std::size_t without) {
   std::string name;
-  for (std::size_t k = 0; k < row.axes.size(); ++k)
-    if (k != without && row.axes[k].second != "-") name += (name.empty() ? "" : " ") + row.axes[k].second;
+  for (std::size_t k = 0; k < row.axes.size(); ++k) {
+    const auto& [axis, value] = row.axes[k];
+    if (k == without || value == "-") continue;
+    const bool number = value.find_first_not_of("0123456789.e-+") == std::string::npos;
+    const std::string label = axis == "damage_zone_ratio" ? "r_l" : axis == "damping_alpha" ? "alpha" : axis;
+    name += (name.empty() ? "" : " ") + (number ? label + " " + value : value);
+  }
   return name;
 }
 
@@ -83,23 +90,21 @@ Turn StudyScreen::look() {
 }
 
 void StudyScreen::draw(Canvas& canvas, Glyphs glyphs) {
-  const int width = canvas.width(), height = canvas.height();
   if (draw_too_small(canvas)) return;
+  const StudyLayout layout = study_layout(canvas.width(), canvas.height());
   {
     const std::lock_guard lock(mutex_);
     const auto computed =
         std::count_if(shown_.begin(), shown_.end(), [](const auto& row) { return row.is_object(); });
-    int x = canvas.text(1, 0, folder_.filename().string(), {Ink::title, true}) + 3;
+    int x = 1 + canvas.text(1, 0, folder_.filename().string(), {Ink::title, true}, layout.head.width) + 2;
     x += canvas.text(x, 0, fmt::format("{} of {} scenarios", computed, shown_.size()), {Ink::good, true}) + 2;
     canvas.text(x, 0, ended_ ? message_ : fmt::format("{}  {:.0f} %", stage_, 100 * done_), {Ink::dim},
-                width - x);
+                layout.head.width - x);
   }
-  canvas.text(1, height - 1, foot_of(Where::study, width - 2), {Ink::dim});
-  const int top = 2, left = height - 3;
-  const int plots = std::max(7, left * 45 / 100);
-  draw_grid(canvas, {1, top, width - 2, left - plots});
-  draw_velocities(canvas, {1, top + left - plots, width / 2 - 2, plots}, glyphs);
-  draw_errors(canvas, {width / 2 + 1, top + left - plots, width - width / 2 - 2, plots}, glyphs);
+  canvas.text(layout.foot.x, layout.foot.y, foot_of(Where::study, layout.foot.width), {Ink::dim});
+  draw_grid(canvas, layout.grid);
+  draw_velocities(canvas, layout.velocities, glyphs);
+  draw_errors(canvas, layout.errors, glyphs);
 }
 
 /// Every scenario is a cell of its ratio, red above Broberg and blue below.
@@ -143,7 +148,7 @@ void StudyScreen::draw_grid(Canvas& canvas, const Area& area) const {
                                         : Ink::good;
         const std::string text =
             std::isnan(ratio) ? row.value("outcome", std::string("?")) : fmt::format("{:.3f}", ratio);
-        canvas.text(x, y, fmt::format("{:>{}}", text, wide - 1), {ink, true}, wide - 1);
+        canvas.text(x + 1, y, fmt::format("{:^{}}", text, wide - 1), {ink, true, true}, wide - 1);
       }
     }
   }
@@ -194,8 +199,8 @@ void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) c
   }
   if (curves.empty()) low = -1, high = 1, small = -3, large = 0;
   draw_curves(canvas, area,
-              {{std::floor(low), std::ceil(high + 1e-9)},
-               {std::floor(small), std::ceil(large + 1e-9)},
+              {{std::floor(low), std::ceil(high + 1e-9) + 0.0},
+               {std::floor(small), std::ceil(large + 1e-9) + 0.0},
                "log10 seconds",
                "log10 |off Broberg|"},
               curves, glyphs);
