@@ -55,9 +55,10 @@ void on_crash(int number) {
 
 }  // namespace
 
+void keep_modes() { have_modes = tcgetattr(STDIN_FILENO, &modes) == 0; }
+
 void guard_terminal(const std::string& restore) {
   restore_codes.set(restore);
-  have_modes = tcgetattr(STDIN_FILENO, &modes) == 0;
   struct sigaction action {};
   action.sa_handler = on_crash;
   action.sa_flags = SA_NODEFER;

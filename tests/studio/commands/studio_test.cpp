@@ -1,0 +1,151 @@
+#include "tests/studio/commands/terminal.hpp"
+#include "tests/studio/commands/tiny_plate.hpp"
+
+#include <csignal>
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Studio, WithoutATerminalSaysWhatToUse) {
+  for (const char* arguments : {"", "studio", "studio quickstart", "studio --lesson node-release"}) {
+    const Ran ran = run_rift(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << arguments;
+    EXPECT_TRUE(contains(ran.err, "rift run PRESET")) << arguments;
+    EXPECT_EQ(ran.out, "") << arguments;
+  }
+}
+
+/// A folder to work in with one preset of its own, which marches for some seconds at most.
+struct Place {
+  TinyPlate plate;
+  Place() {
+    fs::create_directories(plate.path() / "presets");
+    std::string text = read_text(plate.preset());
+    text.replace(text.find("velocity = \"0.5 c_r\""), 20, "velocity = \"0.002 c_r\"");
+    text += "fields = [\"displacement\"]\n";
+    write_text(plate.path() / "presets" / "plate_tiny.toml", text);
+    EXPECT_EQ(
+        run_rift("run '" + (plate.path() / "presets" / "plate_tiny.toml").string() +
+                     "' --quiet --set crack.technique=simple --set 'crack.velocity=0.5 c_r' --out '" + (runs() / "other").string() + "'",
+                 plate.environment())
+            .exit_code,
+        0);
+  }
+  fs::path runs() const { return plate.path() / "runs"; }
+  std::string command(const std::string& arguments) const {
+    return "cd '" + plate.path().string() + "' && env " + plate.environment() + " RIFT_PRESETS='" +
+           (plate.path() / "presets").string() + "' XDG_DATA_HOME='" + plate.path().string() +
+           "/data' '" RIFT_EXE "' " + arguments;
+  }
+  std::string name() const { return plate.path().filename().string(); }
+};
+
+TEST(Studio, LeadsFromHomeThroughAFormAndASteeredRunToAComparison) {
+  if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
+  const Place place;
+  const RealTerminal terminal(place.name(), place.command(""));
+  ASSERT_TRUE(terminal.shows("plate_tiny"));
+  if (terminal.screen().find("built without") != std::string::npos) GTEST_SKIP() << "no panels in this build";
+  EXPECT_TRUE(terminal.shows("Recent runs"));
+  terminal.send("'?'");
+  EXPECT_TRUE(terminal.shows("keys of this screen"));
+  terminal.send("'?'");
+  terminal.send("Enter");
+  EXPECT_TRUE(terminal.shows("ready to run"));
+  EXPECT_TRUE(terminal.shows("of the critical"));
+  terminal.send("r");
+  EXPECT_TRUE(terminal.shows("running"));
+  terminal.send("Space");
+  EXPECT_TRUE(terminal.shows("paused"));
+  terminal.send("x");
+  EXPECT_TRUE(terminal.shows("change lane 1 from here on"));
+  terminal.send("3");
+  EXPECT_TRUE(terminal.shows("damage_zone_ratio of lane 1: 1"));
+  terminal.send("BSpace 4 Enter");
+  EXPECT_TRUE(terminal.shows("damage_zone_ratio = 4; kept in steering.toml"));
+  EXPECT_TRUE(contains(read_text(place.runs() / "plate_tiny" / "steering.toml"), "damage_zone_ratio = 4"));
+  terminal.send("f");
+  EXPECT_TRUE(terminal.shows("frame"));
+  EXPECT_TRUE(terminal.shows("paused"));  // drawing never blocks the panel
+  terminal.send("Space");
+  terminal.send("s");
+  EXPECT_TRUE(terminal.shows("plate_tiny  stopped"));
+  terminal.send("q");
+  EXPECT_TRUE(terminal.shows("ready to run"));
+  terminal.send("q");
+  EXPECT_TRUE(terminal.shows("Recent runs"));
+  terminal.send("G Space k Space c");
+  EXPECT_TRUE(terminal.shows("2 scenarios beside each other"));
+  EXPECT_TRUE(terminal.shows("G_ID / G_I0"));
+  terminal.resize(50, 12);
+  EXPECT_TRUE(terminal.shows("50x12 is too small: 60x16 needed"));
+  terminal.resize(80, 24);
+  EXPECT_TRUE(terminal.shows("2 scenarios beside each other"));
+  terminal.send("q");
+  EXPECT_TRUE(terminal.shows("Recent runs"));
+  terminal.send("q");
+  EXPECT_TRUE(terminal.shows("left with 0"));
+}
+
+TEST(Studio, RunShowsThePanelAndLeavesItsTableBehind) {
+  if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
+  const Place place;
+  const RealTerminal terminal(place.name(), place.command("run plate_tiny --set 'crack.velocity=0.02 c_r'"));
+  EXPECT_TRUE(terminal.shows("space pause"));
+  EXPECT_TRUE(terminal.shows("left with 0"));
+  EXPECT_TRUE(contains(terminal.screen(), "G_ID / G_I0"));
+  EXPECT_TRUE(contains(terminal.screen(), "summary.json"));
+}
+
+TEST(Studio, ASignalStopsTheRunKeepsItAndGivesTheTerminalBack) {
+  if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
+  for (const int number : {SIGTERM, SIGHUP, SIGINT}) {
+    const Place place;
+    const RealTerminal terminal(place.name(),
+                                place.command("run plate_tiny --set 'crack.velocity=0.001 c_r' --out out"));
+    EXPECT_TRUE(terminal.shows("running"));
+    run_shell("pkill -" + std::to_string(number) + " -f 'velocity=0.001 c_r --out out$'");
+    EXPECT_TRUE(terminal.shows("left with " + std::to_string(128 + number)));
+    EXPECT_TRUE(contains(read_text(place.plate.path() / "out" / "summary.json"), "\"stopped\"")) << number;
+  }
+}
+
+TEST(Studio, ACrashGivesTheTerminalBackAndNamesTheRun) {
+  if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
+  const Place place;
+  const RealTerminal terminal(
+      place.name(), place.command("run plate_tiny --set 'crack.velocity=0.001 c_r' --out out") + "; stty -a");
+  EXPECT_TRUE(terminal.shows("running"));
+  run_shell("pkill -SEGV -f 'velocity=0.001 c_r --out out$'");
+  EXPECT_TRUE(terminal.shows("rift: crashed (signal 11)"));
+  EXPECT_TRUE(terminal.shows("the run is in out"));
+  EXPECT_TRUE(terminal.shows(" icanon"));
+  EXPECT_TRUE(terminal.shows(" echo "));
+}
+
+TEST(Studio, WithoutUtf8ThereIsNothingButAscii) {
+  if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
+  const Place place;
+  const RealTerminal terminal(place.name(), "LC_ALL=C; export LC_ALL; " + place.command("watch runs/other"));
+  EXPECT_TRUE(terminal.shows("other  finished"));
+  EXPECT_TRUE(terminal.shows("G_ID/G_I0"));
+  for (const char letter : terminal.screen()) EXPECT_TRUE(static_cast<unsigned char>(letter) < 128);
+}
+
+TEST(Studio, ControlZGivesTheTerminalBackUntilItGoesOn) {
+  if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
+  const Place place;
+  const RealTerminal terminal(place.name(), "bash --norc");
+  terminal.send("\"" + place.command("watch runs/other") + "\" Enter");
+  EXPECT_TRUE(terminal.shows("other  finished"));
+  terminal.send("C-z");
+  EXPECT_TRUE(terminal.shows("Stopped"));
+  terminal.send("fg Enter");
+  EXPECT_TRUE(terminal.shows("other  finished"));
+  terminal.send("q");
+}
+
+}  // namespace
+}  // namespace rift::studio

@@ -1,0 +1,277 @@
+#include "studio/workbench/compare_screen.hpp"
+#include "studio/workbench/form_screen.hpp"
+#include "studio/workbench/home_screen.hpp"
+#include "studio/workbench/lesson_screen.hpp"
+#include "studio/workbench/open.hpp"
+#include "studio/workbench/study_screen.hpp"
+#include "tests/studio/commands/tiny_plate.hpp"
+
+#include <chrono>
+#include <thread>
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(Screen& screen, int width = 120, int height = 40, Glyphs glyphs = Glyphs::unicode) {
+  Canvas canvas(width, height);
+  screen.draw(canvas, glyphs);
+  std::string text;
+  for (int y = 0; y < height; ++y) text += canvas.row(y) + "\n";
+  return text;
+}
+
+Turn type(Screen& screen, const std::string& keys) {
+  Turn turn;
+  for (const char key : keys) turn = screen.press({key});
+  return turn;
+}
+
+/// A workshop in a folder of its own with one tiny preset.
+struct Shop {
+  TinyPlate plate;
+  Workshop workshop;
+
+  Shop() {
+    fs::create_directories(plate.path() / "presets");
+    fs::copy_file(plate.preset(), plate.path() / "presets" / "plate_tiny.toml");
+    workshop.presets = plate.path() / "presets";
+    workshop.own_presets = plate.path() / "own";
+    workshop.runs = plate.path() / "runs";
+    workshop.studies = plate.path() / "studies";
+    workshop.program = RIFT_EXE;
+    workshop.cache = Cache{plate.path() / "cache" / "rift", {}};
+  }
+  fs::path preset() const { return workshop.presets / "plate_tiny.toml"; }
+  Ran run(const std::string& name, const std::string& more = "") const {
+    return run_rift(
+        "run '" + preset().string() + "' --quiet --out '" + (workshop.runs / name).string() + "' " + more,
+        plate.environment());
+  }
+};
+
+void expect_drawn_at_any_size(Screen& screen) {
+  for (const int width : {1, 2, 7, 20, 59, 60, 61, 80, 99, 100, 120, 200, 300})
+    for (const int height : {1, 2, 3, 10, 15, 16, 17, 24, 40, 60, 100}) {
+      Canvas canvas(width, height);
+      screen.draw(canvas, Glyphs::ascii);
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          ASSERT_LT(canvas.at(x, y).glyph, 256U) << width << "x" << height << " at " << x << "," << y;
+    }
+  EXPECT_NE(text_of(screen, 40, 10).find("40x10 is too small: 60x16 needed"), std::string::npos);
+}
+
+TEST(HomeScreen, ShowsPresetsByGroupLessonsAndRunsWithTheirOutcome) {
+  const Shop shop;
+  ASSERT_EQ(shop.run("first").exit_code, 0);
+  Workshop workshop = shop.workshop;
+  HomeScreen home(workshop);
+  const std::string text = text_of(home);
+  for (const char* part : {"Start here", "plate_tiny", "A tiny plate", "Lessons", "node-release",
+                           "Recent runs", "first", "finished", "enter open"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  expect_drawn_at_any_size(home);
+}
+
+TEST(HomeScreen, SearchShowsOnlyWhatHoldsTheLetters) {
+  Shop shop;
+  HomeScreen home(shop.workshop);
+  type(home, "/DAMP");
+  EXPECT_TRUE(home.typing());
+  home.press({key_enter});
+  const std::string text = text_of(home);
+  EXPECT_EQ(text.find("plate_tiny"), std::string::npos);
+  EXPECT_NE(text.find("Can damping mend"), std::string::npos);
+  type(home, "/zzzz\n");
+  EXPECT_NE(text_of(home).find("nothing holds these letters"), std::string::npos);
+  EXPECT_EQ(home.press({key_enter}).way, Turn::Way::stay);
+}
+
+TEST(HomeScreen, DeletesARunOnlyAfterYes) {
+  Shop shop;
+  ASSERT_EQ(shop.run("first").exit_code, 0);
+  HomeScreen home(shop.workshop);
+  home.press({key_end});
+  type(home, "dno\n");
+  EXPECT_TRUE(fs::exists(shop.workshop.runs / "first"));
+  type(home, "dyes\n");
+  EXPECT_FALSE(fs::exists(shop.workshop.runs / "first"));
+  home.press({key_home});
+  type(home, "d");
+  EXPECT_NE(text_of(home).find("presets are not deleted here"), std::string::npos);
+}
+
+TEST(HomeScreen, ComparesTheMarkedRuns) {
+  Shop shop;
+  ASSERT_EQ(shop.run("first").exit_code, 0);
+  ASSERT_EQ(shop.run("second", "--set crack.technique=simple").exit_code, 0);
+  HomeScreen home(shop.workshop);
+  home.press({key_end});
+  type(home, " c");
+  EXPECT_NE(text_of(home).find("mark two runs or more"), std::string::npos);
+  home.press({key_up});
+  const Turn turn = type(home, " c");
+  ASSERT_EQ(turn.way, Turn::Way::forward);
+  const std::string text = text_of(*turn.next);
+  for (const char* part :
+       {"2 scenarios beside each other", "first: progressive", "second: simple", "G_ID / G_I0", "residual"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  expect_drawn_at_any_size(*turn.next);
+}
+
+TEST(FormScreen, AMistakeIsShownAtItsFieldWhileItIsTyped) {
+  Shop shop;
+  FormScreen form(shop.workshop, shop.preset());
+  EXPECT_NE(text_of(form).find("ready to run"), std::string::npos);
+  type(form, "/poisson\n");
+  form.press({key_enter});
+  for (int k = 0; k < 8; ++k) form.press({key_backspace});
+  type(form, "0.7");
+  const std::string text = text_of(form);
+  EXPECT_NE(text.find("1 mistake"), std::string::npos) << text;
+  EXPECT_NE(text.find("must lie in"), std::string::npos) << text;
+  form.press({key_enter});
+  type(form, "r");
+  EXPECT_NE(text_of(form).find("nothing is run before they are mended"), std::string::npos);
+  type(form, "d");
+  EXPECT_NE(text_of(form).find("ready to run"), std::string::npos);
+  expect_drawn_at_any_size(form);
+}
+
+TEST(FormScreen, EscapeLeavesTheValueAsItWas) {
+  Shop shop;
+  FormScreen form(shop.workshop, shop.preset());
+  type(form, "/crack.velocity\n\n");
+  type(form, "9");
+  form.press({key_escape});
+  EXPECT_NE(text_of(form).find("0 changed"), std::string::npos) << text_of(form);
+}
+
+TEST(FormScreen, WhatFollowsIsExactAfterAMoment) {
+  Shop shop;
+  FormScreen form(shop.workshop, shop.preset());
+  EXPECT_NE(text_of(form).find("in a moment"), std::string::npos);
+  std::string text;
+  for (int k = 0; k < 300 && text.find("of the critical") == std::string::npos; ++k) {
+    form.look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    text = text_of(form);
+  }
+  for (const char* part : {"of the critical", "left out", "steps", "cost"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
+TEST(FormScreen, SavesAPresetOfOnesOwnThatReadsBack) {
+  Shop shop;
+  FormScreen form(shop.workshop, shop.preset());
+  type(form, "/damage_zone\n\n");
+  form.press({key_backspace});
+  type(form, "6\ns");
+  for (int k = 0; k < 40; ++k) form.press({key_backspace});
+  type(form, "mine\n");
+  const fs::path file = shop.workshop.own_presets / "mine.toml";
+  ASSERT_TRUE(fs::exists(file)) << text_of(form);
+  EXPECT_EQ(read_preset(file).scene.crack.damage_zone_ratio, 6);
+  EXPECT_TRUE(read_preset(file).issues.empty());
+  type(form, "s");
+  for (int k = 0; k < 40; ++k) form.press({key_backspace});
+  type(form, "mine\n");
+  EXPECT_NE(text_of(form).find("is there already"), std::string::npos);
+  type(form, "s/../x\n");
+  EXPECT_NE(text_of(form).find("is no name"), std::string::npos);
+}
+
+TEST(StudyScreen, FillsItsGridAndWritesItsReport) {
+  Shop shop;
+  const fs::path preset = shop.workshop.presets / "study_tiny.toml";
+  std::string text = read_text(shop.preset());
+  text.replace(text.find("velocity = \"0.5 c_r\"\n"), 21, "");
+  write_text(preset, text +
+                         "[study]\ntechnique = [\"simple\", \"progressive\"]\ncrack_velocity = [\"0.3 c_r\", "
+                         "\"0.5 c_r\"]\n");
+  const auto screen = screen_of_preset(shop.workshop, preset, {});
+  std::string shown;
+  for (int k = 0; k < 600 && shown.find("done: ") == std::string::npos; ++k) {
+    screen->look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    shown = text_of(*screen);
+  }
+  for (const char* part :
+       {"4 of 4 scenarios", "0.3 c_r", "simple", "progressive", "log10 seconds", "report.html"})
+    EXPECT_NE(shown.find(part), std::string::npos) << part << " in\n" << shown;
+  EXPECT_TRUE(fs::exists(shop.workshop.studies / "study_tiny" / "report.html"));
+  expect_drawn_at_any_size(*screen);
+}
+
+TEST(Lesson, TheAnswerFollowsFromTheNumbersOfTheRun) {
+  using Json = nlohmann::ordered_json;
+  const auto lane = [](double ratio, double with_damping, double v) {
+    return Json{{"ratio", ratio},
+                {"ratio_with_damping", with_damping},
+                {"ratio_release", ratio},
+                {"broberg", 0.9},
+                {"crack_velocity_over_cr", v},
+                {"energy_kinetic_translation_j", 1},
+                {"energy_kinetic_rotation_j", 0}};
+  };
+  const Lesson& release = lesson_of("node-release");
+  EXPECT_EQ(release.answer(Json::array({lane(0.3, 0.3, 0.1), lane(0.9, 0.9, 0.1)})).right, 1);
+  EXPECT_EQ(release.answer(Json::array({lane(0.9, 0.9, 0.1), lane(0.3, 0.3, 0.1)})).right, 0);
+  EXPECT_EQ(release.answer(Json::array({lane(0.9, 0.9, 0.1), lane(0.91, 0.91, 0.1)})).right, 2);
+  const Lesson& damping = lesson_of("damping");
+  EXPECT_EQ(
+      damping.answer(Json::array({lane(0.3, 0.3, 0.2), lane(0.3, 0.35, 0.2), lane(0.3, 0.4, 0.2)})).right, 0);
+  EXPECT_EQ(
+      damping.answer(Json::array({lane(0.3, 0.3, 0.2), lane(0.3, 0.3, 0.2), lane(0.2, 0.2, 0.2)})).right, 1);
+  const Lesson& velocity = lesson_of("velocity");
+  EXPECT_EQ(velocity.answer(Json::array({lane(0.9, 0.9, 0.2), lane(0.5, 0.5, 0.5)})).right, 0);
+  EXPECT_EQ(velocity.answer(Json::array({lane(0.5, 0.5, 0.2), lane(0.9, 0.9, 0.5)})).right, 1);
+  EXPECT_THROW((void)lesson_of("node-relase"), InputError);
+}
+
+TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
+  Shop shop;
+  std::string text = read_text(shop.preset());
+  write_text(shop.workshop.presets / "teach_node_release.toml",
+             text + "[[lanes]]\ntechnique = \"simple\"\n[[lanes]]\ntechnique = \"progressive\"\n");
+  const auto screen = lesson_screen(shop.workshop, "node-release");
+  EXPECT_NE(text_of(*screen).find("1 of 5"), std::string::npos);
+  expect_drawn_at_any_size(*screen);
+  screen->press({key_enter});
+  screen->press({key_enter});
+  std::string shown;
+  for (int k = 0; k < 400 && shown.find("finished") == std::string::npos; ++k) {
+    screen->look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    shown = text_of(*screen);
+  }
+  EXPECT_NE(shown.find("1 simple release"), std::string::npos) << shown;
+  expect_drawn_at_any_size(*screen);
+  screen->press({key_enter});
+  EXPECT_NE(text_of(*screen).find("Which of the two"), std::string::npos);
+  screen->look();
+  type(*screen, "3");
+  shown = text_of(*screen);
+  EXPECT_NE(shown.find("This run says:"), std::string::npos) << shown;
+  type(*screen, "h");
+  const fs::path handout = shop.workshop.runs / "lesson_node-release" / "handout.html";
+  ASSERT_TRUE(fs::exists(handout)) << text_of(*screen);
+  const std::string html = read_text(handout);
+  for (const char* part :
+       {"Why nodes must not be released at once", "The answer of this run", "<svg", "<table"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
+TEST(LessonScreen, EveryLessonsPresetIsShipped) {
+  for (const Lesson& lesson : lessons()) {
+    const Preset preset =
+        read_preset(fs::path(RIFT_SOURCE_DIR) / "presets" / (std::string(lesson.preset) + ".toml"));
+    EXPECT_TRUE(preset.issues.empty()) << lesson.name;
+    EXPECT_GE(preset.lanes.size(), 2U) << lesson.name;
+  }
+}
+
+}  // namespace
+}  // namespace rift::studio
