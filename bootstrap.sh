@@ -2,7 +2,7 @@
 # From a bare Debian machine to a result, or to the end of the tests:
 #   ./bootstrap.sh demo    install what is missing, build, run the main job (presets/quickstart.toml)
 #   ./bootstrap.sh test    install what is missing, build, run every test but those labelled slow
-# Options: --no-viz leaves the renderer (VTK) out. A second call does no work twice.
+# Options: --no-viz leaves the renderer (VTK) out; --plain shows lines in place of the live panel. A second call does no work twice.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -73,10 +73,12 @@ build() { # TARGET...
 
 what=''
 viz=ON
+plain=()
 for argument in "$@"; do
   case "$argument" in
     demo | test) what=$argument ;;
     --no-viz) viz=OFF ;;
+    --plain) plain=(--plain) ;;
     *) usage ;;
   esac
 done
@@ -89,12 +91,12 @@ if [ "$what" = demo ]; then
   build rift
   say 'running presets/quickstart.toml'
   if [ $viz = ON ]; then
-    ./rift run quickstart --out runs/demo --force --render
+    ./rift run quickstart --out runs/demo --force --render "${plain[@]}"
     ./rift render runs/demo --poster --force --quiet
   else
-    ./rift run quickstart --out runs/demo --force
+    ./rift run quickstart --out runs/demo --force "${plain[@]}"
   fi
-  say 'next: ./rift list, ./rift check plate_pnrt, ./rift run plate_pnrt'
+  say 'next: ./rift opens the workbench; ./rift list, ./rift check plate_pnrt, ./rift run plate_pnrt'
 else
   build all
   say 'testing'

@@ -63,6 +63,15 @@ damage_zone_ratio = 4
 
 A preset has a study or lanes, not both. `--set` changes what they start from; of a key that they vary it is an error. Two rows or two lanes with the same scenario are an error as well.
 
+`[[steering]]` changes a lane of a run while its crack runs: a table each, with the `lane` (from 0; 0 where it is not named), the `step` of that lane after which the change is made, and one or more of `technique`, `relaxation`, `damage_zone_ratio`, `damping_alpha` and `crack_velocity`. The workbench writes such tables (`steering.toml`); beams that the damage zone has reached keep the law that they began with.
+
+```toml
+[[steering]]
+step = 1200
+damage_zone_ratio = 6
+crack_velocity = "0.3 c_r"
+```
+
 | axis | key | lanes may differ |
 |---|---|---|
 )";

@@ -8,6 +8,7 @@
 #include "studio/report/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,13 @@ double disk_bytes(const Prepared& p) {
     bytes += static_cast<double>(lane.schedule.frames.size()) * frame_bytes(p) +
              200.0 * static_cast<double>(lane.schedule.samples.size());
   return 2.0 * bytes;
+}
+
+/// What this process has taken at most so far: the scene has marched in it for a moment.
+double peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
 std::int64_t steps_of_all(const Prepared& p) {
@@ -98,6 +106,7 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["fracture_time_s"] = fracture_s;
   j["wall_estimate_s"] = seconds_per_step * static_cast<double>(steps_of_all(p));
   j["disk_estimate_bytes"] = disk_bytes(p);
+  j["memory_estimate_bytes"] = peak_memory_bytes();
   j["left_out"] = left_out(lane.scene);
   return j;
 }
@@ -149,8 +158,10 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
                            j.at("steps_per_beam").is_null()
                                ? std::string()
                                : fmt::format(", {:.1f} for a beam to soften", number("steps_per_beam"))));
-  row("cost", fmt::format("about {} after packing and pre-stress, {:.0f} MB on disk at most",
-                          duration_text(number("wall_estimate_s")), 1e-6 * number("disk_estimate_bytes")));
+  row("cost",
+      fmt::format("about {} after packing and pre-stress, {:.0f} MB of memory, {:.0f} MB on disk at most",
+                  duration_text(number("wall_estimate_s")), 1e-6 * number("memory_estimate_bytes"),
+                  1e-6 * number("disk_estimate_bytes")));
   const char* label = "left out";
   for (const auto& line : j.at("left_out")) row(label, line.get<std::string>()), label = "";
   return rows;

@@ -47,7 +47,9 @@ void draw_bar(Canvas& canvas, int x, int y, int width, double part, const Style&
 }
 
 void draw_head(Canvas& canvas, const Area& area, const Live& live, Glyphs glyphs) {
-  const Ink state = live.state == "running" || live.state == "finished" ? Ink::good : Ink::bad;
+  const bool bad = live.state == "diverged" || live.state == "failed" || live.state.starts_with("damaged");
+  const bool held = live.state == "paused" || live.state == "stopped";
+  const Ink state = bad ? Ink::bad : held ? Ink::reference : Ink::good;
   int x = canvas.text(area.x, area.y, live.name, {Ink::title, true}, area.width) + 2;
   x += canvas.text(x, area.y, live.state, {state, true}) + 2;
   std::string text = fmt::format("step {} of {}", live.step, live.steps);

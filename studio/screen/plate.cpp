@@ -1,6 +1,7 @@
 #include "studio/screen/plate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -29,6 +30,20 @@ class Grid {
   }
   [[nodiscard]] bool empty(int x, int y) const { return count_[index(x, y)] == 0; }
   [[nodiscard]] double mean(int x, int y) const { return sum_[index(x, y)] / count_[index(x, y)]; }
+
+  /// Gives a box that is empty between four that are not their mean: a pore of the packing, not the crack.
+  void fill_pores() {
+    const Grid before = *this;
+    for (int y = 1; y + 1 < height; ++y)
+      for (int x = 1; x + 1 < width; ++x) {
+        if (!before.empty(x, y)) continue;
+        const std::array<std::array<int, 2>, 4> around{{{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}};
+        if (std::any_of(around.begin(), around.end(),
+                        [&](const auto& n) { return before.empty(n[0], n[1]); }))
+          continue;
+        for (const auto& [nx, ny] : around) sum_[index(x, y)] += before.mean(nx, ny), ++count_[index(x, y)];
+      }
+  }
 
   int width, height;
 
@@ -82,6 +97,7 @@ void draw_plate(Canvas& canvas, const Area& area, const results::Geometry& geome
     grid.add(column(geometry.position[i][0] + ux), row(geometry.position[i][1] + uy),
              r / look.length * grid.width, r / height * grid.height, by_velocity ? look.velocity[i][1] : uy);
   }
+  grid.fill_pores();
   const double least = by_velocity ? -look.fastest : 0, most = by_velocity ? look.fastest : look.pulled;
   const auto shade = [&](int x, int y) {
     return grid.empty(x, y) ? no_shade : shade_of(grid.mean(x, y), least, most);

@@ -31,6 +31,18 @@ DryRunThread::Rows at_once(const Scene& scene) {
           {"damage zone", fmt::format("about {:.3g} mm", 1e3 * expected_zone_m(scene))}};
 }
 
+/// The rows with those of step and cost before all others: where there is little room, they are seen.
+DryRunThread::Rows what_it_costs_first(const DryRunThread::Rows& rows) {
+  DryRunThread::Rows first, others;
+  bool costs = false;  // a row without a label belongs to the one before
+  for (const auto& row : rows) {
+    if (!row.first.empty()) costs = row.first == "step" || row.first == "steps" || row.first == "cost";
+    (costs ? first : others).push_back(row);
+  }
+  first.insert(first.end(), others.begin(), others.end());
+  return first;
+}
+
 }  // namespace
 
 FormScreen::FormScreen(Workshop& workshop, fs::path preset)
@@ -217,7 +229,7 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
   }
   const DryRunThread::Found found = dry_run_.found();
   if (!found.rows.empty()) {
-    for (const auto& [label, text] : found.rows) row(label, text);
+    for (const auto& [label, text] : what_it_costs_first(found.rows)) row(label, text);
     return;
   }
   for (const auto& [label, text] : at_once(scene)) row(label, text);

@@ -80,13 +80,14 @@ Turn RunScreen::look() {
   if (live_.message.empty()) live_.message = message;
   if (!seen_ && lanes() > 0) {
     seen_ = true;
+    since_ = std::chrono::steady_clock::now();
     if (lanes() > 1) beside_ = 1;  // an ensemble begins as a comparison
   }
   if (const std::string news = errands_.news(); !news.empty()) say(news);
   send_what_is_due();
   const bool ended = run_->stage() == LiveRun::Stage::ended;
   if (!ended) return {};
-  if (leaving_ || leave_at_end_) return {Turn::Way::back, nullptr};
+  if (leaving_ || (leave_at_end_ && seen_for_a_while())) return {Turn::Way::back, nullptr};
   if (!told_end_) {
     told_end_ = true;
     try {
@@ -107,6 +108,11 @@ void RunScreen::send_what_is_due() {
   std::vector<int> lanes{shown_};
   if (beside_ >= 0) lanes.push_back(beside_);
   say(errands_.film(run_->folder(), lanes, film_from_us_, time_us() + 1));
+}
+
+/// A run of half a second is no flicker then; one that showed nothing is not waited for.
+bool RunScreen::seen_for_a_while() const {
+  return !seen_ || std::chrono::steady_clock::now() - since_ > std::chrono::seconds(2);
 }
 
 double RunScreen::time_us() const {

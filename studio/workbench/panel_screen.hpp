@@ -6,6 +6,7 @@
 #include "studio/workbench/live_run.hpp"
 #include "studio/workbench/screen.hpp"
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,7 +52,7 @@ class WatchScreen : public PanelScreen {
 /// The panel of a run that marches here, and is steered from here.
 class RunScreen : public PanelScreen {
  public:
-  /// @param leave_at_end  the screen goes when the run has ended
+  /// @param leave_at_end  the screen goes when the run has ended and it could be seen for two seconds
   RunScreen(Workshop& workshop, RunWish wish, bool leave_at_end = false);
 
   Turn press(const Press& press) override;
@@ -71,6 +72,7 @@ class RunScreen : public PanelScreen {
   void ask_value(int axis);
   void take_frame();
   void toggle_film();
+  [[nodiscard]] bool seen_for_a_while() const;
   [[nodiscard]] double time_us() const;  // since the crack's start
   void send_what_is_due();
   void say(std::string text) { live_.message = std::move(text); }
@@ -80,6 +82,7 @@ class RunScreen : public PanelScreen {
   std::shared_ptr<LiveRun> run_;
   Live live_;
   bool leave_at_end_, choosing_ = false, leaving_ = false, told_end_ = false, seen_ = false;
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
   int axis_ = 0;
   Prompt value_;
   bool picture_due_ = false, film_due_ = false;  // as soon as the journal holds their frames

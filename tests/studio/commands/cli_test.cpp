@@ -9,15 +9,6 @@
 namespace rift::studio {
 namespace {
 
-TEST(CommandLine, WithoutACommandShowsHelpOnStderrAndIsAUsageError) {
-  const Ran ran = run_rift("");
-  EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_EQ(ran.out, "");
-  EXPECT_TRUE(contains(ran.err, "Usage: rift"));
-  EXPECT_TRUE(contains(ran.err, "theory"));
-  EXPECT_TRUE(contains(ran.err, "list"));
-}
-
 TEST(CommandLine, HelpGoesToStdoutAndIsNoError) {
   for (const std::string arguments : {"--help", "-h", "theory --help", "list --help"}) {
     const Ran ran = run_rift(arguments);

@@ -60,6 +60,23 @@ TEST(LiveLayout, AllPartsHaveRoomOnAnOrdinaryTerminal) {
   }
 }
 
+TEST(Plate, APoreOfThePackingIsFilledAndTheCrackIsNot) {
+  results::Geometry g;  // 20 x 8 elements without one, and without the middle of two rows
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 20; ++x) {
+      const bool pore = x == 15 && y == 6, crack = x < 8 && y == 4;
+      if (pore || crack) continue;
+      g.position.push_back(
+          {1e-3F * (static_cast<float>(x) + 0.5F), 1e-3F * (static_cast<float>(y) + 0.5F), 0});
+      g.radius.push_back(0.3e-3F);
+    }
+  Canvas canvas(20, 4);
+  draw_plate(canvas, {0, 0, 20, 4}, g, {}, {0.02, 0.008, 0, {}}, Glyphs::unicode);
+  EXPECT_NE(canvas.at(15, 0).style.lower, no_shade);
+  EXPECT_EQ(canvas.at(4, 1).style.lower, no_shade);
+  EXPECT_NE(canvas.at(12, 1).style.lower, no_shade);
+}
+
 TEST(LiveScreen, TellsStateBudgetAndLanes) {
   Canvas canvas(120, 40);
   draw_live(canvas, run_of(2), {.shown = 1, .foot = "q leave"}, Glyphs::unicode);
