@@ -18,11 +18,12 @@ struct WatchOptions {
 };
 
 ExitCode watch(const WatchOptions& options) {
-  if (!Terminal::there()) {
-    fmt::print(
-        stderr,
-        "rift watch: needs a terminal; without one, look at {0}/series.csv or rift render {0} --at 1\n",
-        options.run);
+  if (const std::string why = Terminal::why_not(); !why.empty()) {
+    fmt::print(stderr,
+               "rift watch: needs a terminal, and this is {0}; without one, look at {1}/series.csv or rift "
+               "render {1} "
+               "--at 1\n",
+               why, options.run);
     return ExitCode::bad_input;
   }
   Workshop workshop = workshop_here(0);

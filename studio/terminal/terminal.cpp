@@ -12,9 +12,11 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 // Of <term.h>, whose macros take names such as key_up.
 extern "C" char* tigetstr(const char* name);
+extern "C" int setupterm(const char* kind, int descriptor, int* known);
 
 namespace rift::studio {
 namespace {
@@ -101,14 +103,25 @@ Press letter(int pressed) {
   return {pressed};
 }
 
+/// What stands for colours where there are none.
+char32_t grey_of(const Style& style) {
+  constexpr std::u32string_view greys = U"·░▒▓█";
+  const int step = std::max(style.upper, style.lower);
+  return greys[static_cast<std::size_t>(step) * greys.size() / shade_steps];
+}
+
 bool is_utf8() { return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0; }
 
 }  // namespace
 
-bool Terminal::there() {
+std::string Terminal::why_not() {
+  if (isatty(STDIN_FILENO) != 1 || isatty(STDOUT_FILENO) != 1) return "no terminal";
   const char* kind = std::getenv("TERM");
-  return isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1 && kind != nullptr &&
-         std::strcmp(kind, "dumb") != 0;
+  if (kind == nullptr || *kind == '\0') return "a terminal of no kind (TERM is not set)";
+  if (std::strcmp(kind, "dumb") == 0) return "a terminal that cannot be drawn on (TERM=dumb)";
+  int known = 0;
+  if (setupterm(nullptr, STDOUT_FILENO, &known) == OK) return {};
+  return "a terminal that is not known here (TERM=" + std::string(kind) + ")";
 }
 
 Terminal::Terminal(bool color) {
@@ -171,7 +184,8 @@ void Terminal::show(const Canvas& canvas) {
       const Cell& cell = canvas.at(x, y);
       if (cell == (anew ? Cell{} : shown_.at(x, y))) continue;
       set_style(cell.style);
-      const wchar_t glyph[2] = {static_cast<wchar_t>(cell.glyph), L'\0'};
+      const bool grey = !color_ && cell.style.ink == Ink::shades && glyphs_ == Glyphs::unicode;
+      const wchar_t glyph[2] = {static_cast<wchar_t>(grey ? grey_of(cell.style) : cell.glyph), L'\0'};
       mvaddnwstr(y, x, glyph, 1);
     }
   shown_ = canvas;

@@ -13,8 +13,10 @@ namespace rift::studio {
 /// Ctrl-Z, and when the program crashes.
 class Terminal {
  public:
-  /// Whether both ends are a terminal that can be drawn on.
-  [[nodiscard]] static bool there();
+  /// Why there is no terminal to draw on, such as "no terminal" or "a terminal that is not known here
+  /// (TERM=foo)"; empty where there is one.
+  [[nodiscard]] static std::string why_not();
+  [[nodiscard]] static bool there() { return why_not().empty(); }
 
   /// @param color  false shows everything in one colour
   explicit Terminal(bool color);

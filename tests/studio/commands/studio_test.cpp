@@ -26,12 +26,12 @@ struct Place {
     text.replace(text.find("velocity = \"0.5 c_r\""), 20, "velocity = \"0.002 c_r\"");
     text += "fields = [\"displacement\"]\n";
     write_text(plate.path() / "presets" / "plate_tiny.toml", text);
-    EXPECT_EQ(
-        run_rift("run '" + (plate.path() / "presets" / "plate_tiny.toml").string() +
-                     "' --quiet --set crack.technique=simple --set 'crack.velocity=0.5 c_r' --out '" + (runs() / "other").string() + "'",
-                 plate.environment())
-            .exit_code,
-        0);
+    EXPECT_EQ(run_rift("run '" + (plate.path() / "presets" / "plate_tiny.toml").string() +
+                           "' --quiet --set crack.technique=simple --set 'crack.velocity=0.5 c_r' --out '" +
+                           (runs() / "other").string() + "'",
+                       plate.environment())
+                  .exit_code,
+              0);
   }
   fs::path runs() const { return plate.path() / "runs"; }
   std::string command(const std::string& arguments) const {
@@ -132,6 +132,26 @@ TEST(Studio, WithoutUtf8ThereIsNothingButAscii) {
   EXPECT_TRUE(terminal.shows("other  finished"));
   EXPECT_TRUE(terminal.shows("G_ID/G_I0"));
   for (const char letter : terminal.screen()) EXPECT_TRUE(static_cast<unsigned char>(letter) < 128);
+}
+
+TEST(Studio, ATerminalThatIsNotKnownIsNamed) {
+  if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
+  const Place place;
+  const RealTerminal terminal(place.name(),
+                              "TERM=nosuch; export TERM; " + place.command("studio") + "; " +
+                                  place.command("run plate_tiny --set 'crack.velocity=0.5 c_r' --out out"));
+  EXPECT_TRUE(terminal.shows("not known here (TERM=nosuch)"));
+  EXPECT_TRUE(terminal.shows("G_ID / G_I0"));  // a run does without its panel
+  EXPECT_TRUE(terminal.shows("left with 0"));
+}
+
+TEST(Studio, WithoutColoursThePlateIsInGreys) {
+  if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
+  const Place place;
+  const RealTerminal terminal(place.name(),
+                              "NO_COLOR=1; export NO_COLOR; " + place.command("watch runs/other"));
+  EXPECT_TRUE(terminal.shows("other  finished"));
+  for (const char* grey : {"·····", "█████", "▒"}) EXPECT_TRUE(terminal.shows(grey));
 }
 
 TEST(Studio, ControlZGivesTheTerminalBackUntilItGoesOn) {
