@@ -183,18 +183,15 @@ void Ensemble<Real>::damp(const std::vector<DampedBeam>& damped) {
 }
 
 template <class Real>
-void Ensemble<Real>::steer_damping(int lane, double at_surface, double elsewhere) {
-  scenario_[lane].alpha_at_surface = at_surface;
-  scenario_[lane].alpha_elsewhere = elsewhere;
-  alpha_at_surface_[lane] = static_cast<Real>(at_surface);
-  alpha_elsewhere_[lane] = static_cast<Real>(elsewhere);
+void Ensemble<Real>::steer(int lane, const LaneScenario& scenario) {
+  scenario_[lane] = scenario;
+  alpha_at_surface_[lane] = static_cast<Real>(scenario.alpha_at_surface);
+  alpha_elsewhere_[lane] = static_cast<Real>(scenario.alpha_elsewhere);
 }
 
 template <class Real>
 void Ensemble<Real>::refill(int lane, const LaneScenario& scenario) {
-  scenario_[lane] = scenario;
-  alpha_at_surface_[lane] = static_cast<Real>(scenario.alpha_at_surface);
-  alpha_elsewhere_[lane] = static_cast<Real>(scenario.alpha_elsewhere);
+  steer(lane, scenario);
   put_to_rest(lane);
   for (PartRows<Real>& rows : part_) {  // a lane that diverged has left no numbers there
     for (std::size_t k = lane; k < rows.damping_before.size(); k += lanes_) rows.damping_before[k] = 0;

@@ -57,13 +57,9 @@ class Ensemble {
   /// counted from now; the others do not notice. The damped beams must be those of start_crack().
   void refill(int lane, const LaneScenario& scenario);
 
-  /// Changes a lane while its crack runs: the law of the beams not yet reached, the tip's speed [m/s], the
-  /// fractions of critical damping of the damped beams; all from the next step on.
-  void steer_law(int lane, const ReleaseLaw& law) { change_law(scenario_[lane], law, tip(lane)); }
-  void steer_speed(int lane, double speed) {
-    turn_to(scenario_[lane].history, crack_time(lane, steps_done_), speed);
-  }
-  void steer_damping(int lane, double at_surface, double elsewhere);
+  /// Changes a lane while its crack runs, from the next step on: where its tip is and what the damage zone has
+  /// reached must be as before.
+  void steer(int lane, const LaneScenario& scenario);
 
   /// Damps these beams from the next step on; those that were damped before must be among them.
   void damp(const std::vector<DampedBeam>& damped);

@@ -1,6 +1,7 @@
 #include "engine/simulation/march.hpp"
 
 #include "engine/ensemble/ensemble.hpp"
+#include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/frame.hpp"
 
 #include <fmt/format.h>
@@ -339,62 +340,32 @@ class Run {
 
   /// Changes the scenario of a lane from the next step on. @return why not, or empty
   std::string make(Seat& seat, const Change& change) {
-    if (phase_at(steps(seat)) != Phase::fracture) return "the crack has not started yet";
-    Scene scene = plan(seat).scene;
-    if (std::string wrong = steer(scene, change, ensemble_.tip(index(seat))); !wrong.empty()) return wrong;
+    std::vector<LanePlan> lanes = lane_;
+    LanePlan& lane = lanes[seat.scenario];
+    if (std::string wrong = change_lane(lane, change, prepared_, steps(seat)); !wrong.empty()) return wrong;
     if (change.axis == "damping_alpha") {
-      if (std::string wrong = damp(seat, scene); !wrong.empty()) return wrong;
-    } else if (change.axis == "crack_velocity") {
-      turn_to(seat, scene);
-    } else {
-      ensemble_.steer_law(index(seat), release_law(scene, prepared_.lattice));
+      if (std::string wrong = damp(lane, lanes); !wrong.empty()) return wrong;
     }
-    plan(seat).scene = std::move(scene);
-    plan(seat).scenario = ensemble_.scenario(index(seat));
+    total_ += lane.schedule.total() - plan(seat).schedule.total();
+    ensemble_.steer(index(seat), lane.scenario);
+    lane_ = std::move(lanes);
     lane_of(seat).changes.push_back(change);
     return {};
   }
 
-  /// The lane goes on with another damping, as far as its step bears it.
-  std::string damp(Seat& seat, const Scene& scene) {
-    std::vector<LanePlan> lanes = lane_;
-    LanePlan& lane = lanes[seat.scenario];
-    lane.scene = scene;
-    set_damping(lane.scenario, scene);
+  /// Damps what the lanes want damped, as far as the step bears it.
+  std::string damp(LanePlan& lane, const std::vector<LanePlan>& lanes) {
     std::vector<DampedBeam> damped = damped_beams(prepared_, lanes);
     const double limit = damped_limit(prepared_, damped, lanes);
     if (prepared_.step.dt >= limit)
       return fmt::format("needs steps below {:.3g} s, and those of this run are {:.3g} s",
                          limit * lane.units.time, prepared_.step.dt * lane.units.time);
-    if (damped.size() > damped_) {
-      damped_ = damped.size();
-      ensemble_.damp(damped);
-    }
-    ensemble_.steer_damping(index(seat), lane.scenario.alpha_at_surface, lane.scenario.alpha_elsewhere);
-    plan(seat).beams_damped = damped.size();
-    plan(seat).step.critical_damped = limit;
+    lane.beams_damped = damped.size();
+    lane.step.critical_damped = limit;
+    if (damped.size() <= damped_) return {};
+    damped_ = damped.size();
+    ensemble_.damp(damped);
     return {};
-  }
-
-  /// The tip goes on at another velocity, and what is to come is looked at when it comes.
-  void turn_to(Seat& seat, const Scene& scene) {
-    LanePlan& lane = plan(seat);
-    ensemble_.steer_speed(index(seat),
-                          lattice_speed(prepared_, scene.crack.velocity.back().speed, lane.units));
-    const Schedule before =
-        std::exchange(lane.schedule, make_schedule(scene, ensemble_.scenario(index(seat)).history,
-                                                   prepared_.step.dt, lane.crack_end, lane.window));
-    keep_past(lane.schedule.samples, before.samples, steps(seat));
-    keep_past(lane.schedule.frames, before.frames, steps(seat));
-    total_ += lane.schedule.total() - before.total();
-  }
-
-  static void keep_past(std::vector<std::int64_t>& planned, const std::vector<std::int64_t>& before,
-                        std::int64_t now) {
-    std::vector<std::int64_t> steps;
-    std::copy_if(before.begin(), before.end(), std::back_inserter(steps), [&](auto n) { return n <= now; });
-    std::copy_if(planned.begin(), planned.end(), std::back_inserter(steps), [&](auto n) { return n > now; });
-    planned = std::move(steps);
   }
 
   static void stop(LaneResult& lane, std::string where) {

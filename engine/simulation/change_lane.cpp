@@ -1,0 +1,46 @@
+#include "engine/simulation/change_lane.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace rift {
+namespace {
+
+/// The steps of a new plan that are to come, after those of the old one that are past.
+std::vector<std::int64_t> joined(const std::vector<std::int64_t>& before,
+                                 const std::vector<std::int64_t>& planned, std::int64_t now) {
+  std::vector<std::int64_t> steps;
+  std::copy_if(before.begin(), before.end(), std::back_inserter(steps), [&](auto n) { return n <= now; });
+  std::copy_if(planned.begin(), planned.end(), std::back_inserter(steps), [&](auto n) { return n > now; });
+  return steps;
+}
+
+void plan_anew(LanePlan& lane, const Prepared& prepared, std::int64_t now) {
+  Schedule planned =
+      make_schedule(lane.scene, lane.scenario.history, prepared.step.dt, lane.crack_end, lane.window);
+  planned.samples = joined(lane.schedule.samples, planned.samples, now);
+  planned.frames = joined(lane.schedule.frames, planned.frames, now);
+  lane.schedule = std::move(planned);
+}
+
+}  // namespace
+
+std::string change_lane(LanePlan& lane, const Change& change, const Prepared& prepared, std::int64_t step) {
+  if (step < lane.schedule.crack_start()) return "the crack has not started yet";
+  const double time = static_cast<double>(step - lane.schedule.crack_start()) * prepared.step.dt;
+  const double tip = tip_at(lane.scenario.history, time);
+  if (std::string wrong = steer(lane.scene, change, tip); !wrong.empty()) return wrong;
+  if (change.axis == "damping_alpha") {
+    set_damping(lane.scenario, lane.scene);
+  } else if (change.axis == "crack_velocity") {
+    turn_to(lane.scenario.history, time,
+            lattice_speed(prepared, lane.scene.crack.velocity.back().speed, lane.units));
+    plan_anew(lane, prepared, step);
+  } else {
+    change_law(lane.scenario, release_law(lane.scene, prepared.lattice), tip);
+  }
+  return {};
+}
+
+}  // namespace rift
