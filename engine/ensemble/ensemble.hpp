@@ -5,6 +5,7 @@
 #include "engine/fracture/ledger.hpp"
 #include "engine/fracture/scenario.hpp"
 #include "engine/lattice/crew.hpp"
+#include "engine/results/checkpoint.hpp"
 #include "engine/scene/scene.hpp"
 
 #include <cstdint>
@@ -12,6 +13,8 @@
 #include <vector>
 
 namespace rift {
+
+using results::NamedNumbers;
 
 /// A change of one crossing beam's stiffness in one step, and its strain before the elements move.
 struct Softening {
@@ -63,6 +66,14 @@ class Ensemble {
 
   /// Damps these beams from the next step on; those that were damped before must be among them.
   void damp(const std::vector<DampedBeam>& damped);
+
+  /// All that a later step depends on and that the scenarios do not tell, as named numbers; kept by restore()
+  /// to the bit.
+  NamedNumbers state() const;
+  /// Puts the lanes where they were: after start_from(), start_crack() and, for lanes that were steered or
+  /// refilled, steer() of the same, by as many lanes of the kernel. Throws std::invalid_argument where the
+  /// numbers are not of such an ensemble (it is of no use then).
+  void restore(const NamedNumbers& state);
 
   /// One step of Table 1 of the paper. Cost O(beams x lanes); allocates nothing.
   void step();

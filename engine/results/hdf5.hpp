@@ -6,10 +6,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-/// Writing HDF5 files: what the archive needs of the C API, with its handles closed and its failures thrown
-/// as WorldError that names the file, the object and the library's own reason. The library's printing is
-/// silenced. Element types: float, double, std::int32_t, std::int64_t, std::uint8_t; stored little-endian.
+/// Writing HDF5 files, and reading our own: what the archive and checkpoints need of the C API, with its
+/// handles closed and its failures thrown as WorldError that names the file, the object and the library's own
+/// reason. The library's printing is silenced. Element types: float, double, std::int32_t, std::int64_t,
+/// std::uint8_t; stored little-endian.
 namespace rift::results::hdf5 {
 
 /// An HDF5 handle that closes itself.
@@ -102,6 +104,21 @@ class File {
  private:
   std::filesystem::path path_;
   std::int64_t id_;
+};
+
+/// A file of our own, open for reading.
+class InputFile {
+ public:
+  explicit InputFile(const std::filesystem::path& path);
+  /// All numbers of a dataset, as they lie.
+  [[nodiscard]] std::vector<double> doubles(const std::string& name) const;
+  /// What write_text() wrote.
+  [[nodiscard]] std::string text(const std::string& name) const;
+
+ private:
+  [[nodiscard]] Handle dataset(const std::string& name) const;
+  std::filesystem::path path_;
+  Handle file_;
 };
 
 }  // namespace rift::results::hdf5

@@ -3,12 +3,14 @@
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/frame.hpp"
+#include "engine/simulation/march_notes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 #include <thread>
 
 namespace rift {
@@ -54,20 +56,13 @@ class Run {
     result_.instructions = name_of(instruction_set());
   }
 
-  RunResult march() {
+  RunResult march(const Resumption* from) {
     ensemble_.start_from(prepared_.displacement);
     result_.threads = ensemble_.threads();
-    if (ramp() > 0) pull();
-    crack_started_ = Clock::now();
-    ensemble_.set_beta(scene().solver.beta);
-    damped_ = prepared_.damped.size();
-    ensemble_.start_crack(prepared_.damped);
-    for (Seat& seat : seat_) {
-      if (seat.scenario < 0) continue;
-      seat.since = crack_started_;
-      lane_of(seat).energy_at_crack_start = elastic_energy(seat);
-      if (ramp() == 0) observe(seat);
-    }
+    if (from)
+      go_on(*from);
+    else
+      start_cracks();
     while (busy() || waiting()) {
       if (waiting() && (!busy() || marched_ % between_refills == 0)) refill();
       if (!prepared_.preset.steering.empty()) repeat_changes();
@@ -132,6 +127,74 @@ class Run {
     for (Seat& seat : seat_)
       if (seat.scenario >= 0) observe(seat);
     ask();
+  }
+
+  void start_cracks() {
+    if (ramp() > 0) pull();
+    crack_started_ = Clock::now();
+    damped_ = prepared_.damped.size();
+    ensemble_.set_beta(scene().solver.beta);
+    ensemble_.start_crack(prepared_.damped);
+    for (Seat& seat : seat_) {
+      if (seat.scenario < 0) continue;
+      seat.since = crack_started_;
+      lane_of(seat).energy_at_crack_start = elastic_energy(seat);
+      if (ramp() == 0) observe(seat);
+    }
+  }
+
+  /// Where the march is; what the lanes' books tell is not repeated.
+  results::Checkpoint checkpoint() {
+    MarchNotes notes{.lanes = ensemble_.lanes(),
+                     .instructions = result_.instructions,
+                     .dt = prepared_.step.dt,
+                     .marched = marched_,
+                     .lane_steps = result_.lane_steps,
+                     .next_scenario = next_scenario_,
+                     .wall_prestress_s = result_.wall_prestress_s,
+                     .wall_fracture_s = seconds_since(crack_started_) - waited_};
+    for (const Seat& seat : seat_)
+      notes.seats.push_back({seat.scenario, seat.next_sample, seat.next_frame, seat.framed_at});
+    notes.lane = result_.lane;
+    return {to_json(notes), ensemble_.state(), 0};
+  }
+
+  void go_on(const Resumption& from) {
+    MarchNotes notes = march_notes(from.checkpoint.notes);
+    check_fit(notes);
+    result_.lane = std::move(notes.lane);
+    for (const results::Sample& row : from.books) result_.lane.at(row.lane).books.push_back(row);
+    for (int k = 0; k < static_cast<int>(lane_.size()); ++k)
+      for (const Change& change : result_.lane[k].changes)
+        (void)change_lane(lane_[k], change, prepared_, change.step);
+    for (std::size_t k = 0; k < seat_.size(); ++k) {
+      const MarchNotes::Seat& s = notes.seats[k];
+      seat_[k] = {s.scenario, s.next_sample, s.next_frame, s.framed_at};
+      if (s.scenario >= 0) ensemble_.steer(static_cast<int>(k), lane_[s.scenario].scenario);
+    }
+    const std::vector<DampedBeam> damped = damped_beams(prepared_, lane_);
+    damped_ = damped.size();
+    ensemble_.set_beta(scene().solver.beta);
+    ensemble_.start_crack(damped);
+    ensemble_.restore(from.checkpoint.state);
+    marched_ = notes.marched, result_.lane_steps = notes.lane_steps, next_scenario_ = notes.next_scenario;
+    result_.wall_prestress_s = notes.wall_prestress_s;
+    waited_ = -notes.wall_fracture_s;  // it has marched for so long before
+    total_ = 0;
+    for (const LanePlan& lane : lane_) total_ += lane.schedule.total();
+    crack_started_ = Clock::now();
+  }
+
+  void check_fit(const MarchNotes& notes) const {
+    const auto refuse = [](const std::string& why) { throw std::invalid_argument("the checkpoint " + why); };
+    if (notes.lane.size() != lane_.size() || notes.seats.size() != seat_.size() ||
+        notes.lanes != ensemble_.lanes())
+      refuse(fmt::format("is of {} scenarios in {} lanes, and this run has {} in {}", notes.lane.size(),
+                         notes.lanes, lane_.size(), ensemble_.lanes()));
+    if (notes.dt != prepared_.step.dt) refuse("is of another time step");
+    if (notes.instructions != result_.instructions)
+      refuse(fmt::format("was made with {} and this machine marches with {}: the bits would differ",
+                         notes.instructions, result_.instructions));
   }
 
   /// Leaves the lane idle.
@@ -256,8 +319,10 @@ class Run {
     if (working == seat_.end()) return;
     const Progress progress{phase_at(steps(*working)), result_.lane_steps, total_,
                             seconds_since(started_) - waited_};
-    const bool go_on = !observer_.go_on || observer_.go_on(progress);
-    if (!take_orders(progress) || !go_on) stop_all();
+    const bool stop = (!observer_.go_on || observer_.go_on(progress)) ? !take_orders(progress) : true;
+    if (observer_.checkpoint && progress.phase == Phase::fracture)
+      observer_.checkpoint([this] { return checkpoint(); }, stop);
+    if (stop) stop_all();
   }
 
   void stop_all() {
@@ -327,11 +392,16 @@ class Run {
     }
   }
 
+  bool was_made(const Change& change) const {
+    const std::vector<Change>& made = result_.lane[change.lane].changes;
+    return std::find(made.begin(), made.end(), change) != made.end();
+  }
+
   /// Makes what the preset says was changed at this step.
   void repeat_changes() {
     for (const Change& change : prepared_.preset.steering) {
       Seat* seat = seat_of(change.lane);
-      if (!seat || change.step != steps(*seat)) continue;
+      if (!seat || change.step != steps(*seat) || was_made(change)) continue;
       if (const std::string refused = make(*seat, change); !refused.empty()) refuse(change, refused);
       check_steering(change.lane, change.step + 1);
       if (observer_.changed) observer_.changed(change, {});
@@ -445,10 +515,11 @@ double ledger_limit(Kinematics kinematics, Precision precision) {
   return kinematics == Kinematics::corotational ? 1e-4 : 1e-10;
 }
 
-RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options) {
+RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options,
+                const Resumption* from) {
   if (prepared.preset.scene.solver.precision == Precision::single_precision)
-    return Run<float>(prepared, observer, options).march();
-  return Run<double>(prepared, observer, options).march();
+    return Run<float>(prepared, observer, options).march(from);
+  return Run<double>(prepared, observer, options).march(from);
 }
 
 }  // namespace rift

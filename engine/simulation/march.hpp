@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/fracture/wake.hpp"
+#include "engine/results/checkpoint.hpp"
 #include "engine/results/schema.hpp"
 #include "engine/simulation/prepare.hpp"
 
@@ -48,6 +49,9 @@ struct Observer {
   /// A scenario has come to its end, or a stop; the result holds it and, so far, the times of the run.
   std::function<void(int scenario, const RunResult& so_far)> ended = {};
   std::function<Orders(const Moment&)> steer = {};
+  /// Offered a few times a second while cracks run, and last of all before a stop: makes a checkpoint for who
+  /// wants one (its journal_bytes are the caller's). Cost of making one: a copy of the state.
+  std::function<void(const std::function<results::Checkpoint()>& make, bool stopping)> checkpoint = {};
   /// A change was made, or (with the reason) was not.
   std::function<void(const Change&, const std::string& refused)> changed = {};
 };
@@ -81,6 +85,12 @@ struct RunResult {
   std::vector<LanePlan> steered;  // all lanes as they are after the changes; empty where nothing was changed
 };
 
+/// Where a march goes on.
+struct Resumption {
+  results::Checkpoint checkpoint;
+  std::vector<results::Sample> books;  // of all lanes up to there, in time
+};
+
 /// How to march; of no influence on the results, but for the last bits by the instruction set.
 struct MarchOptions {
   int threads = 0;  // 0 for one per core
@@ -95,6 +105,8 @@ double ledger_limit(Kinematics kinematics, Precision precision);
 /// ramp, which all share). A lane stops as diverged at its first sample that is not finite or whose books are
 /// hopelessly open; the others go on. The preset's [[steering]] is made where it says; a change that cannot
 /// be made then throws InputError.
-RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options = {});
+/// @param[in] from  where the same run was stopped or killed; null to begin at the beginning
+RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options = {},
+                const Resumption* from = nullptr);
 
 }  // namespace rift

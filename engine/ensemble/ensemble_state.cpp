@@ -1,0 +1,114 @@
+#include "engine/ensemble/ensemble.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace rift {
+namespace {
+
+/// Appends numbers of any kind; every float and every integer below 2^53 is a double.
+template <class Numbers>
+void put(NamedNumbers& state, const std::string& name, const Numbers& numbers, std::size_t count) {
+  std::vector<double>& out = state[name];
+  for (std::size_t k = 0; k < count; ++k) out.push_back(static_cast<double>(numbers[k]));
+}
+
+const std::vector<double>& numbers_of(const NamedNumbers& state, const std::string& name, std::size_t count) {
+  const auto found = state.find(name);
+  if (found == state.end() || found->second.size() != count)
+    throw std::invalid_argument("it holds no " + name + " of this run");
+  return found->second;
+}
+
+template <class Numbers>
+void take(const NamedNumbers& state, const std::string& name, Numbers& numbers, std::size_t count) {
+  const std::vector<double>& in = numbers_of(state, name, count);
+  using Number = std::decay_t<decltype(numbers[0])>;
+  for (std::size_t k = 0; k < count; ++k) numbers[k] = static_cast<Number>(in[k]);
+}
+
+}  // namespace
+
+template <class Real>
+NamedNumbers Ensemble<Real>::state() const {
+  NamedNumbers state;
+  const std::size_t rows = base_.size() * lanes_;
+  state["clock"] = {static_cast<double>(steps_done_),
+                    cracking_ ? 1.0 : 0.0,
+                    beta_before_,
+                    beta_after_,
+                    grip_before_,
+                    grip_after_,
+                    base_pull_};
+  put(state, "born", born_, born_.size());
+  put(state, "crack_start", crack_start_, crack_start_.size());
+  put(state, "first_standing", first_standing_, first_standing_.size());
+  put(state, "position", q_, rows * numbers_);
+  put(state, "velocity", v_, rows * 6);
+  put(state, "rate", rate_, rate_.empty() ? 0 : rows * 6);
+  put(state, "factor", factor_, factor_.size());
+  put(state, "booked", booked_, booked_.size());
+  for (std::size_t lane = 0; lane < ledger_.size(); ++lane) {
+    const Ledger& l = ledger_[lane];
+    const Spent& s = spent_[lane];
+    for (const double x : {l.energy_start, l.fracture, l.damping, l.numerical_damping, l.work_external,
+                           l.largest, s.damping, s.numerical, s.grip})
+      state["ledger"].push_back(x);
+  }
+  // By chunks and by elements, which do not depend on how many threads march.
+  std::vector<double>& before = state["damping_before"];
+  before.assign(damped_.empty() ? 0 : rows * 6, 0.0);
+  for (const PartRows<Real>& part : part_) {
+    put(state, "account", part.account, part.account.size());
+    for (std::size_t k = 0; k < part.damping_before.size(); ++k)
+      before[static_cast<std::size_t>(part.special[k / (6UL * lanes_)]) * 6 * lanes_ + k % (6UL * lanes_)] =
+          static_cast<double>(part.damping_before[k]);
+  }
+  return state;
+}
+
+template <class Real>
+void Ensemble<Real>::restore(const NamedNumbers& state) {
+  const std::size_t rows = base_.size() * lanes_;
+  const std::vector<double>& clock = numbers_of(state, "clock", 7);
+  steps_done_ = static_cast<std::int64_t>(clock[0]);
+  cracking_ = clock[1] != 0.0;
+  set_beta(clock[3]);  // makes room for the rates where it damps
+  if (!state.at("rate").empty() && rate_.empty()) set_beta(0.5), set_beta(clock[3]);
+  beta_before_ = clock[2], beta_after_ = clock[3];
+  grip_before_ = clock[4], grip_after_ = clock[5], base_pull_ = clock[6];
+  take(state, "born", born_, born_.size());
+  take(state, "crack_start", crack_start_, crack_start_.size());
+  take(state, "first_standing", first_standing_, first_standing_.size());
+  take(state, "position", q_, rows * numbers_);
+  take(state, "velocity", v_, rows * 6);
+  take(state, "rate", rate_, rate_.empty() ? 0 : rows * 6);
+  take(state, "factor", factor_, factor_.size());
+  take(state, "booked", booked_, booked_.size());
+  const std::vector<double>& ledger = numbers_of(state, "ledger", 9 * ledger_.size());
+  for (std::size_t lane = 0; lane < ledger_.size(); ++lane) {
+    const double* x = &ledger[9 * lane];
+    ledger_[lane] = {x[0], x[1], x[2], x[3], x[4], x[5]};
+    spent_[lane] = {x[6], x[7], x[8]};
+  }
+  const std::vector<double>& before = numbers_of(state, "damping_before", damped_.empty() ? 0 : rows * 6);
+  std::size_t accounts_of_all = 0;
+  for (const PartRows<Real>& part : part_) accounts_of_all += part.account.size();
+  auto account = numbers_of(state, "account", accounts_of_all).begin();
+  for (PartRows<Real>& part : part_) {
+    std::copy_n(account, part.account.size(), part.account.begin());
+    account += static_cast<std::ptrdiff_t>(part.account.size());
+    for (std::size_t k = 0; k < part.damping_before.size(); ++k)
+      part.damping_before[k] =
+          static_cast<Real>(before[static_cast<std::size_t>(part.special[k / (6UL * lanes_)]) * 6 * lanes_ +
+                                   k % (6UL * lanes_)]);
+  }
+  weighed_at_ = velocities_at_ = -1;
+}
+
+template NamedNumbers Ensemble<double>::state() const;
+template NamedNumbers Ensemble<float>::state() const;
+template void Ensemble<double>::restore(const NamedNumbers&);
+template void Ensemble<float>::restore(const NamedNumbers&);
+
+}  // namespace rift

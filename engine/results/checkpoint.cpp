@@ -1,0 +1,106 @@
+#include "engine/results/checkpoint.hpp"
+
+#include "engine/results/files.hpp"
+#include "engine/results/hdf5.hpp"
+#include "engine/results/world_error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+namespace rift::results {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The last 16 bytes of the file, behind what HDF5 looks at: "RIFTCHK1" and XXH3-64 of all before.
+constexpr std::size_t seal_bytes = 16;
+constexpr char seal_mark[] = "RIFTCHK1";
+
+std::string seal_of(const std::string& bytes) {
+  const std::uint64_t hash = XXH3_64bits(bytes.data(), bytes.size());
+  std::string seal(seal_mark, 8);
+  for (int k = 0; k < 8; ++k) seal += static_cast<char>(hash >> (8 * k) & 0xFF);
+  return seal;
+}
+
+void append_seal(const fs::path& path) {
+  const std::string seal = seal_of(read_whole_file(path));
+  std::ofstream file(path, std::ios::binary | std::ios::app);
+  file.write(seal.data(), static_cast<std::streamsize>(seal.size()));
+  file.close();
+  if (!file) throw WorldError("write", path, "the checksum could not be appended");
+}
+
+/// Why the file is not one that was written whole; empty where it is.
+std::string damage_of(const fs::path& path) {
+  const std::string bytes = read_whole_file(path);
+  if (bytes.size() <= seal_bytes) return "too short";
+  const std::string seal = bytes.substr(bytes.size() - seal_bytes);
+  if (seal.compare(0, 8, seal_mark, 8) != 0) return "it does not end as a checkpoint does";
+  return seal == seal_of(bytes.substr(0, bytes.size() - seal_bytes)) ? "" : "its checksum does not fit";
+}
+
+Checkpoint read_file(const fs::path& path) {
+  const hdf5::InputFile file(path);
+  const Json index = Json::parse(file.text("index"));
+  Checkpoint checkpoint;
+  checkpoint.notes = index.at("notes").dump();
+  checkpoint.journal_bytes = index.at("journal_bytes").get<std::uint64_t>();
+  for (const auto& [name, count] : index.at("state").items())
+    checkpoint.state[name] = count == 0 ? std::vector<double>{} : file.doubles(name);
+  return checkpoint;
+}
+
+}  // namespace
+
+void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) {
+  const fs::path path = run_folder / checkpoint_name;
+  PendingFile pending(path);
+  {
+    hdf5::File file(pending.temporary());
+    Json index{{"notes", Json::parse(checkpoint.notes)}, {"journal_bytes", checkpoint.journal_bytes}};
+    index["state"] = Json::object();
+    {
+      hdf5::Group root = file.root();
+      for (const auto& [name, numbers] : checkpoint.state) {
+        index["state"][name] = numbers.size();
+        if (!numbers.empty()) root.write<double>(name, numbers);
+      }
+      root.write_text("index", index.dump());
+    }
+    file.close();
+  }
+  append_seal(pending.temporary());
+  std::error_code none;  // the first one has none before it
+  fs::rename(path, run_folder / former_checkpoint_name, none);
+  pending.commit();
+}
+
+std::optional<Checkpoint> read_checkpoint(const fs::path& run_folder, std::string& damaged) {
+  for (const char* name : {checkpoint_name, former_checkpoint_name}) {
+    const fs::path path = run_folder / name;
+    if (!fs::exists(path)) continue;
+    std::string why = damage_of(path);
+    try {
+      if (why.empty()) return read_file(path);
+    } catch (const std::exception& error) {
+      why = error.what();
+    }
+    damaged += fmt::format("{}{}: {}", damaged.empty() ? "" : "; ", path.string(), why);
+  }
+  return std::nullopt;
+}
+
+void remove_checkpoints(const fs::path& run_folder) {
+  std::error_code none;
+  for (const char* name : {checkpoint_name, former_checkpoint_name}) fs::remove(run_folder / name, none);
+}
+
+}  // namespace rift::results

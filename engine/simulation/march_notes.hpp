@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/simulation/march.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rift {
+
+/// Where a march was, beside the state of its ensemble: the words of a checkpoint.
+struct MarchNotes {
+  int lanes = 0;  // of the kernel
+  std::string instructions;
+  double dt = 0;  // [s], of the lattice
+  std::int64_t marched = 0, lane_steps = 0;
+  int next_scenario = 0;
+  double wall_prestress_s = 0, wall_fracture_s = 0;
+  struct Seat {
+    int scenario = -1;
+    std::size_t next_sample = 0, next_frame = 0;
+    std::int64_t framed_at = -1;
+  };
+  std::vector<Seat> seats = {};
+  std::vector<LaneResult> lane = {};  // without their books, which the journal holds
+};
+
+std::string to_json(const MarchNotes& notes);
+/// Throws std::invalid_argument where the text is not of such notes.
+MarchNotes march_notes(const std::string& json);
+
+}  // namespace rift
