@@ -3,6 +3,7 @@
 #include "engine/results/world_error.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -34,6 +35,19 @@ void sync_to_disk(const std::filesystem::path& path) {
 AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)) {
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw WorldError("create", path_, errno_text(errno));
+  (void)::flock(descriptor_, LOCK_EX | LOCK_NB);  // some file systems know no locks; then nobody is warned
+}
+
+AppendFile::AppendFile(std::filesystem::path path, std::uint64_t kept) : path_(std::move(path)) {
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor_ < 0) throw WorldError("open", path_, errno_text(errno));
+  const auto fail = [&](const char* attempt, const std::string& why) {
+    ::close(std::exchange(descriptor_, -1));
+    throw WorldError(attempt, path_, why);
+  };
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) fail("write", "another process is writing it");
+  if (::ftruncate(descriptor_, static_cast<off_t>(kept)) != 0) fail("cut", errno_text(errno));
+  if (::lseek(descriptor_, 0, SEEK_END) != static_cast<off_t>(kept)) fail("go on with", errno_text(errno));
 }
 
 AppendFile::~AppendFile() {

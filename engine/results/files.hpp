@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@ class AppendFile {
  public:
   /// Throws where `path` exists: a file is never overwritten.
   explicit AppendFile(std::filesystem::path path);
+  /// Goes on with a file that is there, behind its first `kept` bytes; the rest is dropped. Throws where
+  /// another process is writing it.
+  AppendFile(std::filesystem::path path, std::uint64_t kept);
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
   /// Tries to write what is left, and cannot say whether it succeeded: call close().

@@ -52,6 +52,8 @@ JournalWriter::JournalWriter(const std::filesystem::path& path) : file_(path) {
   file_.flush();
 }
 
+JournalWriter::JournalWriter(const std::filesystem::path& path, std::uint64_t kept) : file_(path, kept) {}
+
 void JournalWriter::write(const Record& record) {
   // One append a record: a flush, which an append may cause, then never ends inside one.
   const auto payload = encode(record);

@@ -17,6 +17,8 @@ namespace rift::results {
 class JournalWriter {
  public:
   explicit JournalWriter(const std::filesystem::path& path);
+  /// Goes on with a journal behind its first `kept` bytes, whole records; the rest is dropped.
+  JournalWriter(const std::filesystem::path& path, std::uint64_t kept);
 
   /// Encodes at once, so that the record may be changed or dropped afterwards. Cost O(size).
   void write(const Record& record);

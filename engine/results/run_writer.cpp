@@ -27,6 +27,25 @@ RunWriter::RunWriter(std::filesystem::path folder, const nlohmann::ordered_json&
   journal_.flush();
 }
 
+namespace {
+
+/// Removes what the end of a run had made, and what is made anew.
+const std::filesystem::path& without_end(const std::filesystem::path& folder) {
+  for (const char* name : {archive_name, summary_name, series_name}) std::filesystem::remove(folder / name);
+  return folder;
+}
+
+}  // namespace
+
+RunWriter::RunWriter(std::filesystem::path folder, std::uint64_t journal_bytes)
+    : folder_(std::move(folder)),
+      journal_(folder_ / journal_name, journal_bytes),
+      series_(without_end(folder_) / series_name) {
+  for (const Sample& sample : scan_journal(folder_ / journal_name).samples) series_.write(sample);
+}
+
+std::uint64_t RunWriter::journal_bytes() const { return std::filesystem::file_size(folder_ / journal_name); }
+
 void RunWriter::sample(const Sample& sample) {
   journal_.write(sample);
   series_.write(sample);

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -21,11 +22,17 @@ class RunWriter {
   ///                "instruction_set", "lanes" (how many) and more; each becomes /scene/<name> of the archive
   RunWriter(std::filesystem::path folder, const nlohmann::ordered_json& header, const Geometry& geometry);
 
+  /// Goes on with a run that was stopped or killed, behind the first `journal_bytes` of its journal;
+  /// series.csv is written anew up to there. What a stopped run had assembled at its end is dropped.
+  RunWriter(std::filesystem::path folder, std::uint64_t journal_bytes);
+
   void sample(const Sample& sample);
   void frame(const Frame& frame);
   void event(const ReleaseEvent& event);
   /// After each batch: what was given so far is then seen by `watch` and survives a kill.
   void flush();
+  /// After flush(): how long the journal is.
+  [[nodiscard]] std::uint64_t journal_bytes() const;
 
   /// The run has ended by itself: the rates and the summary go into the journal, then the final series.csv,
   /// run.vtkhdf and, last, summary.json (undefined values null). Each appears whole or not at all.

@@ -95,6 +95,7 @@ struct Resumption {
 struct MarchOptions {
   int threads = 0;  // 0 for one per core
   int lanes = 0;    // scenarios side by side; 0 for all of them, as far as there are kernels
+  double checkpoint_s = 30;  // between two checkpoints of a recorded run
 };
 
 /// The books are said not to close above this residual   [physics.md §7].

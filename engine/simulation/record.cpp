@@ -2,20 +2,30 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
+#include "engine/results/journal_scan.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/results/run_writer.hpp"
+#include "engine/results/world_error.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/simulation/summary.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace rift {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 /// What a run does to its writer, then to whoever looks on.
 struct Recording {
   results::RunWriter& writer;
   const Observer& beside;
   const std::filesystem::path& folder;
-  Preset steered;  // with the changes so far
+  double checkpoint_s;
+  Preset steered;  // with the changes so far, and those that are to come
+  Clock::time_point checked = Clock::now();
 
   Observer observer() {
     Observer o{.sample =
@@ -44,6 +54,10 @@ struct Recording {
         writer.flush();  // whoever steers may want to show to others what there is
         return beside.steer(moment);
       };
+    o.checkpoint = [&](const auto& make, bool stopping) {
+      if (stopping || Clock::now() - checked > std::chrono::duration<double>(checkpoint_s))
+        keep_checkpoint(make());
+    };
     o.changed = [&](const Change& change, const std::string& refused) {
       if (refused.empty()) keep(change);
       if (beside.changed) beside.changed(change, refused);
@@ -51,22 +65,26 @@ struct Recording {
     return o;
   }
 
+  void keep_checkpoint(results::Checkpoint checkpoint) {
+    writer.flush();
+    checkpoint.journal_bytes = writer.journal_bytes();
+    results::write_checkpoint(folder, checkpoint);
+    checked = Clock::now();
+  }
+
   /// At once, so that a kill does not lose it.
   void keep(const Change& change) {
-    steered.steering.push_back(change);
+    std::vector<Change>& all = steered.steering;
+    if (std::find(all.begin(), all.end(), change) == all.end()) all.push_back(change);
     results::write_whole_file(folder / results::steering_name, preset_text(steered));
   }
 };
 
-}  // namespace
-
-Recorded record_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
-                    const Observer& beside, const MarchOptions& options, double preparation_s) {
-  const auto start = std::chrono::steady_clock::now();
-  results::RunWriter writer(folder, header_of(prepared, build), geometry_of(prepared));
-  Recording recording{writer, beside, folder, prepared.preset};
-  recording.steered.steering.clear();
-  Recorded run{march(prepared, recording.observer(), options), {}};
+/// Marches, writing all of it, and completes the folder.
+Recorded record(const Prepared& prepared, Recording& recording, const BuildInfo& build,
+                const MarchOptions& options, double preparation_s, const Resumption* from) {
+  const auto start = Clock::now();
+  Recorded run{march(prepared, recording.observer(), options, from), {}};
   Prepared as_steered;
   if (!run.result.steered.empty()) as_steered = prepared, as_steered.lane = run.result.steered;
   const Prepared& done = run.result.steered.empty() ? prepared : as_steered;
@@ -76,10 +94,63 @@ Recorded record_run(const Prepared& prepared, const std::filesystem::path& folde
     rates.push_back(rates_of(done, run.result, lane));
     curves.push_back(rates.back().curve);
   }
-  const double marching_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double marching_s = std::chrono::duration<double>(Clock::now() - start).count();
   run.summary = summary_of(done, run.result, rates, build, preparation_s + marching_s);
-  writer.finish(run.summary, curves);
+  recording.writer.finish(run.summary, curves);
+  if (run.result.outcome != Outcome::stopped) results::remove_checkpoints(recording.folder);
   return run;
+}
+
+}  // namespace
+
+Recorded record_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
+                    const Observer& beside, const MarchOptions& options, double preparation_s) {
+  results::RunWriter writer(folder, header_of(prepared, build), geometry_of(prepared));
+  Recording recording{writer, beside, folder, options.checkpoint_s, prepared.preset};
+  return record(prepared, recording, build, options, preparation_s, nullptr);
+}
+
+Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
+                    const Observer& beside, std::string& note, const MarchOptions& options,
+                    double preparation_s) {
+  std::optional<results::Checkpoint> checkpoint = results::read_checkpoint(folder, note);
+  if (!checkpoint) {
+    const std::string steering = std::filesystem::exists(folder / results::steering_name)
+                                     ? results::read_whole_file(folder / results::steering_name)
+                                     : std::string{};
+    results::create_run_folder(folder, true);
+    if (!steering.empty()) results::write_whole_file(folder / results::steering_name, steering);
+    return record_run(prepared, folder, build, beside, options, preparation_s);
+  }
+  results::RunWriter writer(folder, checkpoint->journal_bytes);
+  Resumption from{std::move(*checkpoint), results::scan_journal(folder / results::journal_name).samples};
+  if (beside.sample)
+    for (const results::Sample& row : from.books) beside.sample(row);
+  Recording recording{writer, beside, folder, options.checkpoint_s, prepared.preset};
+  return record(prepared, recording, build, options, preparation_s, &from);
+}
+
+bool has_ended(const std::filesystem::path& folder) {
+  const results::RunState state = results::inspect_run(folder);
+  if (!state.summary_json || !state.has_archive) return false;
+  const auto summary = nlohmann::ordered_json::parse(*state.summary_json);
+  for (const auto& scenario : summary.at("scenarios"))
+    if (scenario.value("outcome", std::string()) == name_of(Outcome::stopped)) return false;
+  return true;
+}
+
+Preset preset_of_run(const std::filesystem::path& folder) {
+  const results::RunState state = results::inspect_run(folder);
+  if (state.header_json.empty())
+    throw results::WorldError("read", folder, state.reason.empty() ? "there is no run in it" : state.reason);
+  const auto header = nlohmann::ordered_json::parse(state.header_json);
+  const std::filesystem::path steered = folder / results::steering_name;
+  Preset preset = std::filesystem::exists(steered)
+                      ? read_preset(steered)
+                      : read_preset_text(header.at("preset").get<std::string>(), header.at("preset_name"));
+  if (!preset.issues.empty()) throw InputError(preset.issues);
+  preset.name = header.at("preset_name");
+  return preset;
 }
 
 }  // namespace rift

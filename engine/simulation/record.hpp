@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <string>
 
 namespace rift {
 
@@ -23,5 +24,22 @@ struct Recorded {
 /// @param preparation_s   wall time that went before, for the summary's total
 Recorded record_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
                     const Observer& beside, const MarchOptions& options = {}, double preparation_s = 0);
+
+/// Goes on with a run in its folder that was stopped or killed, from its last checkpoint, to the same bits as
+/// if it had never stopped; without a checkpoint from its beginning.
+/// @param prepared   of what the folder's preset says
+/// @param[out] note  what is to be said of it, such as a damaged checkpoint; may be empty
+/// Throws std::invalid_argument where the checkpoint is of another run.
+Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
+                    const Observer& beside, std::string& note, const MarchOptions& options = {},
+                    double preparation_s = 0);
+
+/// Whether every lane of the run in this folder has come to its end, by itself or by diverging: it is not to
+/// be resumed.
+bool has_ended(const std::filesystem::path& folder);
+
+/// The preset that a run's folder holds, with the changes of who steered it. Throws WorldError where there is
+/// no run, InputError where its preset is not one of this version.
+Preset preset_of_run(const std::filesystem::path& folder);
 
 }  // namespace rift

@@ -19,6 +19,7 @@ void add_export(CLI::App& app, ExitCode& exit_code);
 void add_list(CLI::App& app, ExitCode& exit_code);
 void add_render(CLI::App& app, ExitCode& exit_code);
 void add_reproduce(CLI::App& app, ExitCode& exit_code);
+void add_resume(CLI::App& app, ExitCode& exit_code);
 void add_run(CLI::App& app, ExitCode& exit_code);
 void add_studio(CLI::App& app, ExitCode& exit_code);
 void add_study(CLI::App& app, ExitCode& exit_code);
@@ -29,8 +30,8 @@ void add_watch(CLI::App& app, ExitCode& exit_code);
 ExitCode open_studio();
 
 /// All subcommands, in the order of `rift --help`.
-inline constexpr std::array all_commands = {add_studio, add_run,       add_render,   add_watch, add_study,
-                                            add_reproduce, add_accuracy, add_check, add_list,
-                                            add_theory,    add_export,   add_bench};
+inline constexpr std::array all_commands = {add_studio, add_run,       add_resume,   add_render, add_watch,
+                                            add_study,  add_reproduce, add_accuracy, add_check,  add_list,
+                                            add_theory, add_export,    add_bench};
 
 }  // namespace rift::studio

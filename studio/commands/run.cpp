@@ -2,19 +2,19 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/scene/units.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
+#include "studio/commands/run_ending.hpp"
 #include "studio/commands/run_panel.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/report/run_table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -26,11 +26,10 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Json = nlohmann::ordered_json;
 
 struct RunOptions {
   SceneOptions scene;
-  std::string out, replay;
+  std::string out, replay, checkpoint = "30 s";
   bool force = false, plain = false;
   std::unique_ptr<FilmOfRun> film;
 };
@@ -44,53 +43,13 @@ fs::path folder_for(const RunOptions& options) {
   return folder;
 }
 
-std::string stage_name(results::Phase phase) {
-  return phase == results::Phase::loading ? "loading"
-         : phase == results::Phase::hold  ? "stabilising"
-                                          : "crack";
-}
-
-/// Told a few times a second; Ctrl-C is heard here.
-std::function<bool(const Progress&)> telling(ProgressLine& line, const StopSignal& stop,
-                                             std::size_t elements) {
-  return [&line, &stop, elements](const Progress& p) {
-    const double speed = static_cast<double>(p.step) * static_cast<double>(elements) / p.seconds;
-    line.tell(stage_name(p.phase), static_cast<double>(p.step) / static_cast<double>(p.total),
-              magnitude_text(speed) + " element-steps/s");
-    return stop.received() == 0;
-  };
-}
-
-void print_result(const RunOptions& options, const Json& summary, const fs::path& folder,
-                  const std::string& film) {
-  if (options.scene.json) {
-    fmt::print("{}\n", summary.dump(2));
-    return;
-  }
-  for (const Json& scenario : summary.at("scenarios"))
-    fmt::print("{}", run_table(scenario, wants_color(options.scene.color, stdout)));
-  fmt::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
-             folder.string());
-  if (!film.empty()) fmt::print("  {:<22}{}\n", "film", film);
-}
-
-/// By a signal, or by hand in the panel, which counts as a Ctrl-C.
-ExitCode stopped_by(const StopSignal& stop) {
-  return static_cast<ExitCode>(128 + (stop.received() != 0 ? stop.received() : SIGINT));
-}
-
-ExitCode exit_code_of(Outcome outcome, const StopSignal& stop) {
-  if (outcome == Outcome::diverged) return ExitCode::diverged;
-  if (outcome == Outcome::stopped) return stopped_by(stop);
-  return ExitCode::done;
-}
-
 /// What both ways to run have in common.
 struct Way {
   const RunOptions& options;
   const Preset& preset;
   const StopSignal& stop;
   ProgressLine& line;
+  double checkpoint_s;
   Clock::time_point start = Clock::now();
 
   void begin_film(const fs::path& folder) const {
@@ -111,7 +70,7 @@ std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache&
   const double preparation = std::chrono::duration<double>(Clock::now() - way.start).count();
   return record_run(prepared, path, build_info(),
                     {.go_on = telling(way.line, way.stop, prepared.lattice.centre.size())},
-                    {.threads = way.options.scene.threads}, preparation);
+                    {.threads = way.options.scene.threads, .checkpoint_s = way.checkpoint_s}, preparation);
 } catch (const Interrupted& interrupted) {
   way.line.clear();
   fmt::print(stderr, "rift run: {}; nothing was written\n", interrupted.what());
@@ -122,6 +81,7 @@ std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache&
 std::optional<Recorded> run_live(const Way& way, const fs::path& path, const Cache& cache) {
   RunWish wish{.preset = way.preset, .folder = path, .force = way.options.force};
   wish.threads = way.options.scene.threads;
+  wish.checkpoint_s = way.checkpoint_s;
   wish.cache = cache;
   wish.build = build_info();
   wish.began = [&](const fs::path& folder) { way.begin_film(folder); };
@@ -145,8 +105,18 @@ Preset read_wish(const RunOptions& options) {
   return preset;
 }
 
+double checkpoint_seconds(const RunOptions& options) {
+  const Parsed<double> time = read_quantity(options.checkpoint, Dimension::time);
+  if (time.value && *time.value > 0) return *time.value;
+  throw InputError({Issue{.file = "rift run",
+                          .key = {},
+                          .text = fmt::format("--checkpoint {}: {}", options.checkpoint,
+                                              time.value ? "must be above 0 s" : time.problem)}});
+}
+
 ExitCode run(const RunOptions& options) {
   const Preset preset = read_wish(options);
+  const double checkpoint_s = checkpoint_seconds(options);
   if (options.scene.print_config) {
     fmt::print("{}", preset_text(preset));
     return ExitCode::done;
@@ -159,7 +129,7 @@ ExitCode run(const RunOptions& options) {
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
   Cache cache = cache_for(options.scene);
-  const Way way{options, preset, stop, line};
+  const Way way{options, preset, stop, line, checkpoint_s};
   const fs::path path = folder_for(options);
   const std::optional<Recorded> ran =
       wants_panel(options) ? run_live(way, path, cache) : run_plainly(way, path, cache);
@@ -167,7 +137,7 @@ ExitCode run(const RunOptions& options) {
   const FilmOfRun::Result film = options.film->finish(line, [&] { return stop.received() == 0; });
   line.clear();
   print_notes(cache);
-  print_result(options, ran->summary, path, film.path);
+  print_run(ran->summary, path, options.scene.json, wants_color(options.scene.color, stdout), film.path);
   if (!film.trouble.empty()) fmt::print(stderr, "rift run: no film: {}\n", film.trouble);
   const ExitCode code = exit_code_of(ran->result.outcome, stop);
   return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
@@ -182,6 +152,10 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
   add_scene_options(command, options->scene);
   options->film = std::make_unique<FilmOfRun>(command);
   command.add_option("--out", options->out, "Folder of the run (default: runs/NAME, numbered if it exists)");
+  command
+      .add_option("--checkpoint", options->checkpoint,
+                  "Time between two checkpoints, for 'rift resume' after a kill or a power cut")
+      ->capture_default_str();
   command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
   command.add_flag("--force", options->force, "Replace the run that is in the folder");
   CLI::Option* preset = command.get_option("preset");

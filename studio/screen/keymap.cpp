@@ -21,6 +21,7 @@ constexpr std::array table{
     Binding{W::home, search, '/', key_none, "/", "search", "Show only what holds these letters"},
     Binding{W::home, mark, ' ', key_none, "space", "mark", "Mark a run to be compared"},
     Binding{W::home, compare, 'c', key_none, "c", "compare", "Compare the marked runs"},
+    Binding{W::home, resume, 'u', key_none, "u", "resume", "Go on with a run that was stopped or killed"},
     Binding{W::home, film, 'm', key_none, "m", "film", "Make a film of the run"},
     Binding{W::home, remove, 'd', key_delete, "d", "delete", "Delete the run, after a question"},
     Binding{W::form, open, key_enter, key_right, "enter", "edit", "Change the value"},

@@ -29,6 +29,7 @@ enum class Action : std::uint8_t {
   mark,
   compare,
   remove,
+  resume,
   render,
   run,
   reset,

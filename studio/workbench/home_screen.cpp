@@ -245,6 +245,8 @@ Turn HomeScreen::act(Action action) {
       return {};
     case Action::compare:
       return compare_marked();
+    case Action::resume:
+      return resume_chosen();
     case Action::film:
       message_ = row && row->run ? errands_.film(row->run->path, {}) : "choose a run: a film is made of one";
       return {};
@@ -279,6 +281,18 @@ Turn HomeScreen::open(bool as_form) try {
   if (row->run) return {Turn::Way::forward, screen_of_run(workshop_, row->run->path)};
   return {Turn::Way::forward, as_form ? form_of_preset(workshop_, row->preset->path)
                                       : screen_of_preset(workshop_, row->preset->path, {})};
+} catch (const std::exception& error) {
+  message_ = error.what();
+  return {};
+}
+
+Turn HomeScreen::resume_chosen() try {
+  const Row* row = chosen();
+  if (!row || !row->run) {
+    message_ = "choose a run that was stopped or killed";
+    return {};
+  }
+  return {Turn::Way::forward, resumption_of(workshop_, row->run->path)};
 } catch (const std::exception& error) {
   message_ = error.what();
   return {};

@@ -53,6 +53,7 @@ class HomeScreen : public Screen {
   Turn act(Action action);
   Turn open(bool as_form);
   Turn compare_marked();
+  Turn resume_chosen();
   void answer_question();
 
   Workshop& workshop_;

@@ -32,13 +32,13 @@ const std::vector<double>& slow_motions() {
 
 LiveRun::LiveRun(RunWish wish)
     : wish_(std::move(wish)),
-      claim_(wish_.folder, wish_.force),
       scenes_(scenes_of(wish_.preset)),
       books_(scenes_.size()),
       now_(scenes_.size()),
       plate_(scenes_.size()),
       plates_wanted_{0},
       scene_now_(scenes_) {
+  if (!wish_.resume) claim_.emplace(wish_.folder, wish_.force);
   thread_ = std::jthread([this] { work(); });
 }
 
@@ -63,7 +63,7 @@ void LiveRun::run() {
         doing_ = stage, doing_done_ = done;
         return !stop_;
       }));
-  claim_.keep();
+  if (claim_) claim_->keep();
   if (wish_.began) wish_.began(wish_.folder);
   geometry_ = geometry_of(p);
   header_ = header_of(p, wish_.build);
@@ -82,7 +82,10 @@ void LiveRun::run() {
   };
   stage_ = Stage::running;
   const double preparation_s = std::chrono::duration<double>(Clock::now() - start).count();
-  recorded_ = record_run(p, wish_.folder, wish_.build, beside, {.threads = wish_.threads}, preparation_s);
+  const MarchOptions options{.threads = wish_.threads, .checkpoint_s = wish_.checkpoint_s};
+  std::string note;
+  recorded_ = wish_.resume ? resume_run(p, wish_.folder, wish_.build, beside, note, options, preparation_s)
+                           : record_run(p, wish_.folder, wish_.build, beside, options, preparation_s);
 }
 
 /// On the run's thread, between two steps.

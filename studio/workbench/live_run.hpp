@@ -25,8 +25,10 @@ namespace rift::studio {
 struct RunWish {
   Preset preset;  // without issues, no study
   std::filesystem::path folder;
-  bool force = false;  // replace the run that is in the folder
+  bool force = false;   // replace the run that is in the folder
+  bool resume = false;  // go on with the run that is in the folder
   int threads = 0;
+  double checkpoint_s = 30;  // between two checkpoints
   Cache cache = {};
   BuildInfo build = {};
   std::function<void(const std::filesystem::path&)> began = {};  // the folder is there; on the run's thread
@@ -36,7 +38,7 @@ struct RunWish {
 /// engine, nor the engine for the panel but where it was told to.
 class LiveRun {
  public:
-  /// Claims the folder, then starts. Throws as claim_run_folder(), InputError for a study.
+  /// Claims the folder of a new run, then starts. Throws as claim_run_folder(), InputError for a study.
   explicit LiveRun(RunWish wish);
   /// Stops the run, keeping what there is, and waits for its end.
   ~LiveRun();
@@ -80,7 +82,7 @@ class LiveRun {
   [[nodiscard]] std::string state() const;
 
   RunWish wish_;
-  results::ClaimedFolder claim_;
+  std::optional<results::ClaimedFolder> claim_;  // of a new run
   std::vector<Scene> scenes_;
   std::atomic<Stage> stage_ = Stage::preparing;
   std::exception_ptr failure_;

@@ -40,6 +40,18 @@ std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const fs::path& run) {
   return std::make_unique<WatchScreen>(workshop, run);
 }
 
+std::unique_ptr<Screen> resumption_of(Workshop& workshop, const fs::path& run) {
+  if (has_ended(run))
+    throw InputError(
+        {Issue{.file = run.string(), .key = {}, .text = "has come to its end: nothing is left of it"}});
+  RunWish wish{.preset = preset_of_run(run), .folder = run};
+  wish.resume = true;
+  wish.threads = workshop.threads;
+  wish.cache = workshop.cache;
+  wish.build = workshop.build;
+  return std::make_unique<RunScreen>(workshop, std::move(wish));
+}
+
 std::unique_ptr<Screen> comparison_of(Workshop&, const std::vector<fs::path>& runs) {
   return std::make_unique<CompareScreen>(runs);
 }

@@ -16,6 +16,8 @@ std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const std::filesyst
                                          const std::vector<std::string>& overrides);
 /// Of a folder with a run in it, going on or ended.
 std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const std::filesystem::path& run);
+/// Goes on with a run that was stopped or killed.
+std::unique_ptr<Screen> resumption_of(Workshop& workshop, const std::filesystem::path& run);
 std::unique_ptr<Screen> comparison_of(Workshop& workshop, const std::vector<std::filesystem::path>& runs);
 /// @param name  of a lesson
 std::unique_ptr<Screen> lesson_screen(Workshop& workshop, const std::string& name);

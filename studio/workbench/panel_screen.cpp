@@ -92,8 +92,10 @@ Turn RunScreen::look() {
     told_end_ = true;
     try {
       if (const auto recorded = run_->result())
-        say(fmt::format("{}: {}", recorded->result.outcome == Outcome::finished ? "done" : "ended here",
-                        run_->folder().string()));
+        say(fmt::format(
+            "{}: {}",
+            recorded->result.outcome == Outcome::stopped ? "stopped; rift resume goes on with it" : "done",
+            run_->folder().string()));
     } catch (const std::exception& error) {
       say(error.what());
     }
@@ -251,7 +253,7 @@ void RunScreen::toggle_film() {
 }
 
 std::string RunScreen::last_words() const {
-  return fmt::format("the run is in {0}, whole up to its last flush; rift watch {0} shows it\n",
+  return fmt::format("the run is in {0}, whole up to its last flush; rift resume {0} goes on from there\n",
                      run_->folder().string());
 }
 

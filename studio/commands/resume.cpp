@@ -1,0 +1,101 @@
+#include "engine/interrupted.hpp"
+#include "engine/results/world_error.hpp"
+#include "engine/simulation/record.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/run_ending.hpp"
+#include "studio/commands/run_panel.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+namespace rift::studio {
+namespace {
+
+struct ResumeOptions {
+  std::string run, color;
+  int threads = 0;
+  bool quiet = false, json = false, plain = false, no_cache = false;
+};
+
+std::optional<Recorded> go_on_plainly(const ResumeOptions& options, const Preset& preset, Cache& cache,
+                                      const StopSignal& stop, ProgressLine& line) try {
+  const auto start = std::chrono::steady_clock::now();
+  const Prepared prepared =
+      prepare(preset, scenes_of_run(preset), cache, [&](std::string_view stage, double done) {
+        line.tell(stage, done);
+        return stop.received() == 0;
+      });
+  const double preparation = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::string note;
+  auto ran = resume_run(prepared, options.run, build_info(),
+                        {.go_on = telling(line, stop, prepared.lattice.centre.size())}, note,
+                        {.threads = options.threads}, preparation);
+  line.clear();
+  if (!note.empty()) fmt::print(stderr, "rift resume: {}\n", note);
+  return ran;
+} catch (const Interrupted& interrupted) {
+  line.clear();
+  fmt::print(stderr, "rift resume: {}; the run is as it was\n", interrupted.what());
+  return std::nullopt;
+}
+
+std::optional<Recorded> go_on_live(const ResumeOptions& options, const Preset& preset, const Cache& cache,
+                                   const StopSignal& stop) {
+  RunWish wish{.preset = preset, .folder = options.run};
+  wish.resume = true;
+  wish.threads = options.threads;
+  wish.cache = cache;
+  wish.build = build_info();
+  return run_in_panel(std::move(wish), wants_color(options.color, stdout), stop);
+}
+
+ExitCode resume(const ResumeOptions& options) {
+  if (has_ended(options.run)) {
+    fmt::print(stderr, "rift resume: {} has come to its end: nothing is left of it\n", options.run);
+    return ExitCode::done;
+  }
+  const Preset preset = preset_of_run(options.run);
+  const StopSignal stop;
+  ProgressLine line(progress_style(options.quiet, options.json));
+  Cache cache = options.no_cache ? Cache{} : user_cache();
+  const bool panel = !options.plain && !options.quiet && !options.json && panel_there();
+  std::optional<Recorded> ran;
+  try {
+    ran =
+        panel ? go_on_live(options, preset, cache, stop) : go_on_plainly(options, preset, cache, stop, line);
+  } catch (const std::invalid_argument& error) {
+    throw results::WorldError("resume", options.run, error.what());
+  }
+  if (!ran) return stopped_by(stop);
+  print_notes(cache);
+  print_run(ran->summary, options.run, options.json, wants_color(options.color, stdout));
+  return exit_code_of(ran->result.outcome, stop);
+}
+
+}  // namespace
+
+void add_resume(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command =
+      *app.add_subcommand("resume", "Go on with a run that was stopped or killed, to the same bits");
+  const auto options = std::make_shared<ResumeOptions>();
+  command.add_option("run", options->run, "Folder of the run")->required();
+  command
+      .add_option("--threads", options->threads,
+                  "Threads (default: one per core); the results do not depend on it")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
+  command.add_flag("--quiet", options->quiet, "No progress on stderr");
+  command.add_flag("--json", options->json, "Progress as JSON lines on stderr, the result as JSON on stdout");
+  command.add_flag("--no-cache", options->no_cache,
+                   "Neither read nor write the cache of packings and pre-stresses");
+  add_color_option(command, options->color);
+  command.callback([options, &exit_code] { exit_code = resume(*options); });
+}
+
+}  // namespace rift::studio

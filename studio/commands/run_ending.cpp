@@ -1,0 +1,58 @@
+#include "studio/commands/run_ending.hpp"
+
+#include "studio/report/run_table.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+
+namespace rift::studio {
+namespace {
+
+std::string stage_name(results::Phase phase) {
+  return phase == results::Phase::loading ? "loading"
+         : phase == results::Phase::hold  ? "stabilising"
+                                          : "crack";
+}
+
+}  // namespace
+
+std::function<bool(const Progress&)> telling(ProgressLine& line, const StopSignal& stop,
+                                             std::size_t elements) {
+  return [&line, &stop, elements](const Progress& p) {
+    const double speed = static_cast<double>(p.step) * static_cast<double>(elements) / p.seconds;
+    line.tell(stage_name(p.phase), static_cast<double>(p.step) / static_cast<double>(p.total),
+              magnitude_text(speed) + " element-steps/s");
+    return stop.received() == 0;
+  };
+}
+
+void print_run(const nlohmann::ordered_json& summary, const std::filesystem::path& folder, bool json,
+               bool color, const std::string& film) {
+  if (json) {
+    fmt::print("{}\n", summary.dump(2));
+    return;
+  }
+  for (const auto& scenario : summary.at("scenarios")) fmt::print("{}", run_table(scenario, color));
+  fmt::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
+             folder.string());
+  if (!film.empty()) fmt::print("  {:<22}{}\n", "film", film);
+  for (const auto& scenario : summary.at("scenarios"))
+    if (scenario.value("outcome", std::string()) == name_of(Outcome::stopped)) {
+      fmt::print("  {:<22}rift resume {}\n", "to go on", folder.string());
+      break;
+    }
+}
+
+ExitCode stopped_by(const StopSignal& stop) {
+  return static_cast<ExitCode>(128 + (stop.received() != 0 ? stop.received() : SIGINT));
+}
+
+ExitCode exit_code_of(Outcome outcome, const StopSignal& stop) {
+  if (outcome == Outcome::diverged) return ExitCode::diverged;
+  if (outcome == Outcome::stopped) return stopped_by(stop);
+  return ExitCode::done;
+}
+
+}  // namespace rift::studio

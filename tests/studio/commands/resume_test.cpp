@@ -1,0 +1,117 @@
+#include "tests/studio/commands/tiny_plate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The same run twice over: one goes through, the other is stopped and resumed.
+struct Twice {
+  TinyPlate plate;
+  std::string slow = "--quiet --set 'crack.velocity=0.004 c_r' ";  // some seconds
+  fs::path whole() const { return plate.path() / "whole"; }
+
+  Twice() {
+    EXPECT_EQ(run_rift("run '" + plate.preset().string() + "' " + slow + "--out '" + whole().string() + "'",
+                       plate.environment())
+                  .exit_code,
+              0);
+  }
+  Ran resume(const std::string& arguments = "--quiet") const {
+    return run_rift("resume '" + plate.out().string() + "' " + arguments, plate.environment());
+  }
+  void expect_same() const {
+    EXPECT_EQ(read_text(whole() / "series.csv"), read_text(plate.out() / "series.csv"));
+    const auto a = nlohmann::json::parse(read_text(whole() / "summary.json")).at("scenarios")[0];
+    const auto b = nlohmann::json::parse(read_text(plate.out() / "summary.json")).at("scenarios")[0];
+    for (const auto& [name, value] : a.items()) {
+      const bool same = name.find("wall") == std::string::npos && name.find("per_s") == std::string::npos &&
+                        name.find("cache") == std::string::npos && name != "memory_peak_bytes";
+      if (!same) continue;
+      EXPECT_EQ(value, b.at(name)) << name;
+    }
+  }
+};
+
+TEST(Resume, AfterASignalGoesOnToTheSameBytes) {
+  for (const char* signal : {"INT", "TERM", "HUP"}) {
+    const Twice twice;
+    EXPECT_EQ(twice.plate.run_under(std::string("timeout -s ") + signal + " 0.7", twice.slow).exit_code, 124);
+    ASSERT_TRUE(fs::exists(twice.plate.out() / "checkpoint.h5")) << signal;
+    const Ran ran = twice.resume();
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "G_ID / G_I0"));
+    twice.expect_same();
+    EXPECT_FALSE(fs::exists(twice.plate.out() / "checkpoint.h5"));
+  }
+}
+
+TEST(Resume, AfterAKillAtAnyMomentGoesOnToTheSameBytes) {
+  for (const char* moment : {"0.02", "0.1", "0.35", "0.6", "0.9"}) {
+    const Twice twice;
+    twice.plate.run_under(std::string("timeout -s KILL ") + moment, twice.slow + "--checkpoint '0.1 s'");
+    if (!fs::exists(twice.plate.out() / "journal.rift")) continue;  // killed before there was a run
+    const Ran ran = twice.resume();
+    EXPECT_EQ(ran.exit_code, 0) << moment << ": " << ran.err;
+    twice.expect_same();
+  }
+}
+
+TEST(Resume, StoppedAgainAndAgainItStillComesToTheSameEnd) {
+  const Twice twice;
+  twice.plate.run_under("timeout -s INT 0.4", twice.slow);
+  for (int k = 0; k < 2; ++k)
+    run_shell("env " + twice.plate.environment() + " timeout -s INT 0.4 '" RIFT_EXE "' resume '" +
+              twice.plate.out().string() + "' --quiet");
+  EXPECT_EQ(twice.resume().exit_code, 0);
+  twice.expect_same();
+}
+
+TEST(Resume, ADamagedCheckpointIsToldAndTheOneBeforeTaken) {
+  const Twice twice;
+  twice.plate.run_under("timeout -s KILL 0.9", twice.slow + "--checkpoint '0.1 s'");
+  const fs::path latest = twice.plate.out() / "checkpoint.h5";
+  ASSERT_TRUE(fs::exists(latest));
+  ASSERT_TRUE(fs::exists(twice.plate.out() / "checkpoint_former.h5"));
+  std::string bytes = read_text(latest);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  write_text(latest, bytes);
+  const Ran ran = twice.resume("--plain");
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(contains(ran.err, "checkpoint.h5: its checksum does not fit"));
+  twice.expect_same();
+}
+
+TEST(Resume, WhatCannotBeResumedIsSaid) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run("--quiet").exit_code, 0);
+  Ran ran = run_rift("resume '" + plate.out().string() + "'", plate.environment());
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(contains(ran.err, "has come to its end"));
+  ran = run_rift("resume '" + (plate.path() / "nosuch").string() + "'");
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_TRUE(contains(ran.err, "nosuch"));
+  EXPECT_EQ(run_rift("resume").exit_code, 2);
+  ran = plate.run("--checkpoint 5");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "--checkpoint 5"));
+}
+
+TEST(Resume, ARunThatGoesOnIsLeftAlone) {
+  const Twice twice;
+  const Ran ran = run_shell("cd '" + twice.plate.path().string() + "' && (env " + twice.plate.environment() +
+                            " '" RIFT_EXE "' run '" + twice.plate.preset().string() + "' " + twice.slow +
+                            " --checkpoint '0.1 s' --out out >/dev/null 2>&1 &) ; sleep 0.6; env " +
+                            twice.plate.environment() + " '" RIFT_EXE "' resume out --quiet");
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_TRUE(contains(ran.err, "another process is writing it"));
+  for (int k = 0; k < 100 && !fs::exists(twice.plate.out() / "summary.json"); ++k) run_shell("sleep 0.1");
+  twice.expect_same();
+}
+
+}  // namespace
+}  // namespace rift::studio
