@@ -15,6 +15,8 @@ refuse 'engine reaches upwards' '#include "(viz|studio)/' engine
 refuse 'results reaches into the engine' '#include "engine/(scene|lattice|mechanics|fracture|theory|ensemble|study|simulation)/' engine/results
 refuse 'viz knows more than results' '#include "(studio|engine/(scene|lattice|mechanics|fracture|theory|ensemble|study|simulation))/' viz
 refuse 'VTK outside viz' '#include <vtk' engine studio
-refuse 'ncurses outside studio' '#include <n?curses' engine viz
-refuse 'CLI11 outside studio' '#include <CLI/' engine viz
+refuse 'ncurses outside studio/terminal' '#include <n?curses' engine viz studio/commands studio/report studio/screen studio/workbench
+refuse 'CLI11 outside studio' '#include <CLI/' engine viz studio/screen studio/workbench
+refuse 'screens know what acts on them' '#include "studio/(workbench|terminal|commands)/' studio/screen
+refuse 'the workbench knows a terminal' '#include "studio/(terminal|commands)/' studio/workbench
 exit $wrong
