@@ -16,7 +16,10 @@
 
 // Of <term.h>, whose macros take names such as key_up.
 extern "C" char* tigetstr(const char* name);
+struct term;
 extern "C" int setupterm(const char* kind, int descriptor, int* known);
+extern "C" term* set_curterm(term* to);
+extern "C" int del_curterm(term* old);
 
 namespace rift::studio {
 namespace {
@@ -120,7 +123,10 @@ std::string Terminal::why_not() {
   if (kind == nullptr || *kind == '\0') return "a terminal of no kind (TERM is not set)";
   if (std::strcmp(kind, "dumb") == 0) return "a terminal that cannot be drawn on (TERM=dumb)";
   int known = 0;
-  if (setupterm(nullptr, STDOUT_FILENO, &known) == OK) return {};
+  if (setupterm(nullptr, STDOUT_FILENO, &known) == OK) {
+    del_curterm(set_curterm(nullptr));
+    return {};
+  }
   return "a terminal that is not known here (TERM=" + std::string(kind) + ")";
 }
 
