@@ -1,0 +1,163 @@
+#pragma once
+
+#include "engine/ensemble/ensemble.hpp"
+#include "engine/simulation/march.hpp"
+#include "engine/simulation/march_notes.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A march while it goes: the loop (march.cpp), what is asked of it on the way (march_steering.cpp), and how
+/// it goes on from a checkpoint (march_resume.cpp).
+namespace rift {
+
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A lane and the scenario in it.
+struct Seat {
+  int scenario = -1;  // none: the lane is idle
+  std::size_t next_sample = 0, next_frame = 0;
+  std::int64_t framed_at = -1;  // the step of the last frame
+  Clock::time_point since = Clock::now();
+};
+
+/// The run as it goes: what the loop needs beside the ensemble.
+template <class Real>
+class Run {
+ public:
+  Run(const Prepared& prepared, const Observer& observer, const MarchOptions& options)
+      : prepared_(prepared),
+        observer_(observer),
+        lane_(prepared.lane),
+        ensemble_(make_ensemble(prepared, options)) {
+    result_.lane.resize(prepared.lane.size());
+    seat_.resize(ensemble_.scenarios());
+    for (int lane = 0; lane < ensemble_.scenarios(); ++lane) seat_[lane].scenario = next_scenario_++;
+    for (const LanePlan& lane : lane_) total_ += lane.schedule.total();
+    for (int k = 0; k < static_cast<int>(lane_.size()); ++k) check_steering(k, 0);
+    result_.lanes = ensemble_.scenarios();
+    result_.instructions = name_of(instruction_set());
+  }
+
+  RunResult march(const Resumption* from);
+
+ private:
+  static Ensemble<Real> make_ensemble(const Prepared& p, const MarchOptions& options);
+
+  const Scene& scene() const { return prepared_.preset.scene; }
+  std::int64_t ramp() const { return prepared_.lane.front().schedule.ramp; }
+  std::int64_t crack_start() const { return prepared_.lane.front().schedule.crack_start(); }
+  int index(const Seat& seat) const { return static_cast<int>(&seat - seat_.data()); }
+  LanePlan& plan(const Seat& seat) { return lane_[seat.scenario]; }
+  LaneResult& lane_of(const Seat& seat) { return result_.lane[seat.scenario]; }
+  double elastic_energy(const Seat& seat) {
+    return plan(seat).units.energy * ensemble_.energy(index(seat)).elastic;
+  }
+  std::int64_t steps(const Seat& seat) const { return ensemble_.steps_done(index(seat)); }
+  bool busy() const {
+    return std::any_of(seat_.begin(), seat_.end(), [](const Seat& seat) { return seat.scenario >= 0; });
+  }
+
+  results::Phase phase_at(std::int64_t step) const {
+    return step < ramp()          ? results::Phase::loading
+           : step < crack_start() ? results::Phase::hold
+                                  : results::Phase::fracture;
+  }
+
+  bool ended(const Seat& seat) {
+    return lane_of(seat).outcome != Outcome::finished || steps(seat) >= plan(seat).schedule.total();
+  }
+
+  bool waiting() const {
+    return !stopped_ && ramp() == 0 && next_scenario_ < static_cast<int>(prepared_.lane.size());
+  }
+
+  // The loop (march.cpp).
+  void start_cracks();
+  /// The paper's way to pre-stress: pull, hold, both with numerical damping that is taken out afterwards.
+  void pull();
+  void judge_rest(Seat& seat);
+  void step();
+  /// Leaves the lane idle.
+  void end(Seat& seat);
+  /// Idle lanes go on with the next scenarios in the queue.
+  void refill();
+  void observe(Seat& seat);
+  void tell_frame(Seat& seat);
+  void report_released();
+  void read_books(Seat& seat);
+  results::Sample books(const Seat& seat);
+  results::Frame frame(const Seat& seat, const std::vector<std::string>& fields);
+  /// The first element whose motion is no number any more, for the message.
+  std::string first_lost_element(int lane);
+  /// What the crack has left, in the scenario's units.
+  Wake wake(const Seat& seat);
+  void tell_end(const Seat& seat) {
+    if (observer_.ended) observer_.ended(seat.scenario, result_);
+  }
+  bool any_sound() {
+    return std::any_of(seat_.begin(), seat_.end(),
+                       [&](const Seat& seat) { return lane_of(seat).outcome == Outcome::finished; });
+  }
+
+  // What is asked of it on the way (march_steering.cpp).
+  /// Whether to go on; if not, every lane stops where it is.
+  void ask();
+  /// Asks whoever steers and does what it says. @return whether to go on
+  bool take_orders(const Progress& progress);
+  void carry_out(Orders& orders);
+  void stop_all();
+  static void stop(LaneResult& lane, std::string where) {
+    lane.outcome = Outcome::stopped;
+    lane.where = std::move(where);
+  }
+  Seat* seat_of(int scenario) {
+    const auto seat = std::find_if(seat_.begin(), seat_.end(),
+                                   [&](const Seat& s) { return s.scenario >= 0 && s.scenario == scenario; });
+    return seat == seat_.end() ? nullptr : &*seat;
+  }
+  /// Changes the scenario of a lane from the next step on. @return why not, or empty
+  std::string make(Seat& seat, const Change& change);
+  /// Damps what the lanes want damped, as far as the step bears it.
+  std::string damp(LanePlan& lane, const std::vector<LanePlan>& lanes);
+  /// Makes what the preset says was changed at this step.
+  void repeat_changes();
+  /// What the preset says is changed must come to pass; a new velocity changes how many steps there are.
+  void check_steering(int scenario, std::int64_t now) const;
+  [[noreturn]] void refuse(const Change& change, const std::string& why) const;
+  bool was_made(const Change& change) const {
+    const std::vector<Change>& made = result_.lane[change.lane].changes;
+    return std::find(made.begin(), made.end(), change) != made.end();
+  }
+
+  // How it goes on from a checkpoint (march_resume.cpp).
+  /// Where the march is; what the lanes' books tell is not repeated.
+  results::Checkpoint checkpoint();
+  void go_on(const Resumption& from);
+  void check_fit(const MarchNotes& notes) const;
+
+  const Prepared& prepared_;
+  const Observer& observer_;
+  std::vector<LanePlan> lane_;  // as they are after the changes so far
+  Ensemble<Real> ensemble_;
+  RunResult result_;
+  std::vector<Seat> seat_;
+  int next_scenario_ = 0;
+  std::int64_t marched_ = 0;  // steps of the ensemble
+  std::int64_t total_ = 0;
+  std::int64_t asked_again_at_ = 1;  // of marched_, so that orders come before all else; 0: by the clock
+  std::size_t damped_ = 0;           // beams
+  double waited_ = 0;                // [s] for orders
+  bool stopped_ = false;
+  Clock::time_point started_ = Clock::now(), asked_ = started_, crack_started_ = started_;
+};
+
+}  // namespace rift
