@@ -61,6 +61,8 @@ TEST(Resumption, GoesOnToTheSameBitsInEveryKindOfScene) {
       {"solver.precision=single"},
       {"loading.method=ramp", "loading.ramp_steps=300", "loading.hold_steps=100",
        "loading.displacement=0.1 mm"},
+      {"loading.method=ramp", "loading.ramp_steps=300", "loading.hold_steps=100",
+       "loading.displacement=0.1 mm", "damping.alpha=0.02", "damping.region=surface"},
   };
   for (const auto& scene : scenes) {
     const Prepared p = small_plate(scene);
