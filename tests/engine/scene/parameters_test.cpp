@@ -192,9 +192,9 @@ TEST(ParametersPage, ShowsExamplesThatAreGoodPresets) {
     const auto start = at + fence.size();
     const Preset preset = read_preset_text(page.substr(start, page.find("```", start) - start), "x.toml");
     for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
-    EXPECT_EQ(preset.study.size() + preset.lanes.size(), examples == 0 ? 9u : 2u);
+    EXPECT_EQ(preset.study.size() + preset.lanes.size() + preset.steering.size(), examples == 0 ? 9u : 2u);
   }
-  EXPECT_EQ(examples, 2);
+  EXPECT_EQ(examples, 3);
 }
 
 }  // namespace
