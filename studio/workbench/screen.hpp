@@ -28,7 +28,7 @@ class Screen {
   virtual ~Screen() = default;
   virtual void draw(Canvas& canvas, Glyphs glyphs) = 0;
   virtual Turn press(const Press& press) = 0;
-  /// Called before each drawing, some fifteen times a second: to look at what works in the background.
+  /// Called before each drawing, some ten times a second: to look at what works in the background.
   virtual Turn look() { return {}; }
   /// It is on the top again.
   virtual void resume() {}
