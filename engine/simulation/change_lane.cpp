@@ -1,5 +1,9 @@
 #include "engine/simulation/change_lane.hpp"
 
+#include "engine/scene/issue.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -41,6 +45,22 @@ std::string change_lane(LanePlan& lane, const Change& change, const Prepared& pr
     change_law(lane.scenario, release_law(lane.scene, prepared.lattice), tip);
   }
   return {};
+}
+
+void refuse_change(const Prepared& prepared, const Change& change, const std::string& why) {
+  throw InputError(
+      {issue_at(prepared.preset, "steering." + change.axis,
+                fmt::format("lane {}, step {}, {}: {}", change.lane, change.step, change.value, why))});
+}
+
+void check_steering(const Prepared& prepared, const std::vector<LanePlan>& lanes, int lane,
+                    std::int64_t now) {
+  for (const Change& change : prepared.preset.steering) {
+    if (change.lane != lane || change.step < now) continue;
+    const std::int64_t total = lanes[lane].schedule.total();
+    if (change.step >= total) refuse_change(prepared, change, fmt::format("the lane ends at step {}", total));
+    if (change.axis == "crack_velocity") return;
+  }
 }
 
 }  // namespace rift

@@ -13,4 +13,13 @@ namespace rift {
 /// @return why not (the plan is then as before), or empty
 std::string change_lane(LanePlan& lane, const Change& change, const Prepared& prepared, std::int64_t step);
 
+/// Throws InputError: the preset's change cannot be made.
+[[noreturn]] void refuse_change(const Prepared& prepared, const Change& change, const std::string& why);
+
+/// What the preset's [[steering]] says from step `now` of a lane on must come to pass: throws InputError
+/// where the lane ends before. A new velocity changes how many steps there are: what comes after it is not
+/// judged yet.
+/// @param[in] lanes  as they are after the changes so far
+void check_steering(const Prepared& prepared, const std::vector<LanePlan>& lanes, int lane, std::int64_t now);
+
 }  // namespace rift

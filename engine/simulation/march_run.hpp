@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/ensemble/ensemble.hpp"
+#include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/march_notes.hpp"
 
@@ -42,7 +43,7 @@ class Run {
     seat_.resize(ensemble_.scenarios());
     for (int lane = 0; lane < ensemble_.scenarios(); ++lane) seat_[lane].scenario = next_scenario_++;
     for (const LanePlan& lane : lane_) total_ += lane.schedule.total();
-    for (int k = 0; k < static_cast<int>(lane_.size()); ++k) check_steering(k, 0);
+    for (int k = 0; k < static_cast<int>(lane_.size()); ++k) check_steering(prepared_, lane_, k, 0);
     result_.lanes = ensemble_.scenarios();
     result_.instructions = name_of(instruction_set());
   }
@@ -130,9 +131,6 @@ class Run {
   std::string damp(LanePlan& lane, const std::vector<LanePlan>& lanes);
   /// Makes what the preset says was changed at this step.
   void repeat_changes();
-  /// What the preset says is changed must come to pass; a new velocity changes how many steps there are.
-  void check_steering(int scenario, std::int64_t now) const;
-  [[noreturn]] void refuse(const Change& change, const std::string& why) const;
   bool was_made(const Change& change) const {
     const std::vector<Change>& made = result_.lane[change.lane].changes;
     return std::find(made.begin(), made.end(), change) != made.end();

@@ -1,4 +1,3 @@
-#include "engine/scene/issue.hpp"
 #include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/march_run.hpp"
 
@@ -80,29 +79,13 @@ bool Run<Real>::take_orders(const Progress& progress) {
 }
 
 template <class Real>
-void Run<Real>::refuse(const Change& change, const std::string& why) const {
-  throw InputError(
-      {issue_at(prepared_.preset, "steering." + change.axis,
-                fmt::format("lane {}, step {}, {}: {}", change.lane, change.step, change.value, why))});
-}
-
-template <class Real>
-void Run<Real>::check_steering(int scenario, std::int64_t now) const {
-  for (const Change& change : prepared_.preset.steering) {
-    if (change.lane != scenario || change.step < now) continue;
-    const std::int64_t total = lane_[scenario].schedule.total();
-    if (change.step >= total) refuse(change, fmt::format("the lane ends at step {}", total));
-    if (change.axis == "crack_velocity") return;
-  }
-}
-
-template <class Real>
 void Run<Real>::repeat_changes() {
   for (const Change& change : prepared_.preset.steering) {
     Seat* seat = seat_of(change.lane);
     if (!seat || change.step != steps(*seat) || was_made(change)) continue;
-    if (const std::string refused = make(*seat, change); !refused.empty()) refuse(change, refused);
-    check_steering(change.lane, change.step + 1);
+    if (const std::string refused = make(*seat, change); !refused.empty())
+      refuse_change(prepared_, change, refused);
+    check_steering(prepared_, lane_, change.lane, change.step + 1);
     if (observer_.changed) observer_.changed(change, {});
   }
 }
@@ -139,8 +122,6 @@ std::string Run<Real>::damp(LanePlan& lane, const std::vector<LanePlan>& lanes) 
 
 template void Run<double>::ask();
 template void Run<float>::ask();
-template void Run<double>::check_steering(int, std::int64_t) const;
-template void Run<float>::check_steering(int, std::int64_t) const;
 template void Run<double>::repeat_changes();
 template void Run<float>::repeat_changes();
 

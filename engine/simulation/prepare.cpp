@@ -4,6 +4,7 @@
 #include "engine/lattice/stiffness.hpp"
 #include "engine/mechanics/statics.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/simulation/change_lane.hpp"
 #include "engine/theory/griffith.hpp"
 
 #include <fmt/format.h>
@@ -337,6 +338,7 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
   tell(progress, "critical step", 0.0);
   p.stable = stable_step(p.lattice);
   take_lanes(p, planned(p, lanes));
+  for (int k = 0; k < static_cast<int>(p.lane.size()); ++k) check_steering(p, p.lane, k, 0);
   return p;
 }
 

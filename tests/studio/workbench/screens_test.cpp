@@ -121,6 +121,50 @@ TEST(HomeScreen, ComparesTheMarkedRuns) {
   expect_drawn_at_any_size(*turn.next);
 }
 
+TEST(HomeScreen, AClickChoosesAndASecondOneOpens) {
+  Shop shop;
+  HomeScreen home(shop.workshop);
+  Canvas canvas(100, 30);
+  home.draw(canvas, Glyphs::unicode);
+  int lesson = 0;
+  while (canvas.row(lesson).find("velocity") == std::string::npos) ++lesson;
+  EXPECT_EQ(home.press({key_click, 10, 2}).way, Turn::Way::stay);  // a heading
+  EXPECT_EQ(home.press({key_click, 10, lesson}).way, Turn::Way::stay);
+  EXPECT_NE(text_of(home).find("What a faster crack leaves behind"), std::string::npos);
+  EXPECT_EQ(home.press({key_click, 10, 3}).way, Turn::Way::stay);
+  const Turn turn = home.press({key_click, 10, 3});
+  ASSERT_EQ(turn.way, Turn::Way::forward);
+  EXPECT_EQ(turn.next->where(), Where::form);
+}
+
+TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
+  Shop shop;
+  ASSERT_EQ(shop.run("first").exit_code, 0);
+  HomeScreen home(shop.workshop);
+  home.press({key_end});
+  EXPECT_EQ(type(home, "u").way, Turn::Way::stay);
+  EXPECT_NE(text_of(home).find("has come to its end"), std::string::npos);
+  const Ran stopped =
+      run_shell("env " + shop.plate.environment() + " timeout -s INT 0.5 '" RIFT_EXE "' run '" +
+                shop.preset().string() + "' --quiet --set 'crack.velocity=0.004 c_r' --out '" +
+                (shop.workshop.runs / "second").string() + "'");
+  ASSERT_EQ(stopped.exit_code, 124);
+  home.resume();
+  std::string text = text_of(home);
+  ASSERT_NE(text.find("stopped"), std::string::npos) << text;
+  home.press({key_end});
+  home.press({key_up});  // the latest stands first
+  Turn turn = type(home, "u");
+  ASSERT_EQ(turn.way, Turn::Way::forward) << text_of(home);
+  text.clear();
+  for (int k = 0; k < 400 && text.find("finished") == std::string::npos; ++k) {
+    turn.next->look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    text = text_of(*turn.next);
+  }
+  EXPECT_NE(text.find("second  finished"), std::string::npos) << text;
+}
+
 TEST(FormScreen, AMistakeIsShownAtItsFieldWhileItIsTyped) {
   Shop shop;
   FormScreen form(shop.workshop, shop.preset());
