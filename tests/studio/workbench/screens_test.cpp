@@ -144,10 +144,9 @@ TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
   home.press({key_end});
   EXPECT_EQ(type(home, "u").way, Turn::Way::stay);
   EXPECT_NE(text_of(home).find("has come to its end"), std::string::npos);
-  const Ran stopped =
-      run_shell("env " + shop.plate.environment() + " timeout -s INT 0.5 '" RIFT_EXE "' run '" +
-                shop.preset().string() + "' --quiet --set 'crack.velocity=0.004 c_r' --out '" +
-                (shop.workshop.runs / "second").string() + "'");
+  const Ran stopped = run_shell(
+      "env " + shop.plate.environment() + " timeout -s INT 1 '" RIFT_EXE "' run '" + shop.preset().string() +
+      "' --quiet --set 'crack.velocity=0.002 c_r' --out '" + (shop.workshop.runs / "second").string() + "'");
   ASSERT_EQ(stopped.exit_code, 124);
   home.resume();
   std::string text = text_of(home);
@@ -157,7 +156,7 @@ TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
   Turn turn = type(home, "u");
   ASSERT_EQ(turn.way, Turn::Way::forward) << text_of(home);
   text.clear();
-  for (int k = 0; k < 400 && text.find("finished") == std::string::npos; ++k) {
+  for (int k = 0; k < 1000 && text.find("finished") == std::string::npos; ++k) {
     turn.next->look();
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
     text = text_of(*turn.next);
