@@ -10,34 +10,37 @@ namespace rift::studio {
 DryRunThread::~DryRunThread() { give_up(); }
 
 void DryRunThread::give_up() {
-  stop_ = true;
-  if (thread_.joinable()) thread_.join();
   const std::lock_guard lock(mutex_);
+  stop_ = true;
   found_ = {};
 }
 
 void DryRunThread::wish(const Preset& preset) {
-  give_up();
+  if (thread_.joinable()) thread_.join();  // it has ended
   stop_ = false;
-  thread_ = std::jthread([this, preset] { work(preset); });
+  busy_ = true;
+  thread_ = std::jthread([this, preset] {
+    work(preset);
+    busy_ = false;
+  });
 }
 
-void DryRunThread::work(Preset preset) try {
+void DryRunThread::tell(Found found) {
+  const std::lock_guard lock(mutex_);
+  if (!stop_) found_ = std::move(found);
+}
+
+void DryRunThread::work(const Preset& preset) try {
   const std::vector<Scene> lanes = preset.lanes.empty() ? std::vector<Scene>{preset.scene} : preset.lanes;
   const Prepared prepared = prepare(preset, lanes, cache_, [this](std::string_view stage, double done) {
-    const std::lock_guard lock(mutex_);
-    found_.doing = fmt::format("{} {:.0f} %", stage, 100 * done);
+    tell({{}, fmt::format("{} {:.0f} %", stage, 100 * done), {}});
     return !stop_;
   });
-  if (stop_) return;
-  auto rows = dry_run_rows(dry_run(prepared, threads_));
-  const std::lock_guard lock(mutex_);
-  found_ = {std::move(rows), {}, {}};
+  if (!stop_) tell({dry_run_rows(dry_run(prepared, threads_)), {}, {}});
 } catch (const Interrupted&) {
   // another one is wished for, or none
 } catch (const std::exception& error) {
-  const std::lock_guard lock(mutex_);
-  found_ = {{}, {}, error.what()};
+  tell({{}, {}, error.what()});
 }
 
 DryRunThread::Found DryRunThread::found() const {

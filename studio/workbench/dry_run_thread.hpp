@@ -18,15 +18,17 @@ class DryRunThread {
   using Rows = std::vector<std::pair<std::string, std::string>>;
 
   DryRunThread(Cache cache, int threads) : cache_(std::move(cache)), threads_(threads) {}
-  /// Gives up the one under way.
+  /// Gives up the one under way and waits for its end.
   ~DryRunThread();
   DryRunThread(const DryRunThread&) = delete;
   DryRunThread& operator=(const DryRunThread&) = delete;
 
-  /// @param preset  without issues
+  /// Begins one; none may be under way. @param preset  without issues
   void wish(const Preset& preset);
-  /// The one under way counts no more.
+  /// The one under way counts no more; it ends soon, and nobody waits for it: a pre-stress cannot be left
+  /// halfway.
   void give_up();
+  [[nodiscard]] bool busy() const { return busy_; }
 
   struct Found {
     Rows rows;            // empty as long as it is under way
@@ -36,11 +38,12 @@ class DryRunThread {
   [[nodiscard]] Found found() const;
 
  private:
-  void work(Preset preset);
+  void work(const Preset& preset);
+  void tell(Found found);
 
   Cache cache_;
   int threads_;
-  std::atomic<bool> stop_ = false;
+  std::atomic<bool> stop_ = false, busy_ = false;
   mutable std::mutex mutex_;
   Found found_;
   std::jthread thread_;

@@ -79,7 +79,7 @@ void FormScreen::check() {
 }
 
 Turn FormScreen::look() {
-  if (!dry_run_due_ || Clock::now() - changed_ < before_dry_run) return {};
+  if (!dry_run_due_ || dry_run_.busy() || Clock::now() - changed_ < before_dry_run) return {};
   dry_run_due_ = false;
   if (preset_.issues.empty() && preset_.study.empty()) dry_run_.wish(preset_);
   return {};
