@@ -147,8 +147,7 @@ Chart rate_chart(const Live& live) {
   chart.y_label = "G_{ID} / G_{I0}";
   for (std::size_t k = 0; k < live.lanes.size(); ++k) {
     ChartSeries series;
-    series.label = live.lanes[k].title;
-    std::replace(series.label.begin(), series.label.end(), '_', ' ');
+    series.label = live.lanes[k].title;  // whose c_r and r_l are written as a chart wants them
     series.colour = static_cast<int>(k);
     for (const results::RatePoint& p : live.lanes[k].rates) {
       series.x.push_back(1e3 * p.tip_m);
