@@ -99,26 +99,37 @@ TEST(Studio, RunShowsThePanelAndLeavesItsTableBehind) {
   EXPECT_TRUE(contains(terminal.screen(), "summary.json"));
 }
 
+/// A run of its own name that takes a minute, so that a signal meets this one and no other.
+struct LongRun {
+  Place place;
+  std::string out = "out_" + place.name();
+  std::string command() const {
+    return place.command("run plate_tiny --set 'crack.velocity=0.001 c_r' --out " + out);
+  }
+  void send(const std::string& signal) const {
+    run_shell("pkill -" + signal + " -f -- '--out " + out + "$'");
+  }
+};
+
 TEST(Studio, ASignalStopsTheRunKeepsItAndGivesTheTerminalBack) {
   if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
   for (const int number : {SIGTERM, SIGHUP, SIGINT}) {
-    const Place place;
-    const RealTerminal terminal(place.name(),
-                                place.command("run plate_tiny --set 'crack.velocity=0.001 c_r' --out out"));
+    const LongRun run;
+    const RealTerminal terminal(run.place.name(), run.command());
     EXPECT_TRUE(terminal.shows("running"));
-    run_shell("pkill -" + std::to_string(number) + " -f 'velocity=0.001 c_r --out out$'");
+    run.send(std::to_string(number));
     EXPECT_TRUE(terminal.shows("left with " + std::to_string(128 + number)));
-    EXPECT_TRUE(contains(read_text(place.plate.path() / "out" / "summary.json"), "\"stopped\"")) << number;
+    EXPECT_TRUE(contains(read_text(run.place.plate.path() / run.out / "summary.json"), "\"stopped\""))
+        << number;
   }
 }
 
 TEST(Studio, ACrashGivesTheTerminalBackAndNamesTheRun) {
   if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
-  const Place place;
-  const RealTerminal terminal(
-      place.name(), place.command("run plate_tiny --set 'crack.velocity=0.001 c_r' --out out") + "; stty -a");
+  const LongRun run;
+  const RealTerminal terminal(run.place.name(), run.command() + "; stty -a");
   EXPECT_TRUE(terminal.shows("running"));
-  run_shell("pkill -SEGV -f 'velocity=0.001 c_r --out out$'");
+  run.send("SEGV");
   EXPECT_TRUE(terminal.shows("rift: crashed (signal 11)"));
   EXPECT_TRUE(terminal.shows("the run is in out"));
   EXPECT_TRUE(terminal.shows(" icanon"));
