@@ -22,8 +22,6 @@ enum class Action : std::uint8_t {
   page_down,
   first,
   last,
-  left,
-  right,
   open,
   search,
   mark,

@@ -18,7 +18,6 @@ enum Key : int {
   key_end,
   key_backspace,
   key_delete,
-  key_back_tab,
   key_click,  // of the first button, at x, y
   key_wheel_up,
   key_wheel_down,

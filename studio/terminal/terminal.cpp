@@ -89,8 +89,6 @@ Press special(int pressed) {
       return {key_backspace};
     case KEY_DC:
       return {key_delete};
-    case KEY_BTAB:
-      return {key_back_tab};
     case KEY_ENTER:
       return {key_enter};
     case KEY_MOUSE:

@@ -18,7 +18,6 @@ class Errands {
   std::string send(const std::vector<std::string>& arguments, const std::string& what);
   /// What to say of those that have ended since; empty: nothing.
   std::string news();
-  [[nodiscard]] bool busy() const { return !under_way_.empty(); }
 
   // What rift is asked for of a run's folder.
   std::string picture(const std::filesystem::path& run, int lane);
