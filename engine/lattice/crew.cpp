@@ -60,7 +60,8 @@ void Crew::dispatch(int tasks, const void* task, Call call) {
   }
   work(0);
   if (hands_ == 1) return;
-  for (int left = busy_.load(std::memory_order_acquire); left != 0; left = busy_.load(std::memory_order_acquire))
+  for (int left = busy_.load(std::memory_order_acquire); left != 0;
+       left = busy_.load(std::memory_order_acquire))
     await_change(busy_, left);
 }
 

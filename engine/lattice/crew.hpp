@@ -35,9 +35,9 @@ class Crew {
   const int hands_;
   int tasks_ = 0;
   const void* task_ = nullptr;
-  Call call_ = nullptr;               // none: the helpers go home
-  std::atomic<unsigned> round_ = 0;   // rises when there is work
-  std::atomic<int> busy_ = 0;         // helpers still at it
+  Call call_ = nullptr;              // none: the helpers go home
+  std::atomic<unsigned> round_ = 0;  // rises when there is work
+  std::atomic<int> busy_ = 0;        // helpers still at it
   std::vector<std::jthread> helpers_;
 };
 

@@ -17,6 +17,7 @@ void add_masses(Lattice& lattice, const Specimen& specimen, double density) {
 
 Lattice make_lattice(const Specimen& specimen, const MicroMaterial& micro, double density) {
   Lattice lattice{.centre = specimen.centre,
+                  .radius = specimen.radius,
                   .grip = specimen.grip,
                   .mass = {},
                   .inertia = {},
@@ -28,8 +29,8 @@ Lattice make_lattice(const Specimen& specimen, const MicroMaterial& micro, doubl
   lattice.beam.reserve(specimen.beam.size());
   for (const auto& [i, j] : specimen.beam) {
     const double section_radius = micro.radius_ratio * 0.5 * (specimen.radius[i] + specimen.radius[j]);
-    lattice.beam.push_back(make_beam(specimen.centre[j] - specimen.centre[i], section_radius,
-                                     micro.young_modulus, micro.poisson_ratio));
+    lattice.beam.push_back(make_beam(way_between(specimen.box, specimen.centre[i], specimen.centre[j]),
+                                     section_radius, micro.young_modulus, micro.poisson_ratio));
   }
   return lattice;
 }

@@ -15,6 +15,7 @@ struct MicroMaterial {
 /// What moves: masses and beams over the elements of a specimen. All in SI, unloaded.
 struct Lattice {
   std::vector<Eigen::Vector3d> centre;   // N [m]
+  std::vector<double> radius;            // N [m]
   std::vector<Grip> grip;                // N
   std::vector<double> mass, inertia;     // N [kg], [kg m2]
   std::vector<std::array<int, 2>> ends;  // B pairs i < j

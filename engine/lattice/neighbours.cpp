@@ -63,6 +63,35 @@ std::vector<std::array<int, 2>> pairs_within_reach(const std::vector<Eigen::Vect
   return pairs;
 }
 
+std::vector<std::array<int, 2>> pairs_through_faces(const std::vector<Eigen::Vector3d>& points,
+                                                    const std::vector<double>& reach,
+                                                    const Eigen::Vector3d& period) {
+  std::vector<std::array<int, 2>> pairs;
+  if (points.empty()) return pairs;
+  // Images of what lies near a face stand beyond the opposite one, axis by axis, so that edges and corners
+  // get theirs.
+  std::vector<Eigen::Vector3d> all(points);
+  std::vector<double> reach_of(reach);
+  std::vector<int> original(points.size());
+  std::iota(original.begin(), original.end(), 0);
+  const double margin = 2.0 * *std::max_element(reach.begin(), reach.end());
+  for (int c = 0; c < 3; ++c)
+    for (std::size_t k = 0, n = all.size(); k < n; ++k)
+      for (const double side : {1.0, -1.0}) {
+        if (side > 0.0 ? all[k][c] > margin : all[k][c] < period[c] - margin) continue;
+        all.push_back(all[k]);
+        all.back()[c] += side * period[c];
+        reach_of.push_back(reach_of[k]);
+        original.push_back(original[k]);
+      }
+  for (const auto& [i, j] : pairs_within_reach(all, reach_of))
+    if (i < static_cast<int>(points.size()))
+      pairs.push_back({std::min(i, original[j]), std::max(i, original[j])});
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
 std::vector<int> column_order(const std::vector<Eigen::Vector3d>& points, double cell) {
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);

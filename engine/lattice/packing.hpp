@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/lattice/walls.hpp"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -10,20 +12,18 @@
 
 namespace rift {
 
-/// A box [0, length] x [0, height] x [0, thickness] with flat walls [m].
-struct Box {
-  double length = 0, height = 0, thickness = 0;
-  double volume() const { return length * height * thickness; }
-};
+enum class Radii : std::uint8_t { uniform, log_normal };
 
 /// What a packing depends on; two equal requests give the same packing, bit for
 /// bit, on one instruction set.
 struct PackingRequest {
   Box box;
   int elements = 0;
-  double radius_spread = 0;  // radii uniform within +- this fraction of their mean
+  double radius_spread = 0;  // uniform: within +- this fraction of their mean; log-normal: deviation of ln r
   double coordination = 0;   // 2 contacts / N over all elements, walls not counted
   std::uint64_t seed = 0;
+  Radii radii = Radii::uniform;
+  double solid_fraction = 0;  // in place of the coordination where it is above 0
 };
 
 /// Overlapping spheres at rest against each other and the walls of their box.
@@ -64,11 +64,11 @@ using PackingProgress = std::function<bool(double)>;
 /// Cost O(N): about 2,000 passes over the contacts for a plate two elements
 /// thick, several times that for a block, which is near jamming at a
 /// coordination of 6.
-Packing pack_box(const PackingRequest& request, const PackingProgress& progress = {}, int threads = 0);
+Packing pack(const PackingRequest& request, const PackingProgress& progress = {}, int threads = 0);
 
 /// Pairs (i < j) at a distance of at most tolerance x (r_i + r_j), ordered by
-/// i, then j. Cost O(N).
-std::vector<std::array<int, 2>> contacts(const Packing& packing, double tolerance);
+/// i, then j; in a periodic box through its faces as well. Cost O(N).
+std::vector<std::array<int, 2>> contacts(const Packing& packing, const Box& box, double tolerance);
 
 PackingStatistics statistics(const Packing& packing, const Box& box);
 

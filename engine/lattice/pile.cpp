@@ -19,20 +19,29 @@ struct Cells {
     return std::clamp(static_cast<int>(p * per_unit[axis]), 0, count[axis] - 1);
   }
   int index(int x, int y, int z) const { return (x * count[1] + y) * count[2] + z; }
+
+  /// The lowest of the cells beside `at` along an axis, and how many there are; those beyond a face of a
+  /// periodic box are those at its other end, none twice.
+  std::array<int, 2> beside(int at, int axis, bool periodic) const {
+    if (periodic && count[axis] >= 3) return {at - 1, 3};
+    const int lowest = std::max(0, at - 1);
+    return {lowest, std::min(count[axis] - 1, at + 1) - lowest + 1};
+  }
+  int wrapped(int at, int axis) const { return (at + count[axis]) % count[axis]; }
 };
 
 /// Cells at least `width` wide, and no more than a few per element however thin
 /// the box.
 Cells sort_into_cells(const Pile& pile, double width) {
   Cells cells;
+  const Eigen::Vector3d box = pile.box.size();
   for (double total = std::numeric_limits<double>::infinity(); total > 8.0 * (pile.size() + 1);
        width *= 1.5) {
     total = 1.0;
-    for (int c = 0; c < 3; ++c) total *= std::max(1.0, std::floor(pile.box[c] / width));
-    for (int c = 0; c < 3; ++c)
-      cells.per_unit[c] = std::max(1.0, std::floor(pile.box[c] / width)) / pile.box[c];
+    for (int c = 0; c < 3; ++c) total *= std::max(1.0, std::floor(box[c] / width));
+    for (int c = 0; c < 3; ++c) cells.per_unit[c] = std::max(1.0, std::floor(box[c] / width)) / box[c];
   }
-  for (int c = 0; c < 3; ++c) cells.count[c] = static_cast<int>(std::lround(cells.per_unit[c] * pile.box[c]));
+  for (int c = 0; c < 3; ++c) cells.count[c] = static_cast<int>(std::lround(cells.per_unit[c] * box[c]));
   std::vector<int> cell(pile.sphere.size());
   cells.first.assign(cells.count[0] * cells.count[1] * cells.count[2] + 1, 0);
   for (int i = 0; i < pile.size(); ++i) {
@@ -47,24 +56,37 @@ Cells sort_into_cells(const Pile& pile, double width) {
   return cells;
 }
 
+template <bool periodic>
 void list_candidates_of(const Pile& pile, const Cells& cells, Pile::Chunk& chunk) {
   chunk.first.assign(1, 0);
   chunk.candidate.clear();
+  const auto consider = [&](int i, int cell, int last) {
+    const Pile::Sphere& s = pile.sphere[i];
+    for (int k = cells.first[cell]; k < cells.first[last + 1]; ++k) {
+      const int j = cells.member[k];
+      if (j <= i && (j == i || chunk.owns(j))) continue;
+      const Pile::Sphere& o = pile.sphere[j];
+      const Pile::Vector d = way<periodic>(pile.box, s, o);
+      const double limit = pile.scale * (s.shape + o.shape) + pile.skin;
+      if (d.x * d.x + d.y * d.y + d.z * d.z <= limit * limit) chunk.candidate.push_back(j);
+    }
+  };
   for (int i = chunk.begin; i < chunk.end; ++i) {
     const Pile::Sphere& s = pile.sphere[i];
-    const int cx = cells.at(s.x, 0), cy = cells.at(s.y, 1), cz = cells.at(s.z, 2);
-    const int below = std::max(0, cz - 1), above = std::min(cells.count[2] - 1, cz + 1);
-    for (int x = std::max(0, cx - 1); x <= std::min(cells.count[0] - 1, cx + 1); ++x)
-      for (int y = std::max(0, cy - 1); y <= std::min(cells.count[1] - 1, cy + 1); ++y)
-        for (int k = cells.first[cells.index(x, y, below)]; k < cells.first[cells.index(x, y, above) + 1];
-             ++k) {
-          const int j = cells.member[k];
-          if (j <= i && chunk.owns(j)) continue;
-          const Pile::Sphere& o = pile.sphere[j];
-          const double dx = o.x - s.x, dy = o.y - s.y, dz = o.z - s.z;
-          const double limit = pile.scale * (s.shape + o.shape) + pile.skin;
-          if (dx * dx + dy * dy + dz * dz <= limit * limit) chunk.candidate.push_back(j);
+    const auto [x0, nx] = cells.beside(cells.at(s.x, 0), 0, periodic);
+    const auto [y0, ny] = cells.beside(cells.at(s.y, 1), 1, periodic);
+    const auto [z0, nz] = cells.beside(cells.at(s.z, 2), 2, periodic);
+    for (int x = x0; x < x0 + nx; ++x)
+      for (int y = y0; y < y0 + ny; ++y) {
+        if constexpr (periodic) {
+          for (int z = z0; z < z0 + nz; ++z) {
+            const int cell = cells.index(cells.wrapped(x, 0), cells.wrapped(y, 1), cells.wrapped(z, 2));
+            consider(i, cell, cell);
+          }
+        } else {
+          consider(i, cells.index(x, y, z0), cells.index(x, y, z0 + nz - 1));
         }
+      }
     chunk.first.push_back(static_cast<int>(chunk.candidate.size()));
   }
 }
@@ -84,26 +106,25 @@ void list_candidates(Pile& pile, Crew& crew) {
   if (pile.rounds_listed < soon) pile.skin = std::min(1.3 * pile.skin, widest);
   if (pile.rounds_listed > late) pile.skin = std::max(0.7 * pile.skin, narrowest);
   pile.rounds_listed = 0;
+  const bool periodic = pile.box.walls == Walls::periodic;
+  if (periodic) wrap(pile);
   const Cells cells = sort_into_cells(pile, 2.0 * pile.scale * pile.largest_shape + pile.skin);
   crew.run(pile.chunks(), [&](int c) {
-    list_candidates_of(pile, cells, pile.chunk[c]);
+    periodic ? list_candidates_of<true>(pile, cells, pile.chunk[c])
+             : list_candidates_of<false>(pile, cells, pile.chunk[c]);
     pile.chunk[c].sums.farthest2 = 0.0;
   });
   pile.sphere_then = pile.sphere;
   pile.scale_then = pile.scale;
 }
 
-double wall_force(double r, double p, double length) {
-  return 2.0 * (std::max(0.0, r - p) - std::max(0.0, r - (length - p)));
-}
-
+template <bool periodic>
 void evaluate_forces_of(Pile& pile, Pile::Chunk& chunk) {
   Pile::Sums sums{.farthest2 = chunk.sums.farthest2};
   for (int i = chunk.begin; i < chunk.end; ++i) {
     const Pile::Sphere& s = pile.sphere[i];
-    const double r = pile.scale * s.shape;
-    pile.force[i] = {wall_force(r, s.x, pile.box[0]), wall_force(r, s.y, pile.box[1]),
-                     wall_force(r, s.z, pile.box[2])};
+    const Eigen::Vector3d push = wall_push(pile.box, {s.x, s.y, s.z}, pile.scale * s.shape);
+    pile.force[i] = {push.x(), push.y(), push.z()};
   }
   for (int i = chunk.begin; i < chunk.end; ++i) {
     const Pile::Sphere s = pile.sphere[i];
@@ -111,15 +132,15 @@ void evaluate_forces_of(Pile& pile, Pile::Chunk& chunk) {
     for (int k = chunk.first[i - chunk.begin]; k < chunk.first[i - chunk.begin + 1]; ++k) {
       const int j = chunk.candidate[k];
       const Pile::Sphere& o = pile.sphere[j];
-      const double dx = o.x - s.x, dy = o.y - s.y, dz = o.z - s.z;
-      const double squared = dx * dx + dy * dy + dz * dz, touching = pile.scale * (s.shape + o.shape);
+      const Pile::Vector d = way<periodic>(pile.box, s, o);
+      const double squared = d.x * d.x + d.y * d.y + d.z * d.z, touching = pile.scale * (s.shape + o.shape);
       if (squared >= touching * touching) continue;
       const double distance = std::sqrt(std::max(squared, std::numeric_limits<double>::min()));
       const double overlap = touching - distance, push = overlap / distance;
-      f.x -= dx * push, f.y -= dy * push, f.z -= dz * push;
+      f.x -= d.x * push, f.y -= d.y * push, f.z -= d.z * push;
       if (chunk.owns(j)) {
         Pile::Vector& g = pile.force[j];
-        g.x += dx * push, g.y += dy * push, g.z += dz * push;
+        g.x += d.x * push, g.y += d.y * push, g.z += d.z * push;
         sums.half_contacts += 2, sums.contact_force += 2.0 * overlap;
       } else {
         sums.half_contacts += 1, sums.contact_force += overlap;
@@ -133,6 +154,15 @@ void evaluate_forces_of(Pile& pile, Pile::Chunk& chunk) {
 
 }  // namespace
 
+void wrap(Pile& pile) {
+  const auto within = [](double p, double edge) { return p - edge * std::floor(p / edge); };
+  for (Pile::Sphere& s : pile.sphere) {
+    s.x = within(s.x, pile.box.length);
+    s.y = within(s.y, pile.box.height);
+    s.z = within(s.z, pile.box.thickness);
+  }
+}
+
 double Pile::mean_contact_force() const {
   return sums.half_contacts ? sums.contact_force / static_cast<double>(sums.half_contacts) : 0.0;
 }
@@ -141,7 +171,7 @@ double Pile::unbalance() const {
   return sums.half_contacts ? std::sqrt(sums.force2 / size()) / mean_contact_force() : 0.0;
 }
 
-Pile make_pile(const Eigen::Vector3d& box, double scale, const std::vector<Pile::Sphere>& spheres) {
+Pile make_pile(const Box& box, double scale, const std::vector<Pile::Sphere>& spheres) {
   Pile pile;
   pile.box = box;
   pile.scale = scale;
@@ -163,7 +193,10 @@ Pile make_pile(const Eigen::Vector3d& box, double scale, const std::vector<Pile:
 void evaluate_forces(Pile& pile, Crew& crew) {
   if (candidates_are_stale(pile)) list_candidates(pile, crew);
   ++pile.rounds_listed;
-  crew.run(pile.chunks(), [&](int c) { evaluate_forces_of(pile, pile.chunk[c]); });
+  const bool periodic = pile.box.walls == Walls::periodic;
+  crew.run(pile.chunks(), [&](int c) {
+    periodic ? evaluate_forces_of<true>(pile, pile.chunk[c]) : evaluate_forces_of<false>(pile, pile.chunk[c]);
+  });
   pile.sums = {};
   for (const auto& chunk : pile.chunk) {
     pile.sums.half_contacts += chunk.sums.half_contacts;

@@ -1,18 +1,19 @@
 #pragma once
 
 #include "engine/lattice/crew.hpp"
+#include "engine/lattice/walls.hpp"
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace rift {
 
-/// Overlapping spheres in a box with flat walls, in units of their expected
-/// mean radius, with unit contact stiffness and unit mass; a wall pushes as the
-/// sphere's mirror image behind it would.
+/// Overlapping spheres within walls, in units of their expected mean radius, with unit contact stiffness and
+/// unit mass; a wall pushes as the sphere's mirror image behind it would.
 struct Pile {
   struct Vector {
     double x = 0, y = 0, z = 0;
@@ -39,7 +40,7 @@ struct Pile {
     bool owns(int i) const { return i >= begin && i < end; }
   };
 
-  Eigen::Vector3d box = Eigen::Vector3d::Zero();
+  Box box;
   double scale = 1.0, largest_shape = 1.0;
   std::vector<Sphere> sphere;
   std::vector<Vector> velocity, force;
@@ -65,11 +66,26 @@ struct Pile {
 
 /// Cut into chunks by the number of spheres alone; without velocities or forces
 /// yet.
-Pile make_pile(const Eigen::Vector3d& box, double scale, const std::vector<Pile::Sphere>& spheres);
+Pile make_pile(const Box& box, double scale, const std::vector<Pile::Sphere>& spheres);
+
+/// From a to b, in a periodic box to its nearest image.
+template <bool periodic>
+Pile::Vector way(const Box& box, const Pile::Sphere& a, const Pile::Sphere& b) {
+  Pile::Vector d{b.x - a.x, b.y - a.y, b.z - a.z};
+  if constexpr (periodic) {
+    d.x -= box.length * std::nearbyint(d.x / box.length);
+    d.y -= box.height * std::nearbyint(d.y / box.height);
+    d.z -= box.thickness * std::nearbyint(d.z / box.thickness);
+  }
+  return d;
+}
 
 /// Forces f = -dU/dx of the overlaps and the sums that go with them; lists the
 /// candidates anew where the old list may miss a contact. Cost O(N).
 void evaluate_forces(Pile& pile, Crew& crew);
+
+/// Brings the centres of a periodic box back into it; the candidates are stale then.
+void wrap(Pile& pile);
 
 /// Moves the centres by move(i), and keeps account of how far they went since
 /// the candidates were listed.

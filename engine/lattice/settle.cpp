@@ -26,47 +26,56 @@ class Stiffness {
     double press;    // overlap / distance: how the contact force softens a
                      // sideways move
   };
+  struct Wall {
+    int element;
+    Eigen::Matrix3d k;
+  };
   struct Part {
     std::vector<int> first;
     std::vector<Contact> contact;
-    Vectors wall;
+    std::vector<Wall> wall;
   };
+  template <bool periodic>
+  void build(int c);
   const Pile& pile_;
   std::vector<Part> part_;
 };
 
 Stiffness::Stiffness(const Pile& pile, Crew& crew) : pile_(pile), part_(pile.chunk.size()) {
-  crew.run(pile.chunks(), [&](int c) {
-    const Pile::Chunk& chunk = pile.chunk[c];
-    Part& part = part_[c];
-    part.first.push_back(0);
-    for (int i = chunk.begin; i < chunk.end; ++i) {
-      const Pile::Sphere& s = pile.sphere[i];
-      const double r = pile.scale * s.shape;
-      const auto wall = [&](double p, double length) {
-        return (p < r ? 2.0 : 0.0) + (length - p < r ? 2.0 : 0.0);
-      };
-      part.wall.push_back({wall(s.x, pile.box[0]), wall(s.y, pile.box[1]), wall(s.z, pile.box[2])});
-      for (int k = chunk.first[i - chunk.begin]; k < chunk.first[i - chunk.begin + 1]; ++k) {
-        const Pile::Sphere& o = pile.sphere[chunk.candidate[k]];
-        const double dx = o.x - s.x, dy = o.y - s.y, dz = o.z - s.z;
-        const double squared = dx * dx + dy * dy + dz * dz, touching = pile.scale * (s.shape + o.shape);
-        if (squared >= touching * touching || squared == 0.0) continue;
-        const double distance = std::sqrt(squared);
-        part.contact.push_back(
-            {chunk.candidate[k], dx / distance, dy / distance, dz / distance, touching / distance - 1.0});
-      }
-      part.first.push_back(static_cast<int>(part.contact.size()));
+  const bool periodic = pile.box.walls == Walls::periodic;
+  crew.run(pile.chunks(), [&](int c) { periodic ? build<true>(c) : build<false>(c); });
+}
+
+template <bool periodic>
+void Stiffness::build(int c) {
+  const Pile::Chunk& chunk = pile_.chunk[c];
+  Part& part = part_[c];
+  part.first.push_back(0);
+  for (int i = chunk.begin; i < chunk.end; ++i) {
+    const Pile::Sphere& s = pile_.sphere[i];
+    const Eigen::Matrix3d k_wall = wall_stiffness(pile_.box, {s.x, s.y, s.z}, pile_.scale * s.shape);
+    if (!k_wall.isZero(0.0)) part.wall.push_back({i, k_wall});
+    for (int k = chunk.first[i - chunk.begin]; k < chunk.first[i - chunk.begin + 1]; ++k) {
+      const Pile::Sphere& o = pile_.sphere[chunk.candidate[k]];
+      const Pile::Vector d = way<periodic>(pile_.box, s, o);
+      const double squared = dot(d, d), touching = pile_.scale * (s.shape + o.shape);
+      if (squared >= touching * touching || squared == 0.0) continue;
+      const double distance = std::sqrt(squared);
+      part.contact.push_back(
+          {chunk.candidate[k], d.x / distance, d.y / distance, d.z / distance, touching / distance - 1.0});
     }
-  });
+    part.first.push_back(static_cast<int>(part.contact.size()));
+  }
 }
 
 double Stiffness::apply(int c, const Vectors& p, Vectors& hp) const {
   const Pile::Chunk& chunk = pile_.chunk[c];
   const Part& part = part_[c];
-  for (int i = chunk.begin; i < chunk.end; ++i) {
-    const Pile::Vector& w = part.wall[i - chunk.begin];
-    hp[i] = {w.x * p[i].x, w.y * p[i].y, w.z * p[i].z};
+  std::fill(hp.begin() + chunk.begin, hp.begin() + chunk.end, Pile::Vector{});
+  for (const Wall& wall : part.wall) {
+    const Eigen::Vector3d push =
+        wall.k * Eigen::Vector3d(p[wall.element].x, p[wall.element].y, p[wall.element].z);
+    hp[wall.element] = {push.x(), push.y(), push.z()};
   }
   double sum = 0.0;
   for (int i = chunk.begin; i < chunk.end; ++i) {

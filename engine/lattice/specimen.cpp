@@ -1,11 +1,13 @@
 #include "engine/lattice/specimen.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace rift {
 namespace {
 
 Grip grip_of(const Eigen::Vector3d& centre, double radius, const Box& box) {
+  if (box.walls == Walls::periodic) return Grip::none;
   if (centre.y() <= grip_depth * radius) return Grip::bottom;
   if (box.height - centre.y() <= grip_depth * radius) return Grip::top;
   return Grip::none;
@@ -30,39 +32,67 @@ std::vector<char> reached_from(const std::vector<char>& anchor, const std::vecto
   return reached;
 }
 
-Specimen make_plate(const Packing& packing, const Box& box, double contact_tolerance) {
-  const auto beams = contacts(packing, contact_tolerance);
-  const int n = static_cast<int>(packing.radius.size());
-  std::vector<Grip> grip(n);
-  std::vector<char> at_bottom(n), at_top(n);
-  for (int i = 0; i < n; ++i) {
-    grip[i] = grip_of(packing.centre[i], packing.radius[i], box);
-    at_bottom[i] = grip[i] == Grip::bottom;
-    at_top[i] = grip[i] == Grip::top;
-  }
-  const std::vector<char> from_bottom = reached_from(at_bottom, beams),
-                          from_top = reached_from(at_top, beams);
+namespace {
 
-  Specimen plate;
-  plate.box = box;
-  plate.packing = statistics(packing, box);
-  std::vector<int> renumbered(n, -1);
-  bool joined = false;
-  for (int i = 0; i < n; ++i) {
-    joined = joined || (from_bottom[i] && from_top[i]);
-    if (!from_bottom[i] && !from_top[i]) {
-      ++plate.rattlers;
+/// The elements that are wanted, numbered anew, with their beams and grips.
+Specimen specimen_of(const Packing& packing, const Box& box, const std::vector<std::array<int, 2>>& beams,
+                     const std::vector<char>& wanted) {
+  Specimen specimen;
+  specimen.box = box;
+  specimen.packing = statistics(packing, box);
+  std::vector<int> renumbered(wanted.size(), -1);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!wanted[i]) {
+      ++specimen.rattlers;
       continue;
     }
-    renumbered[i] = static_cast<int>(plate.centre.size());
-    plate.centre.push_back(packing.centre[i]);
-    plate.radius.push_back(packing.radius[i]);
-    plate.grip.push_back(grip[i]);
+    renumbered[i] = static_cast<int>(specimen.centre.size());
+    specimen.centre.push_back(packing.centre[i]);
+    specimen.radius.push_back(packing.radius[i]);
+    specimen.grip.push_back(grip_of(packing.centre[i], packing.radius[i], box));
+  }
+  for (const auto& [i, j] : beams)
+    if (renumbered[i] >= 0 && renumbered[j] >= 0) specimen.beam.push_back({renumbered[i], renumbered[j]});
+  return specimen;
+}
+
+std::vector<char> in_grip(const Packing& packing, const Box& box, Grip grip) {
+  std::vector<char> in(packing.radius.size());
+  for (std::size_t i = 0; i < in.size(); ++i)
+    in[i] = grip_of(packing.centre[i], packing.radius[i], box) == grip;
+  return in;
+}
+
+}  // namespace
+
+Specimen make_plate(const Packing& packing, const Box& box, double contact_tolerance) {
+  const auto beams = contacts(packing, box, contact_tolerance);
+  const std::vector<char> from_bottom = reached_from(in_grip(packing, box, Grip::bottom), beams),
+                          from_top = reached_from(in_grip(packing, box, Grip::top), beams);
+  std::vector<char> wanted(from_top.size());
+  bool joined = false;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    wanted[i] = from_bottom[i] || from_top[i];
+    joined = joined || (from_bottom[i] && from_top[i]);
   }
   if (!joined) throw PackingError("no path of beams joins the bottom grip to the top grip");
-  for (const auto& [i, j] : beams)
-    if (renumbered[i] >= 0) plate.beam.push_back({renumbered[i], renumbered[j]});
-  return plate;
+  return specimen_of(packing, box, beams, wanted);
+}
+
+Specimen make_free_specimen(const Packing& packing, const Box& box, double contact_tolerance) {
+  const auto beams = contacts(packing, box, contact_tolerance);
+  std::vector<int> parent(packing.radius.size()), members(packing.radius.size(), 0);
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const auto& [i, j] : beams) parent[root(parent, i)] = root(parent, j);
+  for (std::size_t i = 0; i < parent.size(); ++i) ++members[root(parent, static_cast<int>(i))];
+  const auto largest = static_cast<int>(std::max_element(members.begin(), members.end()) - members.begin());
+  std::vector<char> wanted(parent.size());
+  for (std::size_t i = 0; i < parent.size(); ++i) wanted[i] = root(parent, static_cast<int>(i)) == largest;
+  Specimen specimen = specimen_of(packing, box, beams, wanted);
+  const auto holds_none = [&](Grip grip) { return std::ranges::count(specimen.grip, grip) == 0; };
+  if (box.walls != Walls::periodic && (holds_none(Grip::bottom) || holds_none(Grip::top)))
+    throw PackingError("no path of beams joins the bottom to the top: nothing in the specimen carries load");
+  return specimen;
 }
 
 }  // namespace rift

@@ -14,7 +14,7 @@ enum class Grip : std::uint8_t { none, bottom, top };
 /// `grip_depth` of their radius   [physics.md §4].
 inline constexpr double grip_depth = 1.3;
 
-/// A plate ready to become a lattice: elements in touch, the ones that carry no load taken out.
+/// A specimen ready to become a lattice: elements in touch, the ones that carry no load taken out.
 struct Specimen {
   Box box;
   std::vector<Eigen::Vector3d> centre;   // N [m]
@@ -28,6 +28,10 @@ struct Specimen {
 /// Joins the elements in contact (distance <= tolerance x (r_i + r_j)), finds the grips and leaves out the
 /// rattlers. Throws PackingError where a grip holds no element, or nothing joins the grips.
 Specimen make_plate(const Packing& packing, const Box& box, double contact_tolerance);
+
+/// The same of a specimen that nothing holds: what hangs together by the largest number of elements. Throws
+/// PackingError where that does not reach from the bottom to the top (a periodic box has neither).
+Specimen make_free_specimen(const Packing& packing, const Box& box, double contact_tolerance);
 
 /// For each of n elements, whether a path of beams leads from it to an element with anchor[i] != 0.
 std::vector<char> reached_from(const std::vector<char>& anchor, const std::vector<std::array<int, 2>>& beam);

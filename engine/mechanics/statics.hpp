@@ -1,16 +1,10 @@
 #pragma once
 
-#include "engine/lattice/lattice.hpp"
+#include "engine/mechanics/static_system.hpp"
 
-#include <stdexcept>
 #include <vector>
 
 namespace rift {
-
-/// The linear system of the pre-stress could not be solved to its tolerance.
-struct StaticsError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Displacements of all elements at rest, K q = 0 on the free ones   [physics.md §4].
 /// Bottom elements are clamped, top elements move by `displacement` along y without turning; elements that no

@@ -3,6 +3,7 @@
 #include "engine/scene/wording.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +105,21 @@ std::string read_words(const Parameter& row, const Value& value, std::vector<std
   return {};
 }
 
+std::string read_rising(const Parameter& row, const Value& value, std::vector<double>& out) {
+  const auto* list = std::get_if<std::vector<Value>>(&value.held);
+  if (!list || list->empty()) return wrong_type("a list of numbers", value);
+  std::vector<double> numbers;
+  for (const Value& item : *list) {
+    const std::optional<double> number = number_in(item);
+    if (!number || !in_range(*number, row.range))
+      return fmt::format("{}: each {}", shown(item), must_lie(row));
+    if (!numbers.empty() && *number <= numbers.back()) return fmt::format("{}: must rise", shown(item));
+    numbers.push_back(*number);
+  }
+  out = std::move(numbers);
+  return {};
+}
+
 std::string read_window(const Value& value, std::optional<std::array<double, 2>>& out) {
   const auto* list = std::get_if<std::vector<Value>>(&value.held);
   if (!list) return wrong_type("two fractions of the length such as [0.2, 0.4]", value);
@@ -132,6 +148,7 @@ struct Assign {
   std::string operator()(int* out) const { return read_integer(row, value, *out); }
   std::string operator()(long* out) const { return read_integer(row, value, *out); }
   std::string operator()(std::vector<std::string>* out) const { return read_words(row, value, *out); }
+  std::string operator()(std::vector<double>* out) const { return read_rising(row, value, *out); }
   std::string operator()(std::optional<std::array<double, 2>>* out) const { return read_window(value, *out); }
 
   std::string operator()(bool* out) const {
@@ -216,6 +233,9 @@ struct Write {
     for (const std::string& word : *words) out += (out.empty() ? "\"" : ", \"") + word + '"';
     return '[' + out + ']';
   }
+  std::string operator()(const std::vector<double>* numbers) const {
+    return fmt::format("[{}]", fmt::join(*numbers, ", "));
+  }
   std::string operator()(const std::optional<std::array<double, 2>>* w) const {
     return *w ? fmt::format("[{}, {}]", (**w)[0], (**w)[1]) : std::string{};
   }
@@ -241,6 +261,7 @@ struct Allowed {
   std::string operator()(Exponent) const {
     return "\"linear\", \"square-root\", \"quadratic\" or a number in " + range_text(row);
   }
+  std::string operator()(const std::vector<double>*) const { return "rising within " + range_text(row); }
   std::string operator()(const std::optional<std::array<double, 2>>*) const { return "rising within [0, 1]"; }
   template <class Member>
   std::string operator()(const Member*) const {

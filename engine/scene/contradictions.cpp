@@ -40,8 +40,9 @@ std::string where(const Preset& preset, const std::string& key) {
 }
 
 void check_exclusive(Checks& c) {
-  constexpr std::array<std::pair<const char*, const char*>, 3> pairs{
+  constexpr std::array<std::pair<const char*, const char*>, 4> pairs{
       {{"specimen.thickness", "specimen.layers"},
+       {"specimen.solid_fraction", "specimen.coordination"},
        {"material.density", "material.rayleigh_speed"},
        {"solver.dt", "solver.dt_fraction"}}};
   for (const auto& [one, other] : pairs) {
@@ -73,22 +74,61 @@ void check_damping(Checks& c) {
   }
 }
 
+/// Which keys a shape takes; false where its sizes cannot be told.
+bool check_shape(Checks& c) {
+  if (!c.sound({"specimen.shape"})) return false;
+  const Shape shape = c.scene.specimen.shape;
+  const auto excluded = [&](const char* key, const char* why) {
+    if (c.given(key)) c.say(key, why);
+  };
+  if (shape != Shape::plate) excluded("specimen.layers", "goes with specimen.shape = \"plate\" only");
+  if (shape == Shape::cylinder || shape == Shape::sphere)
+    excluded("specimen.thickness", "is that of a box: of a round shape specimen.length is the diameter");
+  if (shape == Shape::sphere) excluded("specimen.height", "a sphere has one size, specimen.length");
+  if (shape != Shape::cylinder)
+    for (const char* key :
+         {"calibration.sizes", "calibration.packings", "calibration.elements", "calibration.radius_ratios"})
+      excluded(key, "goes with specimen.shape = \"cylinder\" only");
+  const bool needs_thickness = shape == Shape::block || shape == Shape::periodic;
+  if (needs_thickness && !c.given("specimen.thickness"))
+    c.say("specimen.shape", "needs specimen.thickness as well");
+  return !needs_thickness || c.given("specimen.thickness");
+}
+
+void check_radii(Checks& c) {
+  constexpr double widest_log_normal = 0.4;  // one sphere in a thousand is then 3.5 times the mean
+  if (!c.sound({"specimen.radii", "specimen.radius_spread"})) return;
+  if (c.scene.specimen.radii == Radii::log_normal && c.scene.specimen.radius_spread > widest_log_normal)
+    c.say("specimen.radius_spread",
+          fmt::format("of log-normal radii must lie in [0, {}]", widest_log_normal));
+}
+
 void check_sizes(Checks& c) {
+  if (!check_shape(c)) return;
   if (!c.sound({"specimen.length", "specimen.height", "specimen.layers", "specimen.thickness",
-                "specimen.elements", "specimen.radius_spread"})) {
+                "specimen.elements", "specimen.radii", "specimen.radius_spread"})) {
     return;
   }
   if (c.given("specimen.thickness") && c.given("specimen.layers")) return;  // which one counts is not known
   const double diameter = 2 * expected_mean_radius_m(c.scene), thickness = thickness_m(c.scene);
   const std::string element = fmt::format("one element, {} across on average", millimetres(diameter));
-  if (thickness < diameter) {
+  if (c.scene.specimen.shape == Shape::periodic) {
+    if (box_of(c.scene).size().minCoeff() < 3 * diameter)
+      c.say("specimen.elements", fmt::format("too few: a periodic box must be wider than three elements, {} "
+                                             "across on average, for none to touch its own image",
+                                             millimetres(diameter)));
+    return;
+  }
+  if (can_crack(c.scene) && thickness < diameter) {
     const bool by_layers = !c.scene.specimen.thickness;
     c.say(by_layers ? "specimen.layers" : "specimen.thickness",
           fmt::format("{}is thinner than {}: make it thicker, or raise specimen.elements",
                       by_layers ? fmt::format("a plate of {} ", millimetres(thickness)) : "", element));
   }
-  if (std::min(c.scene.specimen.length, c.scene.specimen.height) < diameter) {
-    c.say("specimen.elements", fmt::format("too few: the plate is smaller than {}", element));
+  const Box box = box_of(c.scene);
+  if (std::min(box.length, box.height) < diameter) {
+    c.say("specimen.elements", fmt::format("too few: the {} is smaller than {}",
+                                           can_crack(c.scene) ? "plate" : "specimen", element));
   }
 }
 
@@ -202,6 +242,7 @@ void check_pieces(Checks& c) {
 
 void check_crack_way(Checks& c) {
   if (!c.sound({"specimen.length", "crack.start", "crack.end", "crack.tips"})) return;
+  if (c.scene.specimen.shape == Shape::block && !c.given("specimen.thickness")) return;
   if (!check_ends(c)) return;
   // The default window depends on the velocity, a velocity in m/s on c_r.
   if (!c.sound({"crack.velocity", "output.window"}) || !knows_rayleigh_speed(c)) return;
@@ -220,7 +261,9 @@ std::vector<Issue> contradictions(const Preset& preset, const std::set<std::stri
   Checks checks{preset, preset.scene, unsound, {}};
   check_exclusive(checks);
   check_sizes(checks);
+  check_radii(checks);
   check_micro(checks);
+  if (!checks.sound({"specimen.shape"}) || !can_crack(preset.scene)) return std::move(checks.issues);
   check_damping(checks);
   check_path(checks);
   check_speeds(checks);

@@ -11,8 +11,40 @@
 
 namespace rift {
 
+bool can_crack(const Scene& scene) {
+  return scene.specimen.shape == Shape::plate || scene.specimen.shape == Shape::block;
+}
+
+Box box_of(const Scene& scene) {
+  const Scene::Specimen& s = scene.specimen;
+  switch (s.shape) {
+    case Shape::cylinder:
+      return {s.length, s.height, s.length, Walls::cylinder};
+    case Shape::sphere:
+      return {s.length, s.length, s.length, Walls::sphere};
+    case Shape::periodic:
+      return {s.length, s.height, thickness_m(scene), Walls::periodic};
+    case Shape::plate:
+    case Shape::block:
+      break;
+  }
+  return {s.length, s.height, thickness_m(scene)};
+}
+
+PackingRequest request_of(const Scene& scene) {
+  const Scene::Specimen& s = scene.specimen;
+  return {.box = box_of(scene),
+          .elements = s.elements,
+          .radius_spread = s.radius_spread,
+          .coordination = s.coordination,
+          .seed = static_cast<std::uint64_t>(s.seed),
+          .radii = s.radii,
+          .solid_fraction = s.solid_fraction.value_or(0.0)};
+}
+
 double thickness_m(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
+  if (s.shape == Shape::cylinder || s.shape == Shape::sphere) return s.length;
   if (s.thickness) return *s.thickness;
   assert(s.layers);
   const double elements_per_area = s.elements / (s.length * s.height);
@@ -21,9 +53,9 @@ double thickness_m(const Scene& scene) {
 
 double expected_mean_radius_m(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
-  const double solid = 0.615 * s.length * s.height * thickness_m(scene);
-  const double spread = 1 + s.radius_spread * s.radius_spread;
-  return std::cbrt(solid / (s.elements * 4.0 / 3.0 * std::numbers::pi * spread));
+  const double spread2 = s.radius_spread * s.radius_spread;
+  const double cube = s.radii == Radii::uniform ? 1 + spread2 : std::exp(3 * spread2);  // <r^3> / R^3
+  return std::cbrt(0.615 * box_of(scene).volume() / (s.elements * 4.0 / 3.0 * std::numbers::pi * cube));
 }
 
 double expected_zone_m(const Scene& scene) {

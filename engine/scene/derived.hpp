@@ -7,12 +7,21 @@
 /// What follows from a scene by itself, without a lattice. All ask for a scene without issues.
 namespace rift {
 
+/// Whether the specimen is one that `rift run` can crack: a box with grips.
+bool can_crack(const Scene& scene);
+
+/// The space that the packing fills.
+Box box_of(const Scene& scene);
+
+PackingRequest request_of(const Scene& scene);
+
 /// Thickness of the plate [m]: as given, or B = 2 mm sqrt(20,000 L H / (N 200 mm 40 mm)) (layers/2)^(3/2)
 /// [physics.md §1], which keeps `layers` elements through the thickness for any N.
 double thickness_m(const Scene& scene);
 
 /// Mean radius [m] to be expected of the packing, from a solid fraction of 0.615 (measured, physics.md §1):
-/// (4/3) pi R^3 (1 + s^2) N = 0.615 L H B, with <r^3> = R^3 (1 + s^2) for radii uniform in R (1 +- s).
+/// (4/3) pi <r^3> N = 0.615 V, with <r^3> = R^3 (1 + s^2) for radii uniform in R (1 +- s), R^3 exp(3 s^2) for
+/// log-normal ones.
 double expected_mean_radius_m(const Scene& scene);
 
 /// Length of the damage zone [m] to be expected, L_CZM = r_l R with that mean radius; 0 for simple release.

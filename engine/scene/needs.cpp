@@ -26,7 +26,8 @@ std::vector<std::string> left_out(const Scene& scene) {
   if (!needs.damage_zone) lines.emplace_back("damage zone: technique = simple");
   if (!needs.ramp) lines.emplace_back("ramp: method = static, the pre-stress is one solve");
   if (!needs.corotation)
-    lines.emplace_back("corotation: kinematics = linear, beam axes and elements' quaternions stay as they are");
+    lines.emplace_back(
+        "corotation: kinematics = linear, beam axes and elements' quaternions stay as they are");
   if (!needs.step_books)
     lines.emplace_back("books of every step: nothing is dissipated or pulled, energies are read at samples");
   if (!needs.frames) {

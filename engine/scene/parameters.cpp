@@ -25,24 +25,41 @@ std::vector<Parameter> specimen_rows() {
       {"specimen.shape",
        "plate",
        [](Scene& s) -> Slot { return &s.specimen.shape; },
-       "Shape of the specimen: a plate gripped along its bottom and its top.",
+       "Shape of the specimen. Plates, and blocks of any thickness, are gripped along their bottom and their "
+       "top "
+       "and cracked; cylinders are pressed (`rift calibrate`); `rift pack` fills them all.",
        none,
        {},
-       {"plate"}},
+       {"plate", "block", "cylinder", "sphere", "periodic"}},
       {"specimen.length", "200 mm", [](Scene& s) -> Slot { return &s.specimen.length; },
-       "Length L of the plate along x, the way of the crack.", length, above(0, 100)},
+       "Length L of the plate along x, the way of the crack; the diameter of a cylinder or a sphere.", length,
+       above(0, 100)},
       {"specimen.height", "40 mm", [](Scene& s) -> Slot { return &s.specimen.height; },
-       "Height H of the plate along y, between the grips.", length, above(0, 100)},
+       "Height H of the plate along y, between the grips; of a cylinder along its axis.", length,
+       above(0, 100)},
       {"specimen.layers", "2", [](Scene& s) -> Slot { return &s.specimen.layers; },
        "Elements through the thickness; fixes the thickness. Excludes `thickness`.", none, above(0, 100)},
       {"specimen.thickness", "", [](Scene& s) -> Slot { return &s.specimen.thickness; },
-       "Thickness B of the plate along z, in place of `layers`.", length, above(0, 100)},
+       "Thickness B of the plate along z, in place of `layers`; of a block or a periodic box.", length,
+       above(0, 100)},
       {"specimen.elements", "20000", [](Scene& s) -> Slot { return &s.specimen.elements; },
        "Number N of spheres.", none, closed(2, 5e6)},
+      {"specimen.radii",
+       "uniform",
+       [](Scene& s) -> Slot { return &s.specimen.radii; },
+       "Distribution of the radii around their mean.",
+       none,
+       {},
+       {"uniform", "log-normal"}},
       {"specimen.radius_spread", "0.125", [](Scene& s) -> Slot { return &s.specimen.radius_spread; },
-       "Radii are uniform within plus or minus this fraction of their mean.", none, below(0, 0.9)},
+       "Uniform radii lie within plus or minus this fraction of their mean; of log-normal ones it is the "
+       "standard deviation of ln r, at most 0.4. 0 for equal spheres.",
+       none, below(0, 0.9)},
       {"specimen.coordination", "6.0", [](Scene& s) -> Slot { return &s.specimen.coordination; },
        "Coordination number of the packing, 2 contacts / N, walls not counted.", none, closed(4, 7)},
+      {"specimen.solid_fraction", "", [](Scene& s) -> Slot { return &s.specimen.solid_fraction; },
+       "Volume of the spheres over that of the specimen, in place of `coordination`.", none,
+       closed(0.4, 0.8)},
       {"specimen.contact_tolerance", "1", [](Scene& s) -> Slot { return &s.specimen.contact_tolerance; },
        "A beam joins every pair nearer than this times the sum of their radii.", none, closed(1, 1.2)},
       {"specimen.seed", "1", [](Scene& s) -> Slot { return &s.specimen.seed; }, "Seed of the random packing.",
@@ -71,10 +88,12 @@ std::vector<Parameter> material_rows() {
       {"material.stiffness",
        "in-situ",
        [](Scene& s) -> Slot { return &s.material.stiffness; },
-       "Beams: scaled to this specimen's own modulus, the calibrated bulk set, or the `micro_*` given.",
+       "Beams: scaled to this specimen's own modulus, the paper's bulk set, calibrated to E and nu by "
+       "cylinders "
+       "in compression (`rift calibrate`), or the `micro_*` given.",
        none,
        {},
-       {"in-situ", "bulk", "explicit"}},
+       {"in-situ", "bulk", "calibrated", "explicit"}},
       {"material.micro_young_modulus", "", [](Scene& s) -> Slot { return &s.material.micro_young_modulus; },
        "Young's modulus of a beam, with stiffness = \"explicit\".", pressure, above(0, 1e15)},
       {"material.micro_poisson_ratio", "", [](Scene& s) -> Slot { return &s.material.micro_poisson_ratio; },
@@ -210,6 +229,22 @@ std::vector<Parameter> output_rows() {
   };
 }
 
+std::vector<Parameter> calibration_rows() {
+  return {
+      {"calibration.sizes", "[500, 1000, 2000, 4000, 7500, 15000, 25000, 35000]",
+       [](Scene& s) -> Slot { return &s.calibration.sizes; },
+       "Elements of the cylinders that show how E and nu converge; with shape = \"cylinder\".", none,
+       closed(100, 5e6)},
+      {"calibration.packings", "5", [](Scene& s) -> Slot { return &s.calibration.packings; },
+       "Packings of each size, of seeds that follow each other.", none, closed(1, 100)},
+      {"calibration.elements", "15000", [](Scene& s) -> Slot { return &s.calibration.elements; },
+       "Elements of the cylinders that scan the beams' radius ratio.", none, closed(100, 5e6)},
+      {"calibration.radius_ratios", "[0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.65, 0.8, 1]",
+       [](Scene& s) -> Slot { return &s.calibration.radius_ratios; },
+       "Radii of the scanned beams over the mean radius of their two elements, r_mu.", none, closed(0.05, 1)},
+  };
+}
+
 std::vector<Parameter> film_rows() {
   return {
       {"film.title", "", [](Scene& s) -> Slot { return Word{&s.film.title}; }, "Title over the film."},
@@ -256,7 +291,7 @@ std::vector<Parameter> film_rows() {
 std::vector<Parameter> all_rows() {
   std::vector<Parameter> rows;
   for (const auto part : {specimen_rows, material_rows, loading_rows, crack_rows, damping_rows, solver_rows,
-                          output_rows, film_rows}) {
+                          output_rows, calibration_rows, film_rows}) {
     const std::vector<Parameter> table = part();
     rows.insert(rows.end(), table.begin(), table.end());
   }

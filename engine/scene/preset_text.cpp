@@ -38,6 +38,7 @@ std::string preset_text(const Scene& scene) {
   std::string out = "# The effective preset; docs/parameters.md says more.\n";
   std::string table;
   for (const Parameter& row : parameters()) {
+    if (table_of(row) == "calibration" && scene.specimen.shape != Shape::cylinder) continue;
     if (table_of(row) != table) {
       table = table_of(row);
       out += fmt::format("\n[{}]\n", table);

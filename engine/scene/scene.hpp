@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/lattice/packing.hpp"
 #include "engine/theory/plane.hpp"
 
 #include <array>
@@ -9,11 +10,11 @@
 
 namespace rift {
 
-enum class StiffnessChoice { in_situ, bulk, explicit_values };
+enum class StiffnessChoice { in_situ, bulk, calibrated, explicit_values };
 enum class LoadingMethod { static_solve, ramp };
 enum class Technique { simple, progressive };
 enum class DampingRegion { none, surface, all };
-enum class Shape { plate };
+enum class Shape { plate, block, cylinder, sphere, periodic };
 enum class Kinematics { linear, corotational };
 enum class Precision { double_precision, single_precision };
 enum class ReleaseRateReference { strip, griffith };
@@ -46,13 +47,15 @@ struct PathHeight {
 struct Scene {
   struct Specimen {
     Shape shape;
-    double length, height;  // [m]
+    double length, height;  // [m]; of a cylinder the diameter and the height, of a sphere the diameter
     std::optional<double>
         layers;  // elements through the thickness; fixes the thickness (physics: B ~ (L H / N)^1/2)
     std::optional<double> thickness;  // [m]; excludes layers
     int elements;
-    double radius_spread;  // radii uniform within +- this fraction of the mean
+    Radii radii;
+    double radius_spread;  // uniform: within +- this fraction of the mean; log-normal: deviation of ln r
     double coordination;   // 2 contacts / N, walls not counted
+    std::optional<double> solid_fraction;  // in place of the coordination
     double contact_tolerance;
     long seed;
   } specimen;
@@ -100,6 +103,13 @@ struct Scene {
     std::optional<std::array<double, 2>> window;  // fractions of the length
     ReleaseRateReference g_i0_reference;
   } output;
+  /// What `rift calibrate` does with cylinders of this specimen's proportions.
+  struct Calibration {
+    std::vector<double> sizes;          // elements of the cylinders whose E and nu are to converge
+    int packings;                       // of each size
+    int elements;                       // of the cylinders that scan the beams
+    std::vector<double> radius_ratios;  // r_mu of the scan
+  } calibration;
   /// How a film of the run is to look; no number of the run depends on it.
   struct Film {
     std::string title;

@@ -1,6 +1,8 @@
 #include "engine/simulation/prepare.hpp"
 
+#include "engine/calibration/calibrate.hpp"
 #include "engine/interrupted.hpp"
+#include "engine/lattice/cached_packing.hpp"
 #include "engine/lattice/stiffness.hpp"
 #include "engine/mechanics/statics.hpp"
 #include "engine/scene/derived.hpp"
@@ -29,46 +31,6 @@ void tell(const StageProgress& progress, std::string_view stage, double done) {
   if (progress && !progress(stage, done)) throw Interrupted(std::string(stage));
 }
 
-PackingRequest request_of(const Scene& scene) {
-  const Scene::Specimen& s = scene.specimen;
-  return {.box = {s.length, s.height, thickness_m(scene)},
-          .elements = s.elements,
-          .radius_spread = s.radius_spread,
-          .coordination = s.coordination,
-          .seed = static_cast<std::uint64_t>(s.seed)};
-}
-
-/// Names all that a packing depends on; the version rises whenever pack_box gives other packings for the same
-/// request.
-std::string key_of(const PackingRequest& r) {
-  constexpr int version = 2;
-  return fmt::format("packing {} box {:a} {:a} {:a} elements {} spread {:a} coordination {:a} seed {}",
-                     version, r.box.length, r.box.height, r.box.thickness, r.elements, r.radius_spread,
-                     r.coordination, r.seed);
-}
-
-Packing cached_packing(const PackingRequest& request, Cache& cache, bool& from_cache,
-                       const StageProgress& progress) {
-  Packing packing;
-  const std::string key = key_of(request);
-  if (const auto numbers = recall(cache, "packing", key);
-      numbers && numbers->size() == 4UL * request.elements) {
-    from_cache = true;
-    for (std::size_t k = 0; k < numbers->size(); k += 4) {
-      packing.centre.emplace_back((*numbers)[k], (*numbers)[k + 1], (*numbers)[k + 2]);
-      packing.radius.push_back((*numbers)[k + 3]);
-    }
-    return packing;
-  }
-  packing = pack_box(request, [&](double done) { return !progress || progress("packing", done); });
-  std::vector<double> numbers;
-  for (std::size_t i = 0; i < packing.radius.size(); ++i)
-    numbers.insert(numbers.end(),
-                   {packing.centre[i].x(), packing.centre[i].y(), packing.centre[i].z(), packing.radius[i]});
-  remember(cache, "packing", key, numbers);
-  return packing;
-}
-
 std::vector<Vector6> cached_motions(const std::string& key, std::size_t elements, Cache& cache,
                                     bool& from_cache, const std::function<std::vector<Vector6>()>& solve) {
   std::vector<Vector6> q(elements);
@@ -82,11 +44,25 @@ std::vector<Vector6> cached_motions(const std::string& key, std::size_t elements
   return q;
 }
 
-MicroMaterial reference_micro(const Scene& scene) {
-  if (scene.material.stiffness != StiffnessChoice::explicit_values) return bulk_micro_material;
-  return {.young_modulus = *scene.material.micro_young_modulus,
-          .poisson_ratio = *scene.material.micro_poisson_ratio,
-          .radius_ratio = *scene.material.micro_radius_ratio};
+MicroMaterial reference_micro(const Preset& preset, Cache& cache, const StageProgress& progress) {
+  const Scene& scene = preset.scene;
+  const Scene::Material& m = scene.material;
+  if (m.stiffness == StiffnessChoice::explicit_values)
+    return {*m.micro_young_modulus, *m.micro_poisson_ratio, *m.micro_radius_ratio};
+  if (m.stiffness != StiffnessChoice::calibrated) return bulk_micro_material;
+  try {
+    return calibrate(scene, m.young_modulus, m.poisson_ratio, cache,
+                     [&](double done) { return !progress || progress("calibration", done); })
+        .micro;
+  } catch (const OutOfReach& error) {
+    throw InputError({issue_at(preset, "material.poisson_ratio", error.what())});
+  }
+}
+
+/// Whether the beams' modulus is scaled to the specimen's own.
+bool is_scaled(const Scene& scene) {
+  return scene.material.stiffness == StiffnessChoice::in_situ ||
+         scene.material.stiffness == StiffnessChoice::bulk;
 }
 
 /// What the clamped strip of a continuum with the preset's E and nu would show [Pa].
@@ -118,9 +94,10 @@ void build_specimen(Prepared& p, Cache& cache, const StageProgress& progress) {
   };
   Packing packing;
   try {
-    packing = cached_packing(request, cache, p.packing_from_cache, progress);
+    packing = cached_packing(request, cache, p.packing_from_cache,
+                             [&](double done) { return !progress || progress("packing", done); });
   } catch (const PackingError& error) {
-    throw refuse("specimen.coordination", error);
+    throw refuse(scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination", error);
   }
   try {
     p.specimen = make_plate(packing, request.box, scene.specimen.contact_tolerance);
@@ -180,9 +157,9 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   const Scene& scene = p.preset.scene;
   const Kinematics kinematics = scene.solver.kinematics;
   const auto start = Clock::now();
+  p.micro = reference_micro(p.preset, cache, progress);
   tell(progress, "pre-stress", 0.0);
   p.statics_from_cache = true;
-  p.micro = reference_micro(scene);
   p.lattice = make_lattice(p.specimen, p.micro, p.density);
   Statics statics{p.lattice, scene, cache, p.statics_from_cache,
                   fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}", key_of(request_of(scene)),
@@ -190,7 +167,7 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
                               p.micro.radius_ratio)};
   std::vector<char> present(p.lattice.beam.size(), 1);
   const std::vector<Vector6> unit = statics.unit(present, "");
-  if (scene.material.stiffness != StiffnessChoice::explicit_values) {
+  if (is_scaled(scene)) {
     p.micro.young_modulus *= continuum_strip_modulus(scene) / strip_modulus(p.lattice, unit, 1.0);
     p.lattice = make_lattice(p.specimen, p.micro, p.density);
   }
@@ -330,6 +307,11 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
   Prepared p;
   p.preset = preset;
   const Scene& scene = p.preset.scene;
+  if (!can_crack(scene))
+    throw InputError(
+        {issue_at(p.preset, "specimen.shape",
+                  "cannot be cracked: plates and blocks are; 'rift pack' fills the other shapes, "
+                  "'rift calibrate' presses cylinders")});
   p.density = density(scene);
   p.rayleigh_speed = rayleigh_speed(scene);
   p.path = straight_path(scene.specimen.length, path_height_m(scene), scene.crack.tips);

@@ -3,7 +3,7 @@
 #include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/release_rate.hpp"
 #include "engine/fracture/scenario.hpp"
-#include "engine/simulation/cache.hpp"
+#include "engine/cache.hpp"
 #include "engine/simulation/lane_units.hpp"
 #include "engine/simulation/schedule.hpp"
 #include "engine/simulation/time_step.hpp"

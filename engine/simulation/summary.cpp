@@ -31,7 +31,17 @@ const char* name_of(DampingRegion r) {
   return r == DampingRegion::none ? "none" : r == DampingRegion::surface ? "surface" : "all";
 }
 const char* name_of(StiffnessChoice s) {
-  return s == StiffnessChoice::in_situ ? "in-situ" : s == StiffnessChoice::bulk ? "bulk" : "explicit";
+  switch (s) {
+    case StiffnessChoice::in_situ:
+      return "in-situ";
+    case StiffnessChoice::bulk:
+      return "bulk";
+    case StiffnessChoice::calibrated:
+      return "calibrated";
+    case StiffnessChoice::explicit_values:
+      break;
+  }
+  return "explicit";
 }
 
 const char* name_of(ReleaseRateReference r) {

@@ -11,8 +11,7 @@ namespace {
 constexpr double cached_share = 0.2;
 
 double cost_of(const Variant& v) {
-  return v.cannot_be.empty() ? estimated_cost(v.scene) + cached_share * estimated_preparation(v.scene)
-                             : 0.0;
+  return v.cannot_be.empty() ? estimated_cost(v.scene) + cached_share * estimated_preparation(v.scene) : 0.0;
 }
 
 Preset study_of(const AccuracyPlan& plan, const std::vector<Scene>& scenes) {

@@ -28,6 +28,8 @@ struct Claim {
   std::string standing = {};  // why it is not yet there, or what stands for it
   /// Of a claim that is a picture: at which fractions of the moments of the preset that it needs.
   std::vector<double> pictures_at = {};
+  /// It looks at cylinders that its one preset calibrates, with the paper's beams, and not at cracked plates.
+  bool calibration = false;
   bool beyond = false;  // not the paper's but a finding of our own, with in-situ beams only
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/cache.hpp"
 #include "engine/simulation/build_info.hpp"
-#include "engine/simulation/cache.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/study/identity.hpp"
 
@@ -15,14 +15,14 @@
 /// Studies: many scenarios, each computed once, kept as soon as it is there.
 namespace rift {
 
-/// One object of summary.json's "scenarios", plus "axes": {name: text}, its place "row" in the study, and "series":
-/// the file of its series in the folder.
+/// One object of summary.json's "scenarios", plus "axes": {name: text}, its place "row" in the study, and
+/// "series": the file of its series in the folder.
 using SummaryRow = nlohmann::ordered_json;
 
 struct StudyOptions {
   std::filesystem::path folder;  // of the study; made or continued
   int threads = 0;               // 0: one per core
-  bool shared = false;        // several studies lie in the folder, each finds its scenarios: no study.json
+  bool shared = false;           // several studies lie in the folder, each finds its scenarios: no study.json
   int shard = 1, shards = 1;  // this call computes the i-th part of n and gathers what is there of the others
 };
 

@@ -14,9 +14,11 @@ namespace rift::studio {
 // and 1.
 void add_accuracy(CLI::App& app, ExitCode& exit_code);
 void add_bench(CLI::App& app, ExitCode& exit_code);
+void add_calibrate(CLI::App& app, ExitCode& exit_code);
 void add_check(CLI::App& app, ExitCode& exit_code);
 void add_export(CLI::App& app, ExitCode& exit_code);
 void add_list(CLI::App& app, ExitCode& exit_code);
+void add_pack(CLI::App& app, ExitCode& exit_code);
 void add_render(CLI::App& app, ExitCode& exit_code);
 void add_reproduce(CLI::App& app, ExitCode& exit_code);
 void add_resume(CLI::App& app, ExitCode& exit_code);
@@ -30,8 +32,8 @@ void add_watch(CLI::App& app, ExitCode& exit_code);
 ExitCode open_studio();
 
 /// All subcommands, in the order of `rift --help`.
-inline constexpr std::array all_commands = {add_studio, add_run,       add_resume,   add_render, add_watch,
-                                            add_study,  add_reproduce, add_accuracy, add_check,  add_list,
-                                            add_theory, add_export,    add_bench};
+inline constexpr std::array all_commands = {
+    add_studio,    add_run,  add_resume, add_render, add_watch,  add_study,  add_reproduce, add_accuracy,
+    add_calibrate, add_pack, add_check,  add_list,   add_theory, add_export, add_bench};
 
 }  // namespace rift::studio

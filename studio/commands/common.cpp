@@ -1,6 +1,7 @@
 #include "studio/commands/common.hpp"
 
 #include "engine/ensemble/instruction_set.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/wording.hpp"
 
@@ -90,6 +91,17 @@ fs::path resolve_preset(const std::string& preset) {
       }
   }
   refuse_preset(preset);
+}
+
+void check_report_folder(const std::filesystem::path& folder, bool force) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored)) return;
+  const bool report = fs::exists(folder / "summary.json", ignored) && fs::exists(folder / "charts", ignored);
+  if (report && force) return;
+  throw results::FolderExists(fmt::format(
+      "{} exists and is not empty; --force replaces an earlier report{}", folder.string(),
+      report ? "" : ", and this is none"));
 }
 
 void add_color_option(CLI::App& command, std::string& when) {

@@ -33,6 +33,10 @@ std::filesystem::path own_presets_folder();
 /// ("quickstart") or among the user's own. Throws InputError, with the nearest name, where there is none.
 std::filesystem::path resolve_preset(const std::string& preset);
 
+/// Whether a report may be written into this folder: it is not there, empty, or holds an earlier report
+/// (summary.json) and `force` says to replace that. Throws results::FolderExists.
+void check_report_folder(const std::filesystem::path& folder, bool force);
+
 /// Adds --color auto|always|never to a command; `when` starts as and defaults to "auto".
 void add_color_option(CLI::App& command, std::string& when);
 

@@ -1,5 +1,6 @@
 #include "studio/commands/draw_claim.hpp"
 
+#include "engine/calibration/record_cylinders.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
@@ -30,9 +31,14 @@ Preset preset_for(const std::string& name, int elements) {
 }
 
 /// The finished run of the preset in this folder, found or made.
-void run_if_need_be(const Preset& preset, const fs::path& run, Cache& cache, int threads,
+void run_if_need_be(const Claim& claim, const Preset& preset, const fs::path& run, Cache& cache, int threads,
                     const Telling& go_on) {
   if (results::inspect_run(run).condition == results::RunCondition::finished) return;
+  if (claim.calibration) {
+    results::create_run_folder(run, true);
+    record_cylinders(preset, run, build_info(), cache, [&](double done) { return go_on("cylinders", done); });
+    return;
+  }
   const Prepared prepared = prepare(preset, scenes_of_run(preset), cache, go_on);
   results::create_run_folder(run, true);
   const Recorded ran =
@@ -49,6 +55,7 @@ Picture draw(const viz::Plan& plan, const Claim& claim, double at, const fs::pat
   const auto k = static_cast<std::size_t>(std::lround(at * static_cast<double>(plan.times_s.size() - 1)));
   const fs::path png = charts / fmt::format("{}_at_{:.2f}.png", claim.name, at);
   viz::make_picture(plan.job, plan.times_s[k], png, {});
+  if (claim.calibration) return {png, fmt::format("{}: {}", claim.artefact, plan.job.look.title)};
   return {png,
           fmt::format("{}, {}: tip at {:.0f} mm", claim.artefact, plan.job.look.title, 1e3 * plan.tips_m[k])};
 }
@@ -61,7 +68,7 @@ void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, Cache&
   const std::string& name = claim.claim->needs.front();
   const fs::path run = folder / "pictures" / fmt::format("{}_{}", name, elements);
   try {
-    run_if_need_be(preset_for(name, elements), run, cache, threads, go_on);
+    run_if_need_be(*claim.claim, preset_for(name, elements), run, cache, threads, go_on);
     viz::Wish wish;
     wish.runs = {run};
     const viz::Plan plan = viz::plan_of(wish);

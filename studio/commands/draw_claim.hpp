@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/simulation/cache.hpp"
+#include "engine/cache.hpp"
 #include "studio/report/reproduction.hpp"
 
 #include <filesystem>

@@ -1,4 +1,6 @@
+#include "engine/calibration/calibration_study.hpp"
 #include "engine/interrupted.hpp"
+#include "engine/lattice/stiffness.hpp"
 #include "engine/results/files.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/wording.hpp"
@@ -9,6 +11,7 @@
 #include "studio/commands/draw_claim.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/beyond_charts.hpp"
+#include "studio/report/calibration_charts.hpp"
 #include "studio/report/reproduction.hpp"
 #include "studio/report/reproduction_charts.hpp"
 
@@ -75,7 +78,8 @@ PaperStudy study_of(const std::vector<const Claim*>& chosen, Effort effort) {
   std::vector<std::string> names;
   for (const Claim* claim : chosen)
     for (const std::string& name : claim->needs)
-      if (claim->judge && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      if (claim->judge && !claim->calibration && std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
   std::vector<std::pair<std::string, Preset>> presets;
   std::vector<Issue> issues;
   for (const std::string& name : names) {
@@ -129,6 +133,46 @@ JudgedClaim judged(const Claim& claim, const PaperStudy& study, const StudyResul
   out.figures = draw_figures(claim, bulk, "bulk", charts);
   for (Figure& figure : draw_figures(claim, in_situ, "in-situ", charts))
     out.figures.push_back(std::move(figure));
+  return out;
+}
+
+/// What --quick leaves of a calibration: two packings of the cylinders below the size of the quick plate.
+Scene calibration_scene(Scene scene, Effort effort) {
+  if (effort == Effort::full) return scene;
+  Scene::Calibration& c = scene.calibration;
+  const double most = plate_elements(effort);
+  std::erase_if(c.sizes, [&](double elements) { return elements > most; });
+  if (c.sizes.empty()) c.sizes = {most};
+  c.elements = std::min(c.elements, static_cast<int>(most) / 2);
+  c.packings = std::min(c.packings, 2);
+  return scene;
+}
+
+/// Judges a claim about cylinders.
+JudgedClaim calibrated(const Claim& claim, const ReproduceOptions& options, Effort effort,
+                       const StopSignal& stop) {
+  const auto start = Clock::now();
+  ProgressLine line(progress_style(options.quiet, options.json));
+  Cache cache = options.no_cache ? Cache{} : user_cache();
+  const Preset preset = read_preset(resolve_preset(claim.needs.front()));
+  if (!preset.issues.empty()) throw InputError(preset.issues);
+  const CalibrationStudy study = study_calibration(
+      calibration_scene(preset.scene, effort), cache,
+      [&](const char* stage, double done) {
+        line.tell(stage, done);
+        return stop.received() == 0;
+      },
+      options.threads);
+  JudgedClaim out;
+  out.claim = &claim;
+  const Evidence evidence{.rows = rows_of(study), .elements = plate_elements(effort)};
+  out.bulk = claim.judge(evidence);
+  out.scenarios = static_cast<int>(evidence.rows.size());
+  for (const NamedChart& named : calibration_charts(evidence.rows, bulk_micro_material.young_modulus))
+    out.figures.push_back(
+        {draw_chart(named.chart, fs::path(options.out) / "charts", claim.name + "_" + named.name),
+         named.caption});
+  out.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   return out;
 }
 
@@ -205,9 +249,11 @@ ExitCode reproduce(const ReproduceOptions& options) {
                       .found = result.found,
                       .wall_s = 0,
                       .claims = {}};
-  for (const Claim* claim : chosen)
-    report.claims.push_back(judged(*claim, study, result, report.elements, options.out));
   try {
+    for (const Claim* claim : chosen)
+      report.claims.push_back(claim->calibration && claim->judge
+                                  ? calibrated(*claim, options, effort, stop)
+                                  : judged(*claim, study, result, report.elements, options.out));
     draw_pictures(report, options, stop);
   } catch (const Interrupted& interrupted) {
     fmt::print(stderr, "rift reproduce: {}; what was computed is kept in {}\n", interrupted.what(),

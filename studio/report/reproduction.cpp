@@ -47,6 +47,10 @@ std::string preamble(const Reproduction& r) {
 
 std::string time_text(const JudgedClaim& c) { return c.scenarios == 0 ? "-" : duration_text(c.wall_s); }
 
+const char* unit_of(const JudgedClaim& c) {
+  return c.claim->calibration ? "results of specimens" : "scenarios";
+}
+
 struct Line {
   std::string stiffness, verdict, measured;
 };
@@ -68,6 +72,7 @@ std::vector<Line> lines_of(const JudgedClaim& c) {
   if (!c.claim->judge) return {{"", state_of(c), c.not_drawn.empty() ? c.claim->standing : c.not_drawn}};
   const Line in_situ{"in-situ", name_of(c.in_situ.verdict), c.in_situ.measured};
   if (c.claim->beyond) return {in_situ};
+  if (c.claim->calibration) return {{"bulk", name_of(c.bulk.verdict), c.bulk.measured}};
   return {{"bulk", name_of(c.bulk.verdict), c.bulk.measured}, in_situ};
 }
 
@@ -76,7 +81,7 @@ std::vector<std::string> overview_row(const JudgedClaim& c) {
           c.claim->artefact,
           c.claim->text,
           c.claim->beyond ? "-" : verdict_text(c, c.bulk),
-          verdict_text(c, c.in_situ),
+          c.claim->calibration && c.claim->judge ? "-" : verdict_text(c, c.in_situ),
           time_text(c)};
 }
 
@@ -88,7 +93,8 @@ std::string section_html(const JudgedClaim& c) {
   std::string body = fmt::format("<p>{}</p>\n", html_escape(c.claim->text));
   body += html_table({.head = {"stiffness", "verdict", "measured"}, .rows = rows});
   if (c.scenarios > 0)
-    body += fmt::format("<p>{} scenarios, {} of computing.</p>\n", c.scenarios, html_escape(time_text(c)));
+    body +=
+        fmt::format("<p>{} {}, {} of computing.</p>\n", c.scenarios, unit_of(c), html_escape(time_text(c)));
   for (const Figure& figure : c.figures)
     body += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption></figure>\n", figure.chart.svg_text,
                         html_escape(figure.caption));
@@ -121,7 +127,8 @@ std::string section_markdown(const JudgedClaim& c) {
   for (const Line& line : lines_of(c)) rows.push_back({line.stiffness, line.verdict, line.measured});
   std::string text = fmt::format("\n## {} ({})\n\n{}\n\n", c.claim->artefact, c.claim->name, c.claim->text);
   text += markdown_table({"stiffness", "verdict", "measured"}, rows);
-  if (c.scenarios > 0) text += fmt::format("\n{} scenarios, {} of computing.\n", c.scenarios, time_text(c));
+  if (c.scenarios > 0)
+    text += fmt::format("\n{} {}, {} of computing.\n", c.scenarios, unit_of(c), time_text(c));
   for (const Figure& figure : c.figures)
     text += fmt::format("\n![{}](charts/{})\n", figure.caption, figure.chart.svg.filename().string());
   for (const Picture& picture : c.pictures)
@@ -166,7 +173,7 @@ std::string reproduction_text(const Reproduction& r, bool color) {
   std::string text;
   for (const JudgedClaim& c : r.claims) {
     text += heading(fmt::format("{:<14} {}", c.claim->name, c.claim->artefact), color);
-    text += c.scenarios == 0 ? "\n" : fmt::format("  {} scenarios, {}\n", c.scenarios, time_text(c));
+    text += c.scenarios == 0 ? "\n" : fmt::format("  {} {}, {}\n", c.scenarios, unit_of(c), time_text(c));
     text += fmt::format("  {}\n", c.claim->text);
     for (const Line& line : lines_of(c))
       text += fmt::format("  {:<8} {} {}\n", line.stiffness, colored(line.verdict, color), line.measured);
@@ -180,7 +187,7 @@ Json reproduction_json(const Reproduction& r) {
     Json claim{{"name", c.claim->name}, {"artefact", c.claim->artefact}, {"claim", c.claim->text}};
     if (c.claim->judge) {
       if (!c.claim->beyond) claim["bulk"] = judgement_json(c.bulk);
-      claim["in-situ"] = judgement_json(c.in_situ);
+      if (!c.claim->calibration) claim["in-situ"] = judgement_json(c.in_situ);
     } else if (is_picture(c)) {
       claim["drawn"] = Json::array();
       for (const Picture& picture : c.pictures) claim["drawn"].push_back(picture.png.string());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/scene/preset.hpp"
-#include "engine/simulation/cache.hpp"
+#include "engine/cache.hpp"
 
 #include <atomic>
 #include <mutex>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/simulation/build_info.hpp"
-#include "engine/simulation/cache.hpp"
+#include "engine/cache.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/keymap.hpp"
 #include "studio/screen/press.hpp"

@@ -76,7 +76,7 @@ TEST(Packing, RestsAtTheCoordinationAskedFor) {
   for (const double coordination : {6.0, 5.5}) {
     PackingRequest request = plate_piece();
     request.coordination = coordination;
-    const Packing packing = pack_box(request);
+    const Packing packing = pack(request);
     ASSERT_EQ(packing.radius.size(), 1000u);
     const Balance balance = weigh(packing, request.box);
     const double z = 2.0 * balance.contacts / 1000.0;
@@ -91,7 +91,7 @@ TEST(Packing, RestsAtTheCoordinationAskedFor) {
 
 TEST(Packing, FillsItsBoxWithSpheresInside) {
   const PackingRequest request = plate_piece();
-  const Packing packing = pack_box(request);
+  const Packing packing = pack(request);
   const Eigen::Array3d size(request.box.length, request.box.height, request.box.thickness);
   double solid = 0.0, deepest = 0.0;
   Eigen::Array3d low = size, high = Eigen::Array3d::Zero();
@@ -111,7 +111,7 @@ TEST(Packing, FillsItsBoxWithSpheresInside) {
 }
 
 TEST(Packing, HasRadiiUniformWithinTheSpread) {
-  const Packing packing = pack_box(plate_piece());
+  const Packing packing = pack(plate_piece());
   std::vector<double> shape = packing.radius;
   std::sort(shape.begin(), shape.end());
   const double mean = 0.5 * (shape.front() + shape.back());
@@ -135,7 +135,7 @@ TEST(Packing, HasRadiiUniformWithinTheSpread) {
 }
 
 TEST(Packing, OfOneSeedHasTheSameBits) {
-  const Packing once = pack_box(small_box()), again = pack_box(small_box());
+  const Packing once = pack(small_box()), again = pack(small_box());
   EXPECT_EQ(once.radius, again.radius);
   EXPECT_EQ(once.centre, again.centre);
 }
@@ -143,7 +143,7 @@ TEST(Packing, OfOneSeedHasTheSameBits) {
 TEST(Packing, OfAnotherSeedIsAnother) {
   PackingRequest other = small_box();
   other.seed = 2;
-  const Packing a = pack_box(small_box()), b = pack_box(other);
+  const Packing a = pack(small_box()), b = pack(other);
   double nearest = 1e300;  // of the first element's twin in the other packing
   for (const auto& p : b.centre) nearest = std::min(nearest, (p - a.centre[0]).norm());
   EXPECT_GT(nearest, 1e-3 * a.radius[0]);
@@ -153,7 +153,7 @@ TEST(Packing, OfAnotherSeedIsAnother) {
 TEST(Packing, IsTheSameInAnyUnit) {
   PackingRequest thousandfold = small_box();
   thousandfold.box = {.length = 5e3, .height = 6e3, .thickness = 7e3};
-  const Packing a = pack_box(small_box()), b = pack_box(thousandfold);
+  const Packing a = pack(small_box()), b = pack(thousandfold);
   // The walk to the minimum amplifies roundings, so it is the outcome that agrees, not the places.
   EXPECT_NEAR(statistics(b, thousandfold.box).mean_radius / statistics(a, small_box().box).mean_radius, 1e3,
               5.0);
@@ -163,7 +163,7 @@ TEST(Packing, RefusesACoordinationOutOfReach) {
   PackingRequest request = small_box();
   request.coordination = 9.0;
   try {
-    pack_box(request);
+    pack(request);
     FAIL() << "packed";
   } catch (const PackingError& error) {
     const std::string message = error.what();
@@ -175,7 +175,7 @@ TEST(Packing, RefusesACoordinationOutOfReach) {
 
 TEST(Packing, TellsHowFarItIs) {
   std::vector<double> told;
-  pack_box(small_box(), [&](double done) {
+  pack(small_box(), [&](double done) {
     told.push_back(done);
     return true;
   });
@@ -190,7 +190,7 @@ TEST(Packing, StopsWhenToldTo) {
   for (const int patience : {0, 5, 20}) {
     int asked = 0;
     try {
-      pack_box(small_box(), [&](double) { return asked++ < patience; });
+      pack(small_box(), [&](double) { return asked++ < patience; });
       FAIL() << "went on";
     } catch (const Interrupted& stop) {
       EXPECT_STREQ(stop.what(), "stopped while packing");
@@ -200,7 +200,7 @@ TEST(Packing, StopsWhenToldTo) {
 }
 
 TEST(Packing, ListsElementsInRowsThatFollowEachOther) {
-  const Packing packing = pack_box(plate_piece());
+  const Packing packing = pack(plate_piece());
   double furthest_step = 0.0;
   for (std::size_t k = 1; k < packing.centre.size(); ++k)
     furthest_step = std::max(furthest_step, packing.centre[k - 1].x() - packing.centre[k].x());
@@ -216,12 +216,12 @@ Packing row() {
 TEST(Contacts, ReachAsFarAsTheirTolerance) {
   using Pairs = std::vector<std::array<int, 2>>;
   Packing packing = row();
-  EXPECT_EQ(contacts(packing, 0.95), (Pairs{{0, 1}}));
-  EXPECT_EQ(contacts(packing, 1.001), (Pairs{{0, 1}, {1, 2}}));
-  EXPECT_EQ(contacts(packing, 1.049), (Pairs{{0, 1}, {1, 2}}));
-  EXPECT_EQ(contacts(packing, 1.051), (Pairs{{0, 1}, {1, 2}, {2, 3}}));
+  EXPECT_EQ(contacts(packing, {}, 0.95), (Pairs{{0, 1}}));
+  EXPECT_EQ(contacts(packing, {}, 1.001), (Pairs{{0, 1}, {1, 2}}));
+  EXPECT_EQ(contacts(packing, {}, 1.049), (Pairs{{0, 1}, {1, 2}}));
+  EXPECT_EQ(contacts(packing, {}, 1.051), (Pairs{{0, 1}, {1, 2}, {2, 3}}));
   packing.radius[3] = 1.2;
-  EXPECT_EQ(contacts(packing, 1.001), (Pairs{{0, 1}, {1, 2}, {2, 3}}));
+  EXPECT_EQ(contacts(packing, {}, 1.001), (Pairs{{0, 1}, {1, 2}, {2, 3}}));
 }
 
 TEST(PackingStatistics, AreThoseOfARowCountedByHand) {

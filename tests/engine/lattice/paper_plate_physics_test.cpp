@@ -14,7 +14,7 @@ namespace {
 TEST(PaperPlate, ShowsTheFiguresMeasured) {
   const Box box{.length = 0.2, .height = 0.04, .thickness = 0.002};
   const Packing packing =
-      pack_box({.box = box, .elements = 20'000, .radius_spread = 0.125, .coordination = 6.0, .seed = 1});
+      pack({.box = box, .elements = 20'000, .radius_spread = 0.125, .coordination = 6.0, .seed = 1});
   const Specimen plate = make_plate(packing, box, 1.0);
   EXPECT_GE(plate.packing.coordination, 6.0);
   EXPECT_LE(plate.packing.coordination, 6.02);

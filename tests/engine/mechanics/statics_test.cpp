@@ -41,7 +41,7 @@ const Lattice& packed_plate() {
   static const Lattice plate = [] {
     const Box box{.length = 12e-3, .height = 20e-3, .thickness = 2e-3};
     const Packing packing =
-        pack_box({.box = box, .elements = 600, .radius_spread = 0.125, .coordination = 6.0, .seed = 3});
+        pack({.box = box, .elements = 600, .radius_spread = 0.125, .coordination = 6.0, .seed = 3});
     return make_lattice(make_plate(packing, box, 1.0), bulk_micro_material, 667.0);
   }();
   return plate;
@@ -148,7 +148,7 @@ TEST(Statics, RefusesALatticeThatIsNotStable) {
 
 TEST(Statics, SaysHowFarItCameWhereItDoesNotConverge) {
   const std::string message = message_of(uneven_column(), std::numeric_limits<double>::quiet_NaN());
-  EXPECT_NE(message.find("the pre-stress did not converge: relative residual "), std::string::npos)
+  EXPECT_NE(message.find("the statics did not converge: relative residual "), std::string::npos)
       << message;
   EXPECT_NE(message.find("(limit 1e-13)"), std::string::npos) << message;
 }

@@ -32,7 +32,7 @@ damge_zone_ratio = 2
 damage_zone_ratio = 0
 
 [material]
-stiffness = "calibrated"
+stiffness = "calibratd"
 poisson_ratio = nan
 )",
                        {"solver.beta=1.05"}),
@@ -41,7 +41,7 @@ poisson_ratio = nan
             "x.toml:7: crack.velocity = \"5 c_r\": must lie in (0, 2] c_r\n"
             "x.toml:8: unknown key 'damge_zone_ratio', did you mean 'damage_zone_ratio'?\n"
             "x.toml:9: crack.damage_zone_ratio = 0: must lie in (0, 1000]\n"
-            "x.toml:12: material.stiffness = \"calibrated\": must be \"in-situ\", \"bulk\" or \"explicit\"\n"
+            "x.toml:12: material.stiffness = \"calibratd\": must be \"in-situ\", \"bulk\", \"calibrated\" or \"explicit\"\n"
             "x.toml:13: material.poisson_ratio = nan: must be a finite number\n"
             "--set solver.beta=1.05: must lie in (0, 1]\n");
 }
@@ -97,7 +97,7 @@ TEST(PresetErrors, PointFromUnknownNamesToTheNearestOne) {
 TEST(PresetErrors, ListTheTablesWhereNoneIsNear) {
   EXPECT_EQ(complaints("[geometry]\n"),
             "x.toml:1: unknown table [geometry]: a preset has specimen, material, loading, crack, damping, "
-            "solver, output, film, study and lanes\n");
+            "solver, output, calibration, film, study and lanes\n");
 }
 
 TEST(PresetErrors, OfAFilmsLookNameTheWordsThereAre) {

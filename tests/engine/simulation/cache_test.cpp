@@ -1,4 +1,4 @@
-#include "engine/simulation/cache.hpp"
+#include "engine/cache.hpp"
 
 #include "tests/studio/run_rift.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/simulation/cache.hpp"
+#include "engine/cache.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

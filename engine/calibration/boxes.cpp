@@ -1,0 +1,67 @@
+#include "engine/calibration/boxes.hpp"
+
+#include "engine/interrupted.hpp"
+#include "engine/lattice/cached_packing.hpp"
+
+#include <fmt/format.h>
+
+namespace rift {
+namespace {
+
+std::string key_of(const BoxTest& test) {
+  constexpr int version = 1;
+  return fmt::format("box {} {} tolerance {:a} beams {:a} {:a}", version, key_of(test.packing),
+                     test.contact_tolerance, test.beams.radius_ratio, test.beams.poisson_ratio);
+}
+
+constexpr std::size_t own_numbers = 2;
+
+BoxResult result_of(const BoxTest& test, const std::vector<double>& n) {
+  return {test.packing, n[0], n[1], Eigen::Map<const Matrix6>(n.data() + own_numbers)};
+}
+
+BoxResult homogenise(const BoxTest& test, Cache& cache, const CalibrationProgress& tell) {
+  constexpr double share_of_packing = 0.4;
+  bool found = false;
+  const Packing packing = cached_packing(
+      test.packing, cache, found, [&](double done) { return tell(share_of_packing * done); }, 1);
+  const Specimen specimen = make_free_specimen(packing, test.packing.box, test.contact_tolerance);
+  const Lattice lattice =
+      make_lattice(specimen, {1.0, test.beams.poisson_ratio, test.beams.radius_ratio}, 1.0);
+  return {test.packing, specimen.packing.coordination, specimen.packing.solid_fraction,
+          homogenised_stiffness(lattice)};
+}
+
+BoxResult homogenised_or_recalled(const BoxTest& test, Cache& cache, const CalibrationProgress& tell) {
+  const std::string key = key_of(test);
+  const auto known = recall(cache, "box", key);
+  BoxResult result;
+  if (known && known->size() == own_numbers + 36) {
+    result = result_of(test, *known);
+  } else {
+    result = homogenise(test, cache, tell);
+    std::vector<double> numbers{result.coordination, result.solid_fraction};
+    numbers.insert(numbers.end(), result.stiffness.data(), result.stiffness.data() + 36);
+    remember(cache, "box", key, numbers);
+  }
+  if (!tell(1.0)) throw Interrupted("homogenising boxes");
+  return result;
+}
+
+}  // namespace
+
+std::vector<BoxResult> homogenise_boxes(const std::vector<BoxTest>& tests, Cache& cache,
+                                        const CalibrationProgress& progress, int threads) {
+  std::vector<double> work;
+  for (const BoxTest& test : tests) work.push_back(test.packing.elements);
+  std::vector<Cache> caches(number_of_threads(threads), Cache{cache.folder, {}});
+  std::vector<BoxResult> results(tests.size());
+  side_by_side(work, threads, progress, [&](std::size_t k, int thread, const CalibrationProgress& tell) {
+    results[k] = homogenised_or_recalled(tests[k], caches[thread], tell);
+  });
+  for (const Cache& used : caches)
+    cache.notes.insert(cache.notes.end(), used.notes.begin(), used.notes.end());
+  return results;
+}
+
+}  // namespace rift

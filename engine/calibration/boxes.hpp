@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/cache.hpp"
+#include "engine/calibration/cylinders.hpp"
+#include "engine/calibration/homogenise.hpp"
+
+namespace rift {
+
+/// A periodic box that is homogenised with beams of unit modulus.
+struct BoxTest {
+  PackingRequest packing;  // in a periodic box
+  double contact_tolerance = 1;
+  BeamShape beams;
+};
+
+struct BoxResult {
+  PackingRequest packing;
+  double coordination = 0, solid_fraction = 0;
+  Matrix6 stiffness;  // over E_mu
+  Isotropic isotropic() const { return isotropic_part(stiffness); }
+};
+
+/// Homogenises all boxes; as press_cylinders() does it.
+std::vector<BoxResult> homogenise_boxes(const std::vector<BoxTest>& tests, Cache& cache,
+                                        const CalibrationProgress& progress = {}, int threads = 0);
+
+}  // namespace rift

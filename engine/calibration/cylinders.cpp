@@ -1,0 +1,107 @@
+#include "engine/calibration/cylinders.hpp"
+
+#include "engine/calibration/pull.hpp"
+#include "engine/interrupted.hpp"
+#include "engine/lattice/cached_packing.hpp"
+#include "engine/mechanics/free_body.hpp"
+
+#include <fmt/format.h>
+
+namespace rift {
+namespace {
+
+std::string key_of(const CylinderTest& test) {
+  constexpr int version = 1;
+  std::string key =
+      fmt::format("cylinder {} {} tolerance {:a}", version, key_of(test.packing), test.contact_tolerance);
+  for (const BeamShape& b : test.beams)
+    key += fmt::format(" beams {:a} {:a}", b.radius_ratio, b.poisson_ratio);
+  return key;
+}
+
+/// What is remembered of a result: its own numbers, then three a response.
+constexpr std::size_t own_numbers = 4;
+
+std::vector<double> numbers_of(const CylinderResult& r) {
+  std::vector<double> numbers{r.coordination, r.core_coordination, r.solid_fraction,
+                              static_cast<double>(r.rattlers)};
+  for (const Response& x : r.responses)
+    numbers.insert(numbers.end(), {x.young_over_micro, x.ends_over_micro, x.poisson_ratio});
+  return numbers;
+}
+
+CylinderResult result_of(const CylinderTest& test, const std::vector<double>& n) {
+  CylinderResult r{test.packing, n[0], n[1], n[2], static_cast<int>(n[3]), test.beams, {}};
+  for (std::size_t k = own_numbers; k < n.size(); k += 3) r.responses.push_back({n[k], n[k + 1], n[k + 2]});
+  return r;
+}
+
+CylinderResult press(const CylinderTest& test, Cache& cache, const CalibrationProgress& progress) {
+  constexpr double share_of_packing = 0.6;
+  bool found = false;
+  const Packing packing = cached_packing(
+      test.packing, cache, found, [&](double done) { return progress(share_of_packing * done); }, 1);
+  const Box& box = test.packing.box;
+  const Specimen specimen = make_free_specimen(packing, box, test.contact_tolerance);
+  CylinderResult result{
+      test.packing,
+      specimen.packing.coordination,
+      core_coordination(packing, box, contacts(packing, box, 1.0), 4.0 * specimen.packing.mean_radius),
+      specimen.packing.solid_fraction,
+      specimen.rattlers,
+      test.beams,
+      {}};
+  for (const BeamShape& beams : test.beams) {
+    const Lattice lattice = make_lattice(specimen, {1.0, beams.poisson_ratio, beams.radius_ratio}, 1.0);
+    FreeBody body(lattice);
+    const Pulled pressed = pull(lattice, body, 1, -box.section());
+    result.responses.push_back({pressed.gauge_modulus, pressed.young_modulus,
+                                0.5 * (pressed.poisson_ratio.x() + pressed.poisson_ratio.z())});
+    const double solved =
+        static_cast<double>(result.responses.size()) / static_cast<double>(test.beams.size());
+    if (!progress(share_of_packing + (1.0 - share_of_packing) * solved))
+      throw Interrupted("pressing cylinders");
+  }
+  return result;
+}
+
+CylinderResult pressed_or_recalled(const CylinderTest& test, Cache& cache, const CalibrationProgress& tell) {
+  const std::string key = key_of(test);
+  if (const auto known = recall(cache, "cylinder", key);
+      known && known->size() == own_numbers + 3 * test.beams.size()) {
+    if (!tell(1.0)) throw Interrupted("pressing cylinders");
+    return result_of(test, *known);
+  }
+  CylinderResult result = press(test, cache, tell);
+  remember(cache, "cylinder", key, numbers_of(result));
+  return result;
+}
+
+}  // namespace
+
+double core_coordination(const Packing& packing, const Box& box,
+                         const std::vector<std::array<int, 2>>& contacts, double away) {
+  std::vector<int> degree(packing.radius.size());
+  for (const auto& [i, j] : contacts) ++degree[i], ++degree[j];
+  double sum = 0.0, members = 0.0;
+  for (std::size_t i = 0; i < degree.size(); ++i)
+    if (wall_push(box, packing.centre[i], away).isZero(0.0)) sum += degree[i], members += 1.0;
+  if (members > 0.0) return sum / members;
+  return 2.0 * static_cast<double>(contacts.size()) / static_cast<double>(degree.size());
+}
+
+std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, Cache& cache,
+                                            const CalibrationProgress& progress, int threads) {
+  std::vector<double> work;
+  for (const CylinderTest& test : tests) work.push_back(test.packing.elements);
+  std::vector<Cache> caches(number_of_threads(threads), Cache{cache.folder, {}});
+  std::vector<CylinderResult> results(tests.size());
+  side_by_side(work, threads, progress, [&](std::size_t k, int thread, const CalibrationProgress& tell) {
+    results[k] = pressed_or_recalled(tests[k], caches[thread], tell);
+  });
+  for (const Cache& used : caches)
+    cache.notes.insert(cache.notes.end(), used.notes.begin(), used.notes.end());
+  return results;
+}
+
+}  // namespace rift

@@ -1,0 +1,87 @@
+#include "engine/calibration/homogenise.hpp"
+
+#include "engine/mechanics/free_body.hpp"
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cassert>
+
+namespace rift {
+namespace {
+
+/// The a-th unit strain as a symmetric matrix.
+Eigen::Matrix3d unit_strain(int a) {
+  constexpr std::array<std::array<int, 2>, 6> place{{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
+  Eigen::Matrix3d strain = Eigen::Matrix3d::Zero();
+  const auto [r, c] = place[a];
+  strain(r, c) += 0.5, strain(c, r) += 0.5;
+  return strain;
+}
+
+/// The motions of a beam's ends where the whole box is strained: those of the elements, and the far end moved
+/// by the strain over the beam, whichever image of the element it joins.
+BeamStrain strain_in(const Beam& beam, const Eigen::Matrix3d& strain, const Vector6& q_i,
+                     const Vector6& q_j) {
+  Vector6 far = q_j;
+  far.head<3>() += strain * (beam.length * beam.axis);
+  return strain_of(beam, q_i, far);
+}
+
+/// Forces of the beams on the elements where nothing has moved yet but the box.
+std::vector<Vector6> loads_of_strain(const Lattice& lattice, const Eigen::Matrix3d& strain) {
+  std::vector<Vector6> load(lattice.centre.size(), Vector6::Zero());
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
+    Vector6 far = Vector6::Zero();
+    far.head<3>() = strain * (lattice.beam[b].length * lattice.beam[b].axis);
+    const BeamLoads l = loads_of(lattice.beam[b], Vector6::Zero(), far);
+    const auto& [i, j] = lattice.ends[b];
+    load[i].head<3>() += l.force_i, load[i].tail<3>() += l.moment_i;
+    load[j].head<3>() -= l.force_i, load[j].tail<3>() += l.moment_j;
+  }
+  return load;
+}
+
+/// Bulk and shear modulus of Voigt's bound.
+std::array<double, 2> voigt(const Matrix6& c) {
+  const double direct = c(0, 0) + c(1, 1) + c(2, 2), across = c(0, 1) + c(0, 2) + c(1, 2);
+  return {(direct + 2.0 * across) / 9.0, (direct - across + 3.0 * (c(3, 3) + c(4, 4) + c(5, 5))) / 15.0};
+}
+
+/// The same of Reuss's bound.
+std::array<double, 2> reuss(const Matrix6& stiffness) {
+  const Matrix6 s = stiffness.inverse();
+  const double direct = s(0, 0) + s(1, 1) + s(2, 2), across = s(0, 1) + s(0, 2) + s(1, 2);
+  return {1.0 / (direct + 2.0 * across),
+          15.0 / (4.0 * direct - 4.0 * across + 3.0 * (s(3, 3) + s(4, 4) + s(5, 5)))};
+}
+
+}  // namespace
+
+Matrix6 homogenised_stiffness(const Lattice& lattice) {
+  assert(lattice.box.walls == Walls::periodic);
+  FreeBody body(lattice);
+  std::array<std::vector<Vector6>, 6> motion;
+  for (int a = 0; a < 6; ++a) motion[a] = body.at_rest(loads_of_strain(lattice, unit_strain(a)));
+  Matrix6 stiffness = Matrix6::Zero();
+  for (std::size_t k = 0; k < lattice.beam.size(); ++k) {
+    const Beam& beam = lattice.beam[k];
+    const auto& [i, j] = lattice.ends[k];
+    std::array<BeamStrain, 6> strain;
+    for (int a = 0; a < 6; ++a) strain[a] = strain_in(beam, unit_strain(a), motion[a][i], motion[a][j]);
+    for (int a = 0; a < 6; ++a)
+      for (int b = 0; b < 6; ++b) stiffness(a, b) += 2.0 * bilinear_energy(beam, strain[a], strain[b]);
+  }
+  return stiffness / lattice.box.volume();
+}
+
+Isotropic isotropic_part(const Matrix6& stiffness) {
+  const auto [k_v, g_v] = voigt(stiffness);
+  const auto [k_r, g_r] = reuss(stiffness);
+  const double k = 0.5 * (k_v + k_r), g = 0.5 * (g_v + g_r);
+  return {.young_modulus = 9.0 * k * g / (3.0 * k + g),
+          .poisson_ratio = (3.0 * k - 2.0 * g) / (2.0 * (3.0 * k + g)),
+          .anisotropy = 5.0 * g_v / g_r + k_v / k_r - 6.0};
+}
+
+}  // namespace rift

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/lattice/lattice.hpp"
+
+namespace rift {
+
+/// In the order xx, yy, zz, yz, xz, xy, with engineering shears.
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Stiffness tensor of a lattice that repeats itself [Pa]: six unit strains, each with the motions that leave
+/// every element in balance, and C_ab = (2 / V) sum over beams of their bilinear energy.
+/// Cost of six solutions with one matrix; throws StaticsError. Asserts a periodic box.
+Matrix6 homogenised_stiffness(const Lattice& lattice);
+
+/// The isotropic solid nearest to a tensor, and how far from it the tensor is.
+struct Isotropic {
+  double young_modulus = 0, poisson_ratio = 0;  // of the Voigt-Reuss-Hill average
+  double anisotropy = 0;                        // A^U = 5 G_V / G_R + K_V / K_R - 6; 0 where isotropic
+};
+
+/// Hill 1952; Ranganathan and Ostoja-Starzewski 2008 for the index.
+Isotropic isotropic_part(const Matrix6& stiffness);
+
+}  // namespace rift

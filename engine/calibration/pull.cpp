@@ -1,0 +1,99 @@
+#include "engine/calibration/pull.hpp"
+
+#include "engine/mechanics/free_body.hpp"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+namespace rift {
+namespace {
+
+/// The elements of one end, and the way between the ends.
+struct End {
+  std::vector<int> member;
+  double mean(const std::vector<double>& of) const {
+    double sum = 0.0;
+    for (int i : member) sum += of[i];
+    return sum / static_cast<double>(member.size());
+  }
+};
+
+std::array<End, 2> ends_of(const Lattice& lattice, int axis) {
+  std::array<End, 2> ends;
+  const double edge = lattice.box.size()[axis];
+  for (int i = 0; i < static_cast<int>(lattice.centre.size()); ++i) {
+    const double at = lattice.centre[i][axis], depth = grip_depth * lattice.radius[i];
+    if (at <= depth) ends[0].member.push_back(i);
+    if (edge - at <= depth) ends[1].member.push_back(i);
+  }
+  for (const End& end : ends)
+    if (end.member.size() < 3)
+      throw PackingError(
+          fmt::format("too few elements: {} at an end, 3 are needed to pull at", end.member.size()));
+  return ends;
+}
+
+/// Of all forces along the axis on the members with the resultant in the middle of the section, the most
+/// even.
+void load_end(std::vector<Vector6>& load, const Lattice& lattice, const End& end, int axis, double force) {
+  const int across[2] = {(axis + 1) % 3, (axis + 2) % 3};
+  const Eigen::Vector3d middle = 0.5 * lattice.box.size();
+  Eigen::MatrixXd sums(3, end.member.size());  // force, and the two moments over the mean radius
+  for (std::size_t k = 0; k < end.member.size(); ++k) {
+    const Eigen::Vector3d arm = (lattice.centre[end.member[k]] - middle) / lattice.mean_radius;
+    sums.col(static_cast<long>(k)) << 1.0, arm[across[0]], arm[across[1]];
+  }
+  const Eigen::Vector3d wanted(force, 0.0, 0.0);
+  const Eigen::VectorXd share = sums.transpose() * (sums * sums.transpose()).ldlt().solve(wanted);
+  for (std::size_t k = 0; k < end.member.size(); ++k)
+    load[end.member[k]][axis] += share[static_cast<long>(k)];
+}
+
+double section_of(const Box& box, int axis) {
+  return box.walls == Walls::cylinder ? box.section() : box.size().prod() / box.size()[axis];
+}
+
+}  // namespace
+
+std::vector<Vector6> end_loads(const Lattice& lattice, int axis, double force) {
+  const auto ends = ends_of(lattice, axis);
+  std::vector<Vector6> load(lattice.centre.size(), Vector6::Zero());
+  load_end(load, lattice, ends[0], axis, -force);
+  load_end(load, lattice, ends[1], axis, force);
+  return load;
+}
+
+Eigen::Matrix3d gradient_in_middle(const Lattice& lattice, const std::vector<Vector6>& motion, int axis) {
+  const Eigen::Vector3d middle = 0.5 * lattice.box.size();
+  const double reach = 0.25 * lattice.box.size()[axis];
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Matrix<double, 4, 3> right = Eigen::Matrix<double, 4, 3>::Zero();
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const Eigen::Vector3d d = lattice.centre[i] - middle;
+    if (std::abs(d[axis]) > reach) continue;
+    const Eigen::Vector4d basis(1.0, d.x() / reach, d.y() / reach, d.z() / reach);
+    normal += basis * basis.transpose();
+    right += basis * motion[i].head<3>().transpose();
+  }
+  const Eigen::Matrix<double, 4, 3> fit = normal.ldlt().solve(right);
+  return fit.bottomRows<3>().transpose() / reach;
+}
+
+Pulled pull(const Lattice& lattice, FreeBody& body, int axis, double force) {
+  Pulled result;
+  result.motion = body.at_rest(end_loads(lattice, axis, force));
+  const auto ends = ends_of(lattice, axis);
+  std::vector<double> at, moved;
+  for (std::size_t i = 0; i < result.motion.size(); ++i)
+    at.push_back(lattice.centre[i][axis]), moved.push_back(result.motion[i][axis]);
+  const double stress = force / section_of(lattice.box, axis);
+  const double strain = (ends[1].mean(moved) - ends[0].mean(moved)) / (ends[1].mean(at) - ends[0].mean(at));
+  const Eigen::Matrix3d gradient = gradient_in_middle(lattice, result.motion, axis);
+  result.young_modulus = stress / strain;
+  result.gauge_modulus = stress / gradient(axis, axis);
+  for (int c = 0; c < 3; ++c)
+    if (c != axis) result.poisson_ratio[c] = -gradient(c, c) / gradient(axis, axis);
+  return result;
+}
+
+}  // namespace rift

@@ -1,0 +1,93 @@
+#include "engine/calibration/record_cylinders.hpp"
+
+#include "engine/calibration/calibrate.hpp"
+#include "engine/calibration/pull.hpp"
+#include "engine/interrupted.hpp"
+#include "engine/lattice/cached_packing.hpp"
+#include "engine/lattice/stiffness.hpp"
+#include "engine/mechanics/free_body.hpp"
+#include "engine/results/run_writer.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace rift {
+namespace {
+
+/// Everything drawn so far, and the frame of it.
+struct Scenery {
+  results::Geometry geometry;
+  results::Frame frame;
+  double width = 0;  // [m]
+
+  void add(const Specimen& specimen, const std::vector<Vector6>& motion) {
+    constexpr double gap = 0.3;  // of a diameter
+    const double offset = width == 0.0 ? 0.0 : width + gap * specimen.box.length;
+    const auto first = static_cast<std::int32_t>(geometry.position.size());
+    const auto single = [](const Eigen::Vector3d& p) {
+      return std::array{static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+    };
+    for (std::size_t i = 0; i < motion.size(); ++i) {
+      geometry.position.push_back(single(specimen.centre[i] + Eigen::Vector3d(offset, 0, 0)));
+      geometry.radius.push_back(static_cast<float>(specimen.radius[i]));
+      frame.displacement.push_back(single(motion[i].head<3>()));
+    }
+    for (const auto& [i, j] : specimen.beam) geometry.beam.push_back({first + i, first + j});
+    width = offset + specimen.box.length;
+  }
+};
+
+/// Pressed by 1 % of its height, as the mean of its ends; its middle stays.
+std::vector<Vector6> pressed(const Specimen& specimen) {
+  constexpr double shortening = 0.01;
+  const Lattice lattice = make_lattice(specimen, bulk_micro_material, 1.0);
+  FreeBody body(lattice);
+  const double force = -specimen.box.section() * 1e6;
+  Pulled pulled = pull(lattice, body, 1, force);
+  const double scale = shortening / (1e6 / pulled.young_modulus);
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();
+  for (const Vector6& q : pulled.motion) drift += q.head<3>() / static_cast<double>(pulled.motion.size());
+  for (Vector6& q : pulled.motion) q.head<3>() -= drift, q *= scale;
+  return pulled.motion;
+}
+
+nlohmann::ordered_json header_for(const Preset& preset, const Scenery& scenery, const BuildInfo& build) {
+  const double height = preset.scene.specimen.height;
+  return {{"preset_name", preset.name},
+          {"preset", preset_text(preset)},
+          {"version", build.version},
+          {"compiler", build.compiler},
+          {"seed", preset.scene.specimen.seed},
+          {"lanes", 1},
+          {"length_m", scenery.width},
+          {"height_m", height},
+          {"thickness_m", preset.scene.specimen.length},
+          {"path", {{0.0, 0.5 * height}, {0.0, 0.5 * height}}},
+          {"tips", 1},
+          {"density_kg_m3", 1.0},
+          {"solid_fraction", 0.62},
+          {"scenarios", {nlohmann::ordered_json::object()}},
+          {"film",
+           {{"title", preset.scene.film.title}, {"field", "uy"}, {"chart", false}, {"magnification", 1.0}}}};
+}
+
+}  // namespace
+
+void record_cylinders(const Preset& preset, const std::filesystem::path& folder, const BuildInfo& build,
+                      Cache& cache, const CalibrationProgress& progress) {
+  Scenery scenery;
+  const Scene& scene = preset.scene;
+  for (std::size_t k = 0; k < scene.calibration.sizes.size(); ++k) {
+    const CylinderTest test = cylinders_for(scene, static_cast<int>(scene.calibration.sizes[k]), {}).front();
+    bool found = false;
+    const Packing packing = cached_packing(test.packing, cache, found);
+    const Specimen specimen = make_free_specimen(packing, test.packing.box, test.contact_tolerance);
+    scenery.add(specimen, pressed(specimen));
+    if (progress && !progress((k + 1.0) / static_cast<double>(scene.calibration.sizes.size())))
+      throw Interrupted("pressing cylinders");
+  }
+  results::RunWriter writer(folder, header_for(preset, scenery, build), scenery.geometry);
+  writer.frame(scenery.frame);
+  writer.finish({{"scenarios", {{{"outcome", "finished"}}}}}, {{}});
+}
+
+}  // namespace rift

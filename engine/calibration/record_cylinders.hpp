@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/cache.hpp"
+#include "engine/calibration/side_by_side.hpp"
+#include "engine/scene/preset.hpp"
+#include "engine/simulation/build_info.hpp"
+
+#include <filesystem>
+
+namespace rift {
+
+/// Presses the first packing of each size of the preset's [calibration] until it is 1 % shorter, and writes
+/// the cylinders side by side into a run's folder, as one frame that `rift render` can draw.
+/// @param[in] folder  made by create_run_folder()
+void record_cylinders(const Preset& preset, const std::filesystem::path& folder, const BuildInfo& build,
+                      Cache& cache, const CalibrationProgress& progress = {});
+
+}  // namespace rift

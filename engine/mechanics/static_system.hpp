@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/lattice/lattice.hpp"
+#include "engine/mechanics/rigid_patches.hpp"
+
+#include <Eigen/IterativeLinearSolvers>
+
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+namespace rift {
+
+/// A linear system of statics could not be solved to its tolerance.
+struct StaticsError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// K q = f over the free elements of a lattice, in the unknowns (u, R theta) with R the mean radius, which
+/// puts forces and moments on one scale.
+struct StaticSystem {
+  using Matrix = RigidPatches::Matrix;
+  std::vector<int> number;              // of each element among the free ones, -1 where held
+  std::vector<Eigen::Vector3d> centre;  // of the free ones [m]
+  double mean_radius = 0;               // R [m]
+  Matrix k;
+};
+
+using StiffnessOf = std::function<Matrix12(int beam)>;
+
+/// @param[in] number   of each element among the free ones, -1 where held
+/// @param[in] present  B, 0 for a beam that is not there
+StaticSystem assemble(const Lattice& lattice, std::vector<int> number, const std::vector<char>& present,
+                      const StiffnessOf& stiffness);
+
+/// The loads on the free elements, in the unknowns' scale. @param[in] force  N forces and moments [N, N m]
+Eigen::VectorXd loads_on(const StaticSystem& system, const std::vector<Vector6>& force);
+
+/// Motions of all elements [m, rad], those that are held staying where they are.
+std::vector<Vector6> motions_in(const StaticSystem& system, const Eigen::VectorXd& unknown);
+
+/// Conjugate gradients over a system that must outlive it; ready for many loads.
+class StaticSolver {
+ public:
+  explicit StaticSolver(const StaticSystem& system);
+  /// Throws StaticsError where the relative residual stays above the tolerance.
+  Eigen::VectorXd solve(const Eigen::VectorXd& load, double tolerance);
+
+ private:
+  const StaticSystem& system_;
+  Eigen::ConjugateGradient<StaticSystem::Matrix, Eigen::Lower | Eigen::Upper, RigidPatches> solver_;
+};
+
+}  // namespace rift

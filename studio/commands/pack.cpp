@@ -1,0 +1,102 @@
+#include "engine/interrupted.hpp"
+#include "engine/lattice/cached_packing.hpp"
+#include "engine/lattice/specimen.hpp"
+#include "engine/scene/derived.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/scene_options.hpp"
+#include "studio/report/packing_report.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+namespace rift::studio {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct PackOptions {
+  SceneOptions scene;
+  std::string out;
+  bool force = false;
+};
+
+Preset preset_for(const SceneOptions& options) {
+  if (!options.preset.empty()) return read_scene(options);
+  Preset preset = read_preset_text("", "rift pack", options.overrides);
+  if (!preset.issues.empty()) throw InputError(preset.issues);
+  return preset;
+}
+
+PackedSpecimen packed(const PackOptions& options, const Preset& preset, Cache& cache,
+                      const PackingProgress& progress) {
+  const auto start = Clock::now();
+  const Scene& scene = preset.scene;
+  PackedSpecimen specimen{.scene = scene, .build = build_info(), .box = box_of(scene), .packing = {}};
+  try {
+    specimen.packing =
+        cached_packing(request_of(scene), cache, specimen.from_cache, progress, options.scene.threads);
+    specimen.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+    const Specimen whole =
+        make_free_specimen(specimen.packing, specimen.box, scene.specimen.contact_tolerance);
+    specimen.rattlers = whole.rattlers;
+    specimen.beams = whole.beam.size();
+  } catch (const PackingError& error) {
+    throw InputError(
+        {issue_at(preset, scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination",
+                  error.what())});
+  }
+  return specimen;
+}
+
+ExitCode pack_specimen(const PackOptions& options) {
+  const Preset preset = preset_for(options.scene);
+  if (options.scene.print_config) {
+    fmt::print("{}", preset_text(preset));
+    return ExitCode::done;
+  }
+  const bool report = !options.out.empty();
+  if (report) check_report_folder(options.out, options.force);
+  const StopSignal stop;
+  ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
+  Cache cache = cache_for(options.scene);
+  try {
+    const PackedSpecimen specimen = packed(options, preset, cache, [&](double done) {
+      line.tell("packing", done);
+      return stop.received() == 0;
+    });
+    line.clear();
+    print_notes(cache);
+    const nlohmann::ordered_json summary = packing_json(specimen);
+    if (report) write_packing_report(specimen, summary, options.out);
+    if (options.scene.json) {
+      fmt::print("{}\n", summary.dump(2));
+    } else {
+      fmt::print("{}", packing_text(summary, wants_color(options.scene.color, stdout)));
+      if (report) fmt::print("{}/  report.html, summary.json, elements.csv, charts\n", options.out);
+    }
+  } catch (const Interrupted& interrupted) {
+    line.clear();
+    fmt::print(stderr, "rift pack: {}\n", interrupted.what());
+    return static_cast<ExitCode>(128 + stop.received());
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_pack(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "pack", "Fill a plate, block, cylinder, sphere or periodic box with elements, and show how they lie");
+  const auto options = std::make_shared<PackOptions>();
+  add_scene_options(command, options->scene);
+  command.get_option("preset")->required(false);
+  command.add_option("--out", options->out,
+                     "Folder of a report: statistics, charts and the elements as a table");
+  command.add_flag("--force", options->force, "Replace what a former run left in the folder");
+  command.callback([options, &exit_code] { exit_code = pack_specimen(*options); });
+}
+
+}  // namespace rift::studio

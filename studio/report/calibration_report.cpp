@@ -1,0 +1,186 @@
+#include "studio/report/calibration_report.hpp"
+
+#include "engine/lattice/stiffness.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/world_error.hpp"
+#include "studio/report/calibration_charts.hpp"
+#include "studio/report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "110.6 ± 2.3"; without a deviation where there is none.
+std::string with_deviation(double mean, double deviation, int digits) {
+  const std::string text = fmt::format("{:.{}f}", mean, digits);
+  return std::isnan(deviation) ? text : fmt::format("{} ± {:.{}f}", text, deviation, digits);
+}
+
+constexpr const char* left_out =
+    "Left out: a scan of E_mu, for every modulus is proportional to it; a scan of nu_mu, which changes E and "
+    "nu "
+    "by less than 0.5 %.";
+
+Json json_of(const Scattered& s) { return {{"mean", s.mean}, {"deviation", s.deviation}}; }
+
+/// Means over the packings of each size, and the boxes, in GPa with the paper's beams.
+Table table_of(const CalibrationStudy& study) {
+  constexpr double micro = bulk_micro_material.young_modulus / 1e9;
+  Table table{{"specimens", "elements", "packings", "core coordination", "solid fraction", "E [GPa]",
+               "E, ends [GPa]", "nu", "anisotropy"},
+              {}};
+  const auto mean_of = [](const auto& all, const auto& of) {
+    std::vector<double> values;
+    for (const auto& one : all) values.push_back(of(one));
+    return scattered(values);
+  };
+  const auto text = [](const Scattered& s, int digits) {
+    return with_deviation(s.mean, s.deviation, digits);
+  };
+  for (const auto& packings : study.by_size)
+    table.rows.push_back(
+        {"cylinders", fmt::format("{}", packings.front().packing.elements),
+         fmt::format("{}", packings.size()),
+         text(mean_of(packings, [](const auto& c) { return c.core_coordination; }), 3),
+         text(mean_of(packings, [](const auto& c) { return c.solid_fraction; }), 4),
+         text(mean_of(packings, [](const auto& c) { return micro * c.responses[0].young_over_micro; }), 2),
+         text(mean_of(packings, [](const auto& c) { return micro * c.responses[0].ends_over_micro; }), 2),
+         text(mean_of(packings, [](const auto& c) { return c.responses[0].poisson_ratio; }), 3), "-"});
+  const std::size_t half = study.boxes.size() / 2;
+  for (const std::vector<BoxResult>& boxes :
+       {std::vector<BoxResult>(study.boxes.begin(), study.boxes.begin() + half),
+        std::vector<BoxResult>(study.boxes.begin() + half, study.boxes.end())})
+    table.rows.push_back(
+        {"periodic boxes", fmt::format("{}", boxes.front().packing.elements), fmt::format("{}", boxes.size()),
+         text(mean_of(boxes, [](const auto& b) { return b.coordination; }), 3),
+         text(mean_of(boxes, [](const auto& b) { return b.solid_fraction; }), 4),
+         text(mean_of(boxes, [](const auto& b) { return micro * b.isotropic().young_modulus; }), 2), "-",
+         text(mean_of(boxes, [](const auto& b) { return b.isotropic().poisson_ratio; }), 3),
+         text(mean_of(boxes, [](const auto& b) { return b.isotropic().anisotropy; }), 4)});
+  return table;
+}
+
+Table scan_table(const CalibrationStudy& study) {
+  Table table{{"r_mu", "nu_mu", "E_M / E_mu", "nu"}, {}};
+  const auto add = [&](const std::vector<CylinderResult>& cylinders) {
+    const auto young = young_of(cylinders), nu = poisson_of(cylinders);
+    for (std::size_t k = 0; k < young.size(); ++k)
+      table.rows.push_back({fmt::format("{:g}", cylinders.front().beams[k].radius_ratio),
+                            fmt::format("{:g}", cylinders.front().beams[k].poisson_ratio),
+                            fmt::format("{:.5f} ± {:.5f}", young[k].mean, young[k].deviation),
+                            with_deviation(nu[k].mean, nu[k].deviation, 4)});
+  };
+  add(study.scan);
+  add(study.twisted);
+  return table;
+}
+
+/// The tensor of the largest core coordination's first box, in GPa.
+Table tensor_table(const CalibrationStudy& study) {
+  Table table{{"[GPa]", "xx", "yy", "zz", "yz", "xz", "xy"}, {}};
+  const BoxResult& box = study.boxes.back();
+  for (int r = 0; r < 6; ++r) {
+    table.rows.push_back({table.head[r + 1]});
+    for (int c = 0; c < 6; ++c)
+      table.rows.back().push_back(
+          fmt::format("{:.3f}", bulk_micro_material.young_modulus / 1e9 * box.stiffness(r, c)));
+  }
+  return table;
+}
+
+std::string csv_of(const std::vector<SummaryRow>& rows) {
+  std::string csv;
+  for (const auto& [name, value] : rows.front().items()) csv += (csv.empty() ? "" : ",") + name;
+  csv += '\n';
+  for (const SummaryRow& row : rows) {
+    std::string line;
+    for (const auto& [name, value] : row.items())
+      line += (line.empty() ? "" : ",") + (value.is_null()     ? ""
+                                           : value.is_string() ? value.get<std::string>()
+                                                               : value.dump());
+    csv += line + '\n';
+  }
+  return csv;
+}
+
+}  // namespace
+
+std::string material_block(const Calibration& c) {
+  const MicroMaterial& m = c.beams.micro;
+  return fmt::format(
+      "# Calibrated by {} cylinders of {} elements at a coordination of {:g}: E = {:.4g} GPa, nu = {:.4f}\n"
+      "[material]\nyoung_modulus = \"{:.10g} GPa\"\npoisson_ratio = {:.10g}\nstiffness = \"explicit\"\n"
+      "micro_young_modulus = \"{:.10g} GPa\"\nmicro_poisson_ratio = {:.10g}\nmicro_radius_ratio = {:.10g}\n",
+      c.scene.calibration.packings, c.scene.calibration.elements, c.scene.specimen.coordination,
+      c.beams.young_modulus.mean / 1e9, c.beams.poisson_ratio.mean, c.scene.material.young_modulus / 1e9,
+      c.scene.material.poisson_ratio, m.young_modulus / 1e9, m.poisson_ratio, m.radius_ratio);
+}
+
+std::string calibration_text(const Calibration& c, bool color) {
+  const Calibrated& b = c.beams;
+  std::string text = heading(fmt::format("E = {:.4g} GPa, nu = {:g}", c.scene.material.young_modulus / 1e9,
+                                         c.scene.material.poisson_ratio),
+                             color) +
+                     "\n";
+  text += fmt::format("  E_mu        {} GPa\n",
+                      with_deviation(b.micro.young_modulus / 1e9, b.micro_young_deviation / 1e9, 2));
+  text += fmt::format("  nu_mu       {:g}\n", b.micro.poisson_ratio);
+  text +=
+      fmt::format("  r_mu        {}\n", with_deviation(b.micro.radius_ratio, b.radius_ratio_deviation, 4));
+  text += fmt::format("  of a single packing: the scatter over {} cylinders of {} elements, which show\n",
+                      c.scene.calibration.packings, c.scene.calibration.elements);
+  text += fmt::format("  E           {} GPa\n",
+                      with_deviation(b.young_modulus.mean / 1e9, b.young_modulus.deviation / 1e9, 3));
+  text +=
+      fmt::format("  nu          {}\n", with_deviation(b.poisson_ratio.mean, b.poisson_ratio.deviation, 4));
+  text += fmt::format("  attainable  nu from {:.3f} to {:.3f}\n", b.attainable[0], b.attainable[1]);
+  return text + fmt::format("  {}\n\n", left_out) + material_block(c);
+}
+
+Json calibration_json(const Calibration& c) {
+  const Calibrated& b = c.beams;
+  Json j{{"version", c.build.version},
+         {"young_modulus_pa", c.scene.material.young_modulus},
+         {"poisson_ratio", c.scene.material.poisson_ratio},
+         {"micro_young_modulus_pa", b.micro.young_modulus},
+         {"micro_young_modulus_deviation_pa", b.micro_young_deviation},
+         {"micro_poisson_ratio", b.micro.poisson_ratio},
+         {"micro_radius_ratio", b.micro.radius_ratio},
+         {"micro_radius_ratio_deviation", b.radius_ratio_deviation},
+         {"measured_young_modulus_pa", json_of(b.young_modulus)},
+         {"measured_poisson_ratio", json_of(b.poisson_ratio)},
+         {"attainable_poisson_ratio", b.attainable},
+         {"elements", c.scene.calibration.elements},
+         {"packings", c.scene.calibration.packings},
+         {"left_out", left_out},
+         {"material", material_block(c)}};
+  if (c.study) j["rows"] = rows_of(*c.study);
+  return j;
+}
+
+void write_calibration_report(const Calibration& c, const fs::path& folder) {
+  const std::vector<SummaryRow> rows = rows_of(*c.study);
+  fs::create_directories(folder);
+  results::write_whole_file(folder / "table.csv", csv_of(rows));
+  results::write_whole_file(folder / "material.toml", material_block(c));
+  results::write_whole_file(folder / "summary.json", calibration_json(c).dump(2) + "\n");
+  std::string figures;
+  for (const NamedChart& named : calibration_charts(rows, bulk_micro_material.young_modulus))
+    figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
+  std::string body = html_section("Answer", "<pre>" + html_escape(calibration_text(c, false)) + "</pre>");
+  body += html_section("Specimens, with the paper's beams (E_mu = 356 GPa, nu_mu = 0.3, r_mu = 0.3)",
+                       html_table(table_of(*c.study)));
+  body += html_section("Scan of the beams", html_table(scan_table(*c.study)));
+  body += html_section("Stiffness tensor of a periodic box", html_table(tensor_table(*c.study)));
+  body += html_section("Charts", figures);
+  results::write_whole_file(folder / "report.html", html_page("Calibration", body));
+}
+
+}  // namespace rift::studio
