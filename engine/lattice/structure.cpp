@@ -29,26 +29,23 @@ std::vector<double> share_of_pairs(const std::vector<Eigen::Vector3d>& points, c
   return share;
 }
 
-/// Where the centres of spheres of this radius can lie, at random.
-std::vector<Eigen::Vector3d> points_at_random(const Box& box, double radius, std::size_t count) {
+/// Within the walls, at random.
+std::vector<Eigen::Vector3d> points_at_random(const Box& box, std::size_t count) {
   std::mt19937_64 engine(20170601);
   const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1.0p-53; };
-  const double margin = box.walls == Walls::periodic ? 0.0 : radius;
-  const Box inner{box.length - 2.0 * margin, box.height - 2.0 * margin, box.thickness - 2.0 * margin,
-                  box.walls};
   std::vector<Eigen::Vector3d> points;
   while (points.size() < count) {
-    const Eigen::Vector3d p(uniform() * inner.length, uniform() * inner.height, uniform() * inner.thickness);
-    if (holds(inner, p)) points.push_back(p);
+    const Eigen::Vector3d p(uniform() * box.length, uniform() * box.height, uniform() * box.thickness);
+    if (holds(box, p)) points.push_back(p);
   }
   return points;
 }
 
 void add_pair_correlation(PackingStructure& s, const Packing& packing, const Box& box) {
-  constexpr std::size_t fewest = 20'000, most = 50'000;
+  constexpr std::size_t fewest = 1000, most = 50'000, times = 8;
   double diameter = 0.0;
   for (double r : packing.radius) diameter += 2.0 * r / static_cast<double>(packing.radius.size());
-  const auto points = points_at_random(box, 0.5 * diameter, std::clamp(packing.centre.size(), fewest, most));
+  const auto points = points_at_random(box, std::clamp(times * packing.centre.size(), fewest, most));
   const std::vector<double> found = share_of_pairs(packing.centre, box, diameter),
                             random = share_of_pairs(points, box, diameter);
   for (std::size_t k = 0; k < found.size(); ++k) {

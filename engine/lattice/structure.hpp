@@ -14,8 +14,9 @@ struct PackingStructure {
   std::vector<double> pair_correlation;  // g: pairs over those of points at random in the same space
 };
 
-/// The pair correlation by the ratio of pair counts (Peebles and Hauser 1974), with at least 20,000 points at
-/// random where centres can lie, so that walls do not bend it; up to 2.5 diameters. Cost O(N).
+/// The pair correlation by the ratio of pair counts (Peebles and Hauser 1974), with eight points an element
+/// (50,000 at most) at random within the walls, so that these hardly bend it (5 % at ten elements across); up
+/// to 2.5 diameters. Cost O(N).
 PackingStructure structure_of(const Packing& packing, const Box& box);
 
 }  // namespace rift
