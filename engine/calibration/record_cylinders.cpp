@@ -8,6 +8,7 @@
 #include "engine/mechanics/free_body.hpp"
 #include "engine/results/run_writer.hpp"
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 namespace rift {
@@ -36,17 +37,27 @@ struct Scenery {
   }
 };
 
+/// Takes out of a body's motion what shifts and turns its middle.
+void stand_still(std::vector<Vector6>& motion, const Lattice& lattice) {
+  const Eigen::Matrix3d gradient = gradient_in_middle(lattice, motion, 1);
+  const Eigen::Vector3d turn(0.5 * (gradient(2, 1) - gradient(1, 2)), 0.5 * (gradient(0, 2) - gradient(2, 0)),
+                             0.5 * (gradient(1, 0) - gradient(0, 1)));
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    motion[i].head<3>() -= turn.cross(lattice.centre[i] - 0.5 * lattice.box.size());
+    shift += motion[i].head<3>() / static_cast<double>(motion.size());
+  }
+  for (Vector6& q : motion) q.head<3>() -= shift;
+}
+
 /// Pressed by 1 % of its height, as the mean of its ends; its middle stays.
 std::vector<Vector6> pressed(const Specimen& specimen) {
-  constexpr double shortening = 0.01;
+  constexpr double shortening = 0.01, stress = 1e6;
   const Lattice lattice = make_lattice(specimen, bulk_micro_material, 1.0);
   FreeBody body(lattice);
-  const double force = -specimen.box.section() * 1e6;
-  Pulled pulled = pull(lattice, body, 1, force);
-  const double scale = shortening / (1e6 / pulled.young_modulus);
-  Eigen::Vector3d drift = Eigen::Vector3d::Zero();
-  for (const Vector6& q : pulled.motion) drift += q.head<3>() / static_cast<double>(pulled.motion.size());
-  for (Vector6& q : pulled.motion) q.head<3>() -= drift, q *= scale;
+  Pulled pulled = pull(lattice, body, 1, -specimen.box.section() * stress);
+  stand_still(pulled.motion, lattice);
+  for (Vector6& q : pulled.motion) q *= shortening / (stress / pulled.young_modulus);
   return pulled.motion;
 }
 
@@ -62,7 +73,7 @@ nlohmann::ordered_json header_for(const Preset& preset, const Scenery& scenery, 
           {"height_m", height},
           {"thickness_m", preset.scene.specimen.length},
           {"path", {{0.0, 0.5 * height}, {0.0, 0.5 * height}}},
-          {"tips", 1},
+          {"tips", 0},
           {"density_kg_m3", 1.0},
           {"solid_fraction", 0.62},
           {"scenarios", {nlohmann::ordered_json::object()}},

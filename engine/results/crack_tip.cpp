@@ -33,6 +33,7 @@ std::vector<Point> path_of(const nlohmann::ordered_json& header) {
 
 std::vector<Point> tips_at(const nlohmann::ordered_json& header, double tip_m) {
   const std::vector<Point> path = path_of(header);
+  if (header.value("tips", 1) == 0) return {};
   if (header.value("tips", 1) == 1) return {point_at(path, tip_m)};
   double length = 0;
   for (std::size_t k = 0; k + 1 < path.size(); ++k) length += distance(path[k], path[k + 1]);

@@ -87,7 +87,8 @@ void PaneView::show(const Moment& moment) {
   if (spheres_) spheres_->show(moment.displacement, moment.value, magnification);
   if (beams_) beams_->show(moment.displacement, moment.damage_factor, magnification);
   const auto tips = carried_tips(moment);
-  const Window shown = window_of(look_, place_.picture, plate_, tips.back());
+  const Window shown = window_of(look_, place_.picture, plate_,
+                                 tips.empty() ? std::array{0.5 * plate_.length, plate_.middle} : tips.back());
   look_at(shown);
   for (std::size_t k = 0; k < tips.size(); ++k) {
     const auto [x, y] = to_pixels(look_, shown, place_.picture, plate_, tips[k]);
@@ -128,6 +129,7 @@ void PaneView::look_at(const Window& shown) {
 }
 
 std::string PaneView::caption(const Moment& moment) const {
+  if (results::tips_at(reader_.header(), 0).empty()) return {};
   const double rayleigh = reader_.header().value("rayleigh_speed_m_s", 0.0);
   std::string text =
       fmt::format("t = {:.1f} µs   tip {:.1f} mm", moment.since_start_s * 1e6, moment.tip_m * 1e3);

@@ -163,8 +163,7 @@ TEST(PackingStructure, WithinWallsIsThatOfPointsAtRandomInTheSameSpace) {
     const PackingStructure s = structure_of(pack(r), r.box);
     double mean = 0.0;
     for (std::size_t k = 30; k < s.pair_correlation.size(); ++k) mean += s.pair_correlation[k] / 20.0;
-    EXPECT_NEAR(mean, 1.0, 0.05) << static_cast<int>(
-        walls);  // without regard to walls it would be 0.7 to 0.8
+    EXPECT_NEAR(mean, 1.0, 0.1) << static_cast<int>(walls);  // points of the box around: 1.3 to 1.9
     EXPECT_EQ(s.pair_correlation[10], 0.0);
   }
 }
