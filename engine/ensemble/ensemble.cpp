@@ -85,6 +85,15 @@ void Ensemble<Real>::release_from(const std::vector<Vector6>& moved) {
   }
 }
 
+template <class Real>
+void Ensemble<Real>::throw_lane(int lane, const std::vector<Vector6>& velocity) {
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    for (int c = 0; c < 6; ++c) v_[(i * 6 + c) * lanes_ + lane] = static_cast<Real>(velocity[i][c]);
+  weighed_at_ = velocities_at_ = -1;
+  ledger_[lane] = Ledger{};
+  ledger_[lane].energy_start = energy(lane).total();
+}
+
 /// A lane in the base state, nothing of it released yet. Lanes without a scenario stay there.
 template <class Real>
 void Ensemble<Real>::put_to_rest(int lane) {

@@ -53,6 +53,10 @@ class Ensemble {
   /// Puts every lane at rest in any state, for what follows to pull it back.
   void release_from(const std::vector<Vector6>& moved);
 
+  /// Throws a lane out of the state at rest that start_from() put it in: the velocities of this moment, where
+  /// nothing is strained beyond the base yet. @param[in] velocity  N [m/s, rad/s]
+  void throw_lane(int lane, const std::vector<Vector6>& velocity);
+
   /// Starts every lane's crack: a(0) of its history is now. With it start these beams' viscous damping.
   void start_crack(const std::vector<DampedBeam>& damped);
 
@@ -60,8 +64,8 @@ class Ensemble {
   /// counted from now; the others do not notice. The damped beams must be those of start_crack().
   void refill(int lane, const LaneScenario& scenario);
 
-  /// Changes a lane while its crack runs, from the next step on: where its tip is and what the damage zone has
-  /// reached must be as before.
+  /// Changes a lane while its crack runs, from the next step on: where its tip is and what the damage zone
+  /// has reached must be as before.
   void steer(int lane, const LaneScenario& scenario);
 
   /// Damps these beams from the next step on; those that were damped before must be among them.

@@ -1,5 +1,5 @@
 #include "engine/interrupted.hpp"
-#include "engine/simulation/prepare.hpp"
+#include "engine/simulation/own_numbers.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/dry_run.hpp"
@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <memory>
 
 namespace rift::studio {
@@ -20,7 +21,38 @@ void print_table(const Json& j, const std::string& title, bool color) {
   for (const auto& [label, text] : dry_run_rows(j)) fmt::print("  {:<16}{}\n", label, text);
 }
 
-ExitCode check(const SceneOptions& options) {
+/// What the specimen shows of itself, under the dry run's table.
+void print_measured(const Json& j, bool color) {
+  const auto number = [&](const char* name) {
+    return j.at(name).is_number() ? j.at(name).get<double>() : std::numeric_limits<double>::quiet_NaN();
+  };
+  fmt::print("\n{}\n", heading("measured on this specimen", color));
+  for (const char* way : {"along", "across"})
+    fmt::print("  {:<16}E {:.2f} GPa, nu {:.3f}\n", fmt::format("pulled {}", way),
+               number(fmt::format("measured_young_modulus_{}_pa", way).c_str()) / 1e9,
+               number(fmt::format("measured_poisson_ratio_{}", way).c_str()));
+  for (const char* kind : {"dilatational", "shear", "rayleigh"}) {
+    const double measured = number(fmt::format("measured_{}_speed_m_s", kind).c_str()),
+                 nominal = number(fmt::format("nominal_{}_speed_m_s", kind).c_str());
+    fmt::print("  {:<16}{:.0f} m/s, the material's {:.0f}: {:.3f} of it\n", kind, measured, nominal,
+               measured / nominal);
+  }
+  fmt::print("\n{}\n", heading("speed over that of the longest wave, by wavelength over mean radius", color));
+  for (const Json& wave : j.at("waves")) {
+    const auto kind = wave.at("kind").get<std::string>();
+    fmt::print(
+        "  {:<16}{:6.1f}   {:.3f}\n", kind, wave.at("wavelength_over_radius").get<double>(),
+        wave.at("speed_m_s").get<double>() / number(fmt::format("measured_{}_speed_m_s", kind).c_str()));
+  }
+}
+
+struct CheckOptions {
+  SceneOptions scene;
+  bool measure = false;
+};
+
+ExitCode check(const CheckOptions& check_options) {
+  const SceneOptions& options = check_options.scene;
   const Preset preset = read_scene(options);
   if (options.print_config) {
     fmt::print("{}", preset_text(preset));
@@ -31,17 +63,22 @@ ExitCode check(const SceneOptions& options) {
   ProgressLine line(progress_style(options.quiet, options.json));
   Cache cache = cache_for(options);
   try {
-    const Prepared prepared = prepare(preset, lanes, cache, [&](std::string_view stage, double done) {
+    const auto tell = [&](std::string_view stage, double done) {
       line.tell(stage, done);
       return stop.received() == 0;
-    });
-    const Json j = dry_run(prepared, options.threads);
+    };
+    const Prepared prepared = prepare(preset, lanes, cache, tell);
+    Json j = dry_run(prepared, options.threads);
+    if (check_options.measure)
+      j["measured"] =
+          json_of(measure_own_numbers(prepared, cache, tell, options.threads), prepared.lattice.mean_radius);
     line.clear();
     print_notes(cache);
     if (options.json) {
       fmt::print("{}\n", j.dump(2));
     } else {
       print_table(j, prepared.preset.name, wants_color(options.color, stdout));
+      if (check_options.measure) print_measured(j["measured"], wants_color(options.color, stdout));
     }
   } catch (const Interrupted& interrupted) {
     line.clear();
@@ -56,8 +93,10 @@ ExitCode check(const SceneOptions& options) {
 void add_check(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("check", "Dry run: what follows from a preset, its step, cost, what it leaves out");
-  const auto options = std::make_shared<SceneOptions>();
-  add_scene_options(command, *options);
+  const auto options = std::make_shared<CheckOptions>();
+  add_scene_options(command, options->scene);
+  command.add_flag("--measure", options->measure,
+                   "Also E, nu and wave speeds of this very specimen, by pulls and by waves thrown into it");
   command.callback([options, &exit_code] { exit_code = check(*options); });
 }
 

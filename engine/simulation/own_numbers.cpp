@@ -1,0 +1,81 @@
+#include "engine/simulation/own_numbers.hpp"
+
+#include "engine/calibration/pull.hpp"
+#include "engine/interrupted.hpp"
+#include "engine/lattice/cached_packing.hpp"
+#include "engine/mechanics/free_body.hpp"
+#include "engine/scene/derived.hpp"
+
+#include <limits>
+
+namespace rift {
+namespace {
+
+const char* name_of(WaveKind kind) {
+  return kind == WaveKind::dilatational ? "dilatational" : kind == WaveKind::shear ? "shear" : "rayleigh";
+}
+
+/// The plate that hangs together, in the first lane's units.
+Lattice free_plate(const Prepared& p, Cache& cache) {
+  bool found = false;
+  const Scene& scene = p.preset.scene;
+  const PackingRequest request = request_of(scene);
+  const Specimen specimen = make_free_specimen(cached_packing(request, cache, found), request.box,
+                                               scene.specimen.contact_tolerance);
+  MicroMaterial micro = p.micro;
+  micro.young_modulus *= p.lane.front().units.energy;
+  return make_lattice(specimen, micro, p.density);
+}
+
+}  // namespace
+
+double OwnNumbers::speed(WaveKind kind) const {
+  for (const Wave& wave : waves)
+    if (wave.kind == kind) return wave.speed;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+OwnNumbers measure_own_numbers(const Prepared& p, Cache& cache, const StageProgress& progress, int threads) {
+  const auto tell = [&](const char* stage, double done) {
+    if (progress && !progress(stage, done)) throw Interrupted(stage);
+  };
+  const Scene::Material& m = p.preset.scene.material;
+  const Lattice plate = free_plate(p, cache);
+  OwnNumbers own;
+  own.nominal = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
+  tell("static pulls", 0.0);
+  FreeBody body(plate);
+  const Pulled along = pull(plate, body, 0, 1.0);
+  tell("static pulls", 0.5);
+  const Pulled across = pull(plate, body, 1, 1.0);
+  own.young_along = along.gauge_modulus, own.poisson_along = along.poisson_ratio.y();
+  own.young_across = across.gauge_modulus, own.poisson_across = across.poisson_ratio.x();
+  const theory::WaveSpeeds expected =
+      theory::wave_speeds(own.young_along, own.poisson_along, p.density, Plane::stress);
+  const double dt = 0.5 * p.stable.critical * p.lane.front().units.time;
+  own.waves = measured_waves(plate, dt, expected, threads,
+                             [&](double done) { return !progress || progress("waves", done); });
+  return own;
+}
+
+nlohmann::ordered_json json_of(const OwnNumbers& own, double mean_radius) {
+  nlohmann::ordered_json waves = nlohmann::ordered_json::array();
+  for (const Wave& wave : own.waves)
+    waves.push_back({{"kind", name_of(wave.kind)},
+                     {"wavelength_m", wave.wavelength},
+                     {"wavelength_over_radius", wave.wavelength / mean_radius},
+                     {"speed_m_s", wave.speed}});
+  return {{"measured_young_modulus_along_pa", own.young_along},
+          {"measured_poisson_ratio_along", own.poisson_along},
+          {"measured_young_modulus_across_pa", own.young_across},
+          {"measured_poisson_ratio_across", own.poisson_across},
+          {"nominal_dilatational_speed_m_s", own.nominal.dilatational},
+          {"nominal_shear_speed_m_s", own.nominal.shear},
+          {"nominal_rayleigh_speed_m_s", own.nominal.rayleigh},
+          {"measured_dilatational_speed_m_s", own.speed(WaveKind::dilatational)},
+          {"measured_shear_speed_m_s", own.speed(WaveKind::shear)},
+          {"measured_rayleigh_speed_m_s", own.speed(WaveKind::rayleigh)},
+          {"waves", waves}};
+}
+
+}  // namespace rift
