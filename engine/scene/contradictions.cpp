@@ -2,6 +2,7 @@
 
 #include "engine/scene/crack_text.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/needs.hpp"
 #include "engine/scene/units.hpp"
 #include "engine/scene/wording.hpp"
 
@@ -85,10 +86,10 @@ bool check_shape(Checks& c) {
   if (shape == Shape::cylinder || shape == Shape::sphere)
     excluded("specimen.thickness", "is that of a box: of a round shape specimen.length is the diameter");
   if (shape == Shape::sphere) excluded("specimen.height", "a sphere has one size, specimen.length");
-  if (shape != Shape::cylinder)
+  if (!needs_calibration(c.scene))
     for (const char* key :
          {"calibration.sizes", "calibration.packings", "calibration.elements", "calibration.radius_ratios"})
-      excluded(key, "goes with specimen.shape = \"cylinder\" only");
+      excluded(key, "goes with specimen.shape = \"cylinder\" or material.stiffness = \"calibrated\" only");
   const bool needs_thickness = shape == Shape::block || shape == Shape::periodic;
   if (needs_thickness && !c.given("specimen.thickness"))
     c.say("specimen.shape", "needs specimen.thickness as well");

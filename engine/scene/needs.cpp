@@ -14,6 +14,10 @@ Needs needs_of(const Scene& scene) {
   return needs;
 }
 
+bool needs_calibration(const Scene& scene) {
+  return scene.specimen.shape == Shape::cylinder || scene.material.stiffness == StiffnessChoice::calibrated;
+}
+
 std::vector<std::string> left_out(const Scene& scene) {
   const Needs needs = needs_of(scene);
   std::vector<std::string> lines;

@@ -20,6 +20,9 @@ struct Needs {
 
 Needs needs_of(const Scene& scene);
 
+/// Whether [calibration] says anything: of cylinders, and of beams calibrated to the material.
+bool needs_calibration(const Scene& scene);
+
 /// One line for each thing that is left out, and why, as `rift check` prints it.
 std::vector<std::string> left_out(const Scene& scene);
 

@@ -233,8 +233,7 @@ std::vector<Parameter> calibration_rows() {
   return {
       {"calibration.sizes", "[500, 1000, 2000, 4000, 7500, 15000, 25000, 35000]",
        [](Scene& s) -> Slot { return &s.calibration.sizes; },
-       "Elements of the cylinders that show how E and nu converge; with shape = \"cylinder\".", none,
-       closed(100, 5e6)},
+       "Elements of the cylinders that show how E and nu converge.", none, closed(100, 5e6)},
       {"calibration.packings", "5", [](Scene& s) -> Slot { return &s.calibration.packings; },
        "Packings of each size, of seeds that follow each other.", none, closed(1, 100)},
       {"calibration.elements", "15000", [](Scene& s) -> Slot { return &s.calibration.elements; },

@@ -1,4 +1,5 @@
 #include "engine/scene/axes.hpp"
+#include "engine/scene/needs.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset.hpp"
 
@@ -38,7 +39,7 @@ std::string preset_text(const Scene& scene) {
   std::string out = "# The effective preset; docs/parameters.md says more.\n";
   std::string table;
   for (const Parameter& row : parameters()) {
-    if (table_of(row) == "calibration" && scene.specimen.shape != Shape::cylinder) continue;
+    if (table_of(row) == "calibration" && !needs_calibration(scene)) continue;
     if (table_of(row) != table) {
       table = table_of(row);
       out += fmt::format("\n[{}]\n", table);

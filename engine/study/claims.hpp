@@ -23,9 +23,9 @@ struct Claim {
   std::string artefact;            // "Fig. 7"
   std::string text;                // what the paper says
   std::vector<std::string> needs;  // presets whose scenarios it looks at
-  /// The verdict for one stiffness; empty for a picture, and for a claim that is not yet there.
+  /// The verdict for one stiffness; empty for a picture.
   std::function<Judgement(const Evidence&)> judge = {};
-  std::string standing = {};  // why it is not yet there, or what stands for it
+  std::string standing = {};  // of a picture: what stands for a verdict
   /// Of a claim that is a picture: at which fractions of the moments of the preset that it needs.
   std::vector<double> pictures_at = {};
   /// It looks at cylinders that its one preset calibrates, with the paper's beams, and not at cracked plates.

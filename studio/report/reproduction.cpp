@@ -55,19 +55,15 @@ struct Line {
   std::string stiffness, verdict, measured;
 };
 
-bool is_picture(const JudgedClaim& c) { return !c.claim->pictures_at.empty(); }
-
-/// What stands for a claim that has no verdict.
-std::string state_of(const JudgedClaim& c) {
-  return !is_picture(c) ? "not yet there" : c.pictures.empty() ? "not drawn" : "drawn";
-}
+/// What stands for the verdict of a picture.
+std::string state_of(const JudgedClaim& c) { return c.pictures.empty() ? "not drawn" : "drawn"; }
 
 /// "holds", "does not hold", "not decidable", or what stands for a verdict.
 std::string verdict_text(const JudgedClaim& c, const Judgement& judgement) {
   return c.claim->judge ? name_of(judgement.verdict) : state_of(c);
 }
 
-/// One line per stiffness; one line alone where the claim is not yet there, or beyond the paper.
+/// One line per stiffness; one line alone of a picture, of cylinders, and beyond the paper.
 std::vector<Line> lines_of(const JudgedClaim& c) {
   if (!c.claim->judge) return {{"", state_of(c), c.not_drawn.empty() ? c.claim->standing : c.not_drawn}};
   const Line in_situ{"in-situ", name_of(c.in_situ.verdict), c.in_situ.measured};
@@ -188,12 +184,10 @@ Json reproduction_json(const Reproduction& r) {
     if (c.claim->judge) {
       if (!c.claim->beyond) claim["bulk"] = judgement_json(c.bulk);
       if (!c.claim->calibration) claim["in-situ"] = judgement_json(c.in_situ);
-    } else if (is_picture(c)) {
+    } else {
       claim["drawn"] = Json::array();
       for (const Picture& picture : c.pictures) claim["drawn"].push_back(picture.png.string());
       if (!c.not_drawn.empty()) claim["not_drawn"] = c.not_drawn;
-    } else {
-      claim["not_yet_there"] = c.claim->standing;
     }
     claim["scenarios"] = c.scenarios;
     claim["wall_s"] = c.wall_s;

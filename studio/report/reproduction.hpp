@@ -23,7 +23,7 @@ struct Picture {
   std::string caption;
 };
 
-/// A claim with its verdicts; those of a claim that is not yet there mean nothing.
+/// A claim with its verdicts; those of a picture mean nothing.
 struct JudgedClaim {
   const Claim* claim = nullptr;
   Judgement bulk, in_situ;

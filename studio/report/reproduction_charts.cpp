@@ -207,4 +207,28 @@ std::vector<Figure> draw_figures(const Claim& claim, const Evidence& evidence, c
   return {{draw_chart(chart, folder, name), chart.title}};
 }
 
+std::vector<Figure> draw_against_own_speed(const Evidence& evidence, const std::string& stiffness,
+                                           double nominal_over_own, const fs::path& folder) {
+  Chart chart =
+      chart_of_references(fmt::format("Fig. 15 over the specimen's own Rayleigh speed, {}", stiffness));
+  chart.x_label = "crack velocity over the measured Rayleigh speed v / c_R [-]";
+  chart.x_range = {0.0, std::max(1.05, 1.02 * nominal_over_own)};
+  int colour = 0;
+  for (const NamedSelection& named : {NamedSelection{"simple release", simple_release()},
+                                      NamedSelection{"progressive, linear, r_l = 1", {}}}) {
+    ChartSeries series = series_of(named.label, curve_in(evidence, named.selection), colour++);
+    for (double& x : series.x) x *= nominal_over_own;
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  if (chart.series.size() == 3) return {};
+  std::string name = fmt::format("fig15_own_speed_{}", stiffness);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return {
+      {draw_chart(chart, folder, name),
+       fmt::format(
+           "The same ratios against the velocity over the Rayleigh speed that this plate itself shows along "
+           "its edge: what is called 1.0 c_r is {:.3f} of that.",
+           nominal_over_own)}};
+}
+
 }  // namespace rift::studio

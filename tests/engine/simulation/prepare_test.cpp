@@ -1,5 +1,6 @@
 #include "engine/simulation/prepare.hpp"
 
+#include "engine/calibration/calibrate.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/mechanics/statics.hpp"
 #include "tests/engine/ensemble/plain_simulation.hpp"
@@ -101,6 +102,53 @@ TEST(Prepare, BulkAndExplicitBeamsAreTakenAsTheyAre) {
                                     "material.micro_poisson_ratio=0.3", "material.micro_radius_ratio=0.3"});
   EXPECT_NEAR(own.strip_modulus / (bulk.strip_modulus * units.energy), 0.5, 1e-9);  // all go with E_mu
   EXPECT_NEAR(own.step.critical / (bulk.step.critical * units.time), std::sqrt(2.0), 1e-6);
+}
+
+TEST(Prepare, CalibratedBeamsAreThoseOfCylindersOfTheScenesMaterial) {
+  const Prepared plate =
+      small_plate({"material.stiffness=calibrated", "material.poisson_ratio=0.25", "calibration.elements=400",
+                   "calibration.packings=2", "calibration.radius_ratios=[0.2, 0.4, 0.8]"});
+  Cache none;
+  const MicroMaterial beams = calibrate(plate.preset.scene, 10e9, 0.25, none).micro;
+  EXPECT_EQ(plate.micro.young_modulus, beams.young_modulus);
+  EXPECT_EQ(plate.micro.radius_ratio, beams.radius_ratio);
+  EXPECT_NE(plate.micro.radius_ratio, 0.3);
+  EXPECT_EQ(plate.lane[0].units.energy, 1.0);
+}
+
+TEST(Prepare, SaysWhichPoissonsRatiosCylindersCanHave) {
+  try {
+    small_plate({"material.stiffness=calibrated", "material.poisson_ratio=0.49", "calibration.elements=300",
+                 "calibration.packings=1", "calibration.radius_ratios=[0.3, 0.6]"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(
+        std::string(error.what())
+            .find("material.poisson_ratio=0.49: 0.49 is out of reach of these beams: the cylinders show 0."),
+        std::string::npos)
+        << error.what();
+  }
+}
+
+/// What prepare() says to a specimen of this shape.
+std::string answer_to(const std::string& specimen) {
+  const Preset preset = read_preset_text("[specimen]\nelements = 600\n" + specimen, "x.toml");
+  EXPECT_TRUE(preset.issues.empty());
+  Cache none;
+  try {
+    return fmt::format("prepared {} mm", 1e3 * prepare(preset, none).lattice.box.thickness);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(Prepare, CracksBlocksAndNoOtherShape) {
+  EXPECT_EQ(answer_to("shape = \"block\"\nlength = \"60 mm\"\nheight = \"12 mm\"\nthickness = \"3 mm\"\n"
+                      "coordination = 5.7"),
+            "prepared 3 mm");
+  for (const std::string shape :
+       {"shape = \"cylinder\"", "shape = \"sphere\"", "shape = \"periodic\"\nthickness = \"40 mm\""})
+    EXPECT_TRUE(contains(answer_to(shape), "cannot be cracked: plates and blocks are")) << shape;
 }
 
 /// Largest force on a free element from the beams that are there, over the largest force of any beam.

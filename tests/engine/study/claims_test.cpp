@@ -239,7 +239,7 @@ TEST(Claims, ThatArePicturesNameOnePresetAndItsMoments) {
     EXPECT_FALSE(claim.judge) << claim.name;
     for (const double at : claim.pictures_at) EXPECT_TRUE(at >= 0 && at <= 1) << claim.name;
   }
-  EXPECT_EQ(pictures, 3);
+  EXPECT_EQ(pictures, 4);
 }
 
 TEST(Claims, WithoutAnyResultAreNotDecidable) {

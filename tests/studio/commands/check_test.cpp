@@ -83,5 +83,20 @@ TEST(Check, KeepsItsPackingForTheRun) {
   EXPECT_EQ(done.at("prestress_from_cache"), true);
 }
 
+TEST(Check, MeasuresTheSpecimenItself) {
+  const TinyPlate plate;
+  const Ran ran = plate.check("--measure --set specimen.elements=2000");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  for (const char* part :
+       {"measured on this specimen", "pulled along    E ", "shear ", "of it", "over mean radius"})
+    EXPECT_TRUE(contains(ran.out, part));
+  const Json measured =
+      Json::parse(plate.check("--measure --json --quiet --set specimen.elements=2000").out).at("measured");
+  EXPECT_NEAR(measured.at("measured_shear_speed_m_s").get<double>() /
+                  measured.at("nominal_shear_speed_m_s").get<double>(),
+              1.0, 0.1);
+  EXPECT_FALSE(measured.at("waves").empty());
+}
+
 }  // namespace
 }  // namespace rift::studio

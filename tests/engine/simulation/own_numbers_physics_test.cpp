@@ -1,0 +1,41 @@
+#include "engine/simulation/own_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift {
+namespace {
+
+/// A piece of the paper's plate, in which waves know nothing of what was fitted: the beams are scaled to the
+/// clamped strip's modulus alone.
+TEST(OwnNumbers, OfAPlateAreConsistentWithElasticity) {
+  Preset preset = read_preset_text(R"(
+[specimen]
+length = "100 mm"
+height = "40 mm"
+elements = 10000
+[crack]
+velocity = "0.5 c_r"
+)",
+                                   "x.toml");
+  ASSERT_TRUE(preset.issues.empty());
+  Cache none;
+  const Prepared plate = prepare(preset, none);
+  const OwnNumbers own = measure_own_numbers(plate, none);
+  EXPECT_NEAR(own.young_along / own.young_across, 1.0, 0.08);
+  EXPECT_NEAR(own.young_along, 10e9, 0.8e9);
+  const theory::WaveSpeeds expected =
+      theory::wave_speeds(own.young_across, own.poisson_across, plate.density, Plane::stress);
+  EXPECT_NEAR(own.speed(WaveKind::dilatational) / expected.dilatational, 1.0, 0.04);
+  EXPECT_NEAR(own.speed(WaveKind::shear) / expected.shear, 1.0, 0.04);
+  EXPECT_NEAR(own.speed(WaveKind::rayleigh) / expected.rayleigh, 1.0, 0.06);  // of a wave of 50 radii
+  // The shortest wave is slower: its depth is that of a few elements, and the edge's have lost contacts.
+  const auto shortest = std::find_if(own.waves.rbegin(), own.waves.rend(),
+                                     [](const Wave& wave) { return wave.kind == WaveKind::rayleigh; });
+  EXPECT_LT(shortest->speed, 0.98 * own.speed(WaveKind::rayleigh));
+}
+
+}  // namespace
+}  // namespace rift
