@@ -56,6 +56,8 @@ MicroMaterial reference_micro(const Preset& preset, Cache& cache, const StagePro
         .micro;
   } catch (const OutOfReach& error) {
     throw InputError({issue_at(preset, "material.poisson_ratio", error.what())});
+  } catch (const PackingError& error) {
+    throw InputError({issue_at(preset, "calibration.elements", error.what())});
   }
 }
 
