@@ -63,6 +63,8 @@ TEST(PressCylinders, AreTheSameWithAnyThreadsAndFromTheCache) {
   for (std::size_t k = 0; k < tests.size(); ++k)
     for (std::size_t b = 0; b < 2; ++b) {
       EXPECT_EQ(one[k].responses[b].young_over_micro, two[k].responses[b].young_over_micro);
+      EXPECT_EQ(one[k].responses[b].young_over_micro, again[k].responses[b].young_over_micro);
+      EXPECT_EQ(one[k].responses[b].ends_over_micro, again[k].responses[b].ends_over_micro);
       EXPECT_EQ(one[k].responses[b].poisson_ratio, again[k].responses[b].poisson_ratio);
       EXPECT_EQ(one[k].core_coordination, again[k].core_coordination);
     }
