@@ -1,5 +1,6 @@
 #include "engine/calibration/boxes.hpp"
 
+#include "engine/calibration/each_specimen.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/lattice/cached_packing.hpp"
 
@@ -52,16 +53,7 @@ BoxResult homogenised_or_recalled(const BoxTest& test, Cache& cache, const Calib
 
 std::vector<BoxResult> homogenise_boxes(const std::vector<BoxTest>& tests, Cache& cache,
                                         const CalibrationProgress& progress, int threads) {
-  std::vector<double> work;
-  for (const BoxTest& test : tests) work.push_back(test.packing.elements);
-  std::vector<Cache> caches(number_of_threads(threads), Cache{cache.folder, {}});
-  std::vector<BoxResult> results(tests.size());
-  side_by_side(work, threads, progress, [&](std::size_t k, int thread, const CalibrationProgress& tell) {
-    results[k] = homogenised_or_recalled(tests[k], caches[thread], tell);
-  });
-  for (const Cache& used : caches)
-    cache.notes.insert(cache.notes.end(), used.notes.begin(), used.notes.end());
-  return results;
+  return each_specimen(tests, cache, progress, threads, homogenised_or_recalled);
 }
 
 }  // namespace rift

@@ -1,5 +1,6 @@
 #include "engine/calibration/cylinders.hpp"
 
+#include "engine/calibration/each_specimen.hpp"
 #include "engine/calibration/pull.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/lattice/cached_packing.hpp"
@@ -54,7 +55,7 @@ CylinderResult press(const CylinderTest& test, Cache& cache, const CalibrationPr
   for (const BeamShape& beams : test.beams) {
     const Lattice lattice = make_lattice(specimen, {1.0, beams.poisson_ratio, beams.radius_ratio}, 1.0);
     FreeBody body(lattice);
-    const Pulled pressed = pull(lattice, body, 1, -box.section());
+    const Pulled pressed = pull(lattice, body, 1, -box.section(1));
     result.responses.push_back({pressed.gauge_modulus, pressed.young_modulus,
                                 0.5 * (pressed.poisson_ratio.x() + pressed.poisson_ratio.z())});
     const double solved =
@@ -92,16 +93,7 @@ double core_coordination(const Packing& packing, const Box& box,
 
 std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, Cache& cache,
                                             const CalibrationProgress& progress, int threads) {
-  std::vector<double> work;
-  for (const CylinderTest& test : tests) work.push_back(test.packing.elements);
-  std::vector<Cache> caches(number_of_threads(threads), Cache{cache.folder, {}});
-  std::vector<CylinderResult> results(tests.size());
-  side_by_side(work, threads, progress, [&](std::size_t k, int thread, const CalibrationProgress& tell) {
-    results[k] = pressed_or_recalled(tests[k], caches[thread], tell);
-  });
-  for (const Cache& used : caches)
-    cache.notes.insert(cache.notes.end(), used.notes.begin(), used.notes.end());
-  return results;
+  return each_specimen(tests, cache, progress, threads, pressed_or_recalled);
 }
 
 }  // namespace rift

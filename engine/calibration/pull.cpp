@@ -49,10 +49,6 @@ void load_end(std::vector<Vector6>& load, const Lattice& lattice, const End& end
     load[end.member[k]][axis] += share[static_cast<long>(k)];
 }
 
-double section_of(const Box& box, int axis) {
-  return box.walls == Walls::cylinder ? box.section() : box.size().prod() / box.size()[axis];
-}
-
 }  // namespace
 
 std::vector<Vector6> end_loads(const Lattice& lattice, int axis, double force) {
@@ -86,7 +82,7 @@ Pulled pull(const Lattice& lattice, FreeBody& body, int axis, double force) {
   std::vector<double> at, moved;
   for (std::size_t i = 0; i < result.motion.size(); ++i)
     at.push_back(lattice.centre[i][axis]), moved.push_back(result.motion[i][axis]);
-  const double stress = force / section_of(lattice.box, axis);
+  const double stress = force / lattice.box.section(axis);
   const double strain = (ends[1].mean(moved) - ends[0].mean(moved)) / (ends[1].mean(at) - ends[0].mean(at));
   const Eigen::Matrix3d gradient = gradient_in_middle(lattice, result.motion, axis);
   result.young_modulus = stress / strain;

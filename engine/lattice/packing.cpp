@@ -137,8 +137,9 @@ struct Watch {
 /// Soft enough for the pile to find a good place, hard enough to come to rest:
 /// 1e-3 takes 1,400 rounds.
 constexpr double damping = 0.01;
-constexpr double rough = 1e-3;       // an unbalance from which Newton's method gets on
-constexpr double closeness = 0.015;  // how far above the target the coordination may lie
+constexpr double release_damping = 0.1;  // of a pile that is pressed too hard and may hurry
+constexpr double rough = 1e-3;           // an unbalance from which Newton's method gets on
+constexpr double closeness = 0.015;      // how far above the target the coordination may lie
 
 /// Grows in small strides, each relaxed for a moment only: converging below the
 /// jamming density is slow and of no use.
@@ -214,10 +215,10 @@ double stride_for(const Pile& pile, double missing) {
 /// Relaxes until the net forces are what shifts of 5e-5 radii make: near jamming contact forces are small,
 /// and a millionth of them would be out of proportion.
 void bring_to_rest(Pile& pile, Crew& crew, Watch& watch) {
-  constexpr double strong_damping = 0.1, shift = 5e-5;
+  constexpr double shift = 5e-5;
   constexpr int rounds_each = 25;
   while (
-      !relax(pile, crew, shift / pile.mean_contact_force(), strong_damping, rounds_each, std::ref(watch))) {
+      !relax(pile, crew, shift / pile.mean_contact_force(), release_damping, rounds_each, std::ref(watch))) {
   }
 }
 
@@ -225,7 +226,7 @@ void bring_to_rest(Pile& pile, Crew& crew, Watch& watch) {
 /// stays near one while it is released, where one that grows towards jamming wanders. First with the pile
 /// still moving, then from rest to rest.
 void release_to(Pile& pile, Crew& crew, double coordination, Watch& watch) {
-  constexpr double still_moving = 0.03, strong_damping = 0.1;
+  constexpr double still_moving = 0.03;
   constexpr double yet_to_come = 0.03;  // what the coordination of such a pile gains on its way to rest
   constexpr int most_trials = 40, most_rounds = 2000;
   const auto missing = [&] { return coordination + 0.5 * closeness - pile.coordination(); };
@@ -234,7 +235,7 @@ void release_to(Pile& pile, Crew& crew, double coordination, Watch& watch) {
     evaluate_forces(pile, crew);
   };
   for (int trial = 0; trial < most_trials; ++trial) {
-    relax(pile, crew, still_moving, strong_damping, most_rounds, std::ref(watch));
+    relax(pile, crew, still_moving, release_damping, most_rounds, std::ref(watch));
     if (missing() - yet_to_come >= -closeness) break;
     stride(missing() - yet_to_come);
   }
@@ -255,11 +256,11 @@ double volume_of(const Pile& pile) {
 
 /// Lets the pile come to rest at the scale that gives the solid fraction.
 void grow_to_fraction(Pile& pile, Crew& crew, double solid_fraction, Watch& watch) {
-  constexpr double loose = 2e-4, strong_damping = 0.1;
+  constexpr double loose = 2e-4;
   constexpr int rounds = 1000;
   pile.scale *= std::cbrt(solid_fraction * pile.box.volume() / volume_of(pile));
   evaluate_forces(pile, crew);
-  relax(pile, crew, rough, strong_damping, rounds, std::ref(watch));
+  relax(pile, crew, rough, release_damping, rounds, std::ref(watch));
   if (pile.mean_overlap() <= loose)
     throw PackingError(
         fmt::format("a solid fraction of {:.4g} leaves the elements loose: nothing carries load "

@@ -24,9 +24,10 @@ struct Box {
                                                   : 1.0;
     return share * length * height * thickness;
   }
-  /// Of the face that a pull along y acts on.
-  double section() const {
-    return (walls == Walls::cylinder ? std::numbers::pi / 4.0 : 1.0) * length * thickness;
+  /// Area that a pull along this axis acts on; of a cylinder along its own, y.
+  double section(int axis) const {
+    const double share = walls == Walls::cylinder && axis == 1 ? std::numbers::pi / 4.0 : 1.0;
+    return share * size().prod() / size()[axis];
   }
   Eigen::Vector3d size() const { return {length, height, thickness}; }
 };

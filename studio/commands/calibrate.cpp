@@ -17,10 +17,8 @@ namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-struct CalibrateOptions {
-  SceneOptions scene;
-  std::string young, poisson, out;
-  bool force = false;
+struct CalibrateOptions : ReportOptions {
+  std::string young, poisson;
 };
 
 Issue issue(const std::string& key, std::string text) {
@@ -103,13 +101,9 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "calibrate", "The beams that make a material of given E and nu, by cylinders in compression");
   const auto options = std::make_shared<CalibrateOptions>();
-  add_scene_options(command, options->scene);
-  command.get_option("preset")->required(false);
+  add_report_options(command, *options, "convergence, scans, periodic boxes, charts and material.toml");
   command.add_option("--young", options->young, "Young's modulus E, such as \"3.2 GPa\"");
   command.add_option("--poisson", options->poisson, "Poisson's ratio");
-  command.add_option("--out", options->out,
-                     "Folder of a report: convergence, scans, periodic boxes, charts and material.toml");
-  command.add_flag("--force", options->force, "Replace what a former run left in the folder");
   command.callback([options, &exit_code] { exit_code = calibrate_material(*options); });
 }
 

@@ -1,11 +1,11 @@
 #include "studio/commands/draw_claim.hpp"
 
-#include "engine/calibration/record_cylinders.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
+#include "engine/simulation/record_cylinders.hpp"
 #include "studio/commands/common.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "viz/plan.hpp"

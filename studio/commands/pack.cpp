@@ -17,12 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct PackOptions {
-  SceneOptions scene;
-  std::string out;
-  bool force = false;
-};
-
 Preset preset_for(const SceneOptions& options) {
   if (!options.preset.empty()) return read_scene(options);
   Preset preset = read_preset_text("", "rift pack", options.overrides);
@@ -30,7 +24,7 @@ Preset preset_for(const SceneOptions& options) {
   return preset;
 }
 
-PackedSpecimen packed(const PackOptions& options, const Preset& preset, Cache& cache,
+PackedSpecimen packed(const ReportOptions& options, const Preset& preset, Cache& cache,
                       const PackingProgress& progress) {
   const auto start = Clock::now();
   const Scene& scene = preset.scene;
@@ -51,7 +45,7 @@ PackedSpecimen packed(const PackOptions& options, const Preset& preset, Cache& c
   return specimen;
 }
 
-ExitCode pack_specimen(const PackOptions& options) {
+ExitCode pack_specimen(const ReportOptions& options) {
   const Preset preset = preset_for(options.scene);
   if (options.scene.print_config) {
     fmt::print("{}", preset_text(preset));
@@ -90,12 +84,8 @@ ExitCode pack_specimen(const PackOptions& options) {
 void add_pack(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "pack", "Fill a plate, block, cylinder, sphere or periodic box with elements, and show how they lie");
-  const auto options = std::make_shared<PackOptions>();
-  add_scene_options(command, options->scene);
-  command.get_option("preset")->required(false);
-  command.add_option("--out", options->out,
-                     "Folder of a report: statistics, charts and the elements as a table");
-  command.add_flag("--force", options->force, "Replace what a former run left in the folder");
+  const auto options = std::make_shared<ReportOptions>();
+  add_report_options(command, *options, "statistics, charts and the elements as a table");
   command.callback([options, &exit_code] { exit_code = pack_specimen(*options); });
 }
 

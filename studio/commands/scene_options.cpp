@@ -35,6 +35,13 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   add_color_option(command, options.color);
 }
 
+void add_report_options(CLI::App& command, ReportOptions& options, const std::string& holds) {
+  add_scene_options(command, options.scene);
+  command.get_option("preset")->required(false);
+  command.add_option("--out", options.out, "Folder of a report: " + holds);
+  command.add_flag("--force", options.force, "Replace what a former run left in the folder");
+}
+
 Preset read_scene(const SceneOptions& options) {
   Preset preset = read_preset(resolve_preset(options.preset), options.overrides);
   if (!preset.issues.empty()) throw InputError(preset.issues);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/scene/preset.hpp"
 #include "engine/cache.hpp"
+#include "engine/scene/preset.hpp"
 #include "studio/report/progress.hpp"
 
 #include <CLI/App.hpp>
@@ -22,6 +22,16 @@ struct SceneOptions {
 
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
+/// What commands have in common that leave a report, and that know what to do without a preset.
+struct ReportOptions {
+  SceneOptions scene;
+  std::string out;  // empty: no report
+  bool force = false;
+};
+
+/// @param[in] holds  what the report's folder holds, for --help
+void add_report_options(CLI::App& command, ReportOptions& options, const std::string& holds);
+
 /// Reads and checks the preset; throws InputError with every mistake.
 Preset read_scene(const SceneOptions& options);
 
@@ -34,7 +44,8 @@ Cache cache_for(const SceneOptions& options);
 /// What the cache has to say, on stderr.
 void print_notes(const Cache& cache);
 
-/// SIGINT, SIGTERM and SIGHUP no longer kill, but set a flag that long work looks at. Lives as long as the command.
+/// SIGINT, SIGTERM and SIGHUP no longer kill, but set a flag that long work looks at. Lives as long as the
+/// command.
 class StopSignal {
  public:
   StopSignal();

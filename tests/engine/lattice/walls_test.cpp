@@ -16,7 +16,7 @@ TEST(Walls, HoldTheVolumeOfTheirShape) {
   EXPECT_DOUBLE_EQ(cylinder.volume(), 5.0 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(sphere.volume(), 4.0 / 3.0 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(periodic.volume(), 24.0);
-  EXPECT_DOUBLE_EQ(cylinder.section(), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(cylinder.section(1), std::numbers::pi);
 }
 
 TEST(Walls, HoldWhatLiesWithinThem) {

@@ -1,4 +1,4 @@
-#include "engine/calibration/record_cylinders.hpp"
+#include "engine/simulation/record_cylinders.hpp"
 
 #include "engine/calibration/calibrate.hpp"
 #include "engine/calibration/pull.hpp"
@@ -55,7 +55,7 @@ std::vector<Vector6> pressed(const Specimen& specimen) {
   constexpr double shortening = 0.01, stress = 1e6;
   const Lattice lattice = make_lattice(specimen, bulk_micro_material, 1.0);
   FreeBody body(lattice);
-  Pulled pulled = pull(lattice, body, 1, -specimen.box.section() * stress);
+  Pulled pulled = pull(lattice, body, 1, -specimen.box.section(1) * stress);
   stand_still(pulled.motion, lattice);
   for (Vector6& q : pulled.motion) q *= shortening / (stress / pulled.young_modulus);
   return pulled.motion;
