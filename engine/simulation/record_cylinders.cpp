@@ -93,7 +93,8 @@ void record_cylinders(const Preset& preset, const std::filesystem::path& folder,
     const Packing packing = cached_packing(test.packing, cache, found);
     const Specimen specimen = make_free_specimen(packing, test.packing.box, test.contact_tolerance);
     scenery.add(specimen, pressed(specimen));
-    if (progress && !progress((k + 1.0) / static_cast<double>(scene.calibration.sizes.size())))
+    if (progress &&
+        !progress(static_cast<double>(k + 1) / static_cast<double>(scene.calibration.sizes.size())))
       throw Interrupted("pressing cylinders");
   }
   results::RunWriter writer(folder, header_for(preset, scenery, build), scenery.geometry);
