@@ -25,3 +25,5 @@ run teach_damage_zone
 draw runs/gallery/teach_damage_zone --at 0.6 --picture renders/damage_zone.png
 run teach_velocity
 draw runs/gallery/teach_velocity --at 0.35 --picture renders/four_velocities.png
+"$rift" reproduce fig16 --out runs/gallery/reproduction --quiet >/dev/null
+cp runs/gallery/reproduction/charts/fig16_at_0.00.png renders/cylinders.png
