@@ -1,7 +1,10 @@
 #include "engine/ensemble/ensemble.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 namespace rift {
 namespace {
@@ -20,11 +23,26 @@ const std::vector<double>& numbers_of(const NamedNumbers& state, const std::stri
   return found->second;
 }
 
+/// A whole number that a double holds; a state of anything else was not written by state().
+template <class Whole>
+Whole whole(double number, const std::string& name) {
+  if (!(std::abs(number) <= 0x1p53) || number != std::trunc(number))
+    throw std::invalid_argument("its " + name + " is no whole number");
+  if constexpr (sizeof(Whole) < sizeof(double))
+    if (std::abs(number) > static_cast<double>(std::numeric_limits<Whole>::max()))
+      throw std::invalid_argument("its " + name + " is out of range");
+  return static_cast<Whole>(number);
+}
+
 template <class Numbers>
 void take(const NamedNumbers& state, const std::string& name, Numbers& numbers, std::size_t count) {
   const std::vector<double>& in = numbers_of(state, name, count);
   using Number = std::decay_t<decltype(numbers[0])>;
-  for (std::size_t k = 0; k < count; ++k) numbers[k] = static_cast<Number>(in[k]);
+  for (std::size_t k = 0; k < count; ++k)
+    if constexpr (std::is_integral_v<Number>)
+      numbers[k] = whole<Number>(in[k], name);
+    else
+      numbers[k] = static_cast<Number>(in[k]);
 }
 
 }  // namespace
@@ -71,15 +89,19 @@ template <class Real>
 void Ensemble<Real>::restore(const NamedNumbers& state) {
   const std::size_t rows = base_.size() * lanes_;
   const std::vector<double>& clock = numbers_of(state, "clock", 7);
-  steps_done_ = static_cast<std::int64_t>(clock[0]);
+  steps_done_ = whole<std::int64_t>(clock[0], "clock");
   cracking_ = clock[1] != 0.0;
   set_beta(clock[3]);  // makes room for the rates where it damps
-  if (!state.at("rate").empty() && rate_.empty()) set_beta(0.5), set_beta(clock[3]);
+  const auto rates = state.find("rate");
+  if (rates != state.end() && !rates->second.empty() && rate_.empty()) set_beta(0.5), set_beta(clock[3]);
   beta_before_ = clock[2], beta_after_ = clock[3];
   grip_before_ = clock[4], grip_after_ = clock[5], base_pull_ = clock[6];
   take(state, "born", born_, born_.size());
   take(state, "crack_start", crack_start_, crack_start_.size());
   take(state, "first_standing", first_standing_, first_standing_.size());
+  for (const int k : first_standing_)
+    if (k < 0 || k > static_cast<int>(met_.size()))
+      throw std::invalid_argument("its first_standing is no crossing of this run");
   take(state, "position", q_, rows * numbers_);
   take(state, "velocity", v_, rows * 6);
   take(state, "rate", rate_, rate_.empty() ? 0 : rows * 6);

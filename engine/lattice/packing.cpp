@@ -183,6 +183,18 @@ void approach(Pile& pile, Crew& crew, double coordination, Watch& watch) {
   }
 }
 
+/// Spheres of very unequal radii fill a box at a smaller scale than equal ones: shrinks them until they no
+/// longer press each other too hard.
+void loosen(Pile& pile, Crew& crew, Watch& watch) {
+  constexpr int rounds_each = 100;
+  constexpr double stride = 0.99;
+  while (pile.mean_overlap() > 0.5 * largest_mean_overlap) {
+    pile.scale *= stride;
+    evaluate_forces(pile, crew);
+    relax(pile, crew, rough, release_damping, rounds_each, std::ref(watch));
+  }
+}
+
 /// Moves the scale until the coordination at a minimum is the one asked for, or
 /// little above.
 void grow_to(Pile& pile, Crew& crew, double coordination, Watch& watch) {
@@ -295,6 +307,7 @@ Packing pack(const PackingRequest& request, const PackingProgress& progress, int
   if (request.solid_fraction > 0.0) {
     grow_to_fraction(pile, crew, request.solid_fraction, watch);
   } else if (thin) {
+    if (pile.mean_overlap() > largest_mean_overlap) loosen(pile, crew, watch);
     grow_to(pile, crew, request.coordination, watch);
   } else {
     release_to(pile, crew, request.coordination, watch);

@@ -5,6 +5,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace rift {
 namespace {
 
@@ -65,8 +68,11 @@ std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector
 
 std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, const std::vector<char>& present,
                                                     double displacement) {
-  constexpr double balanced = 1e-11, inner_tolerance = 1e-5;
+  constexpr double inner_tolerance = 1e-5;
   constexpr int most_rounds = 20;
+  // A beam's stretch is the difference of two lengths, rounded to some 1e-16 of them.
+  const double strain = std::abs(displacement) / lattice.box.height;
+  const double balanced = std::max(1e-11, 1e-15 / strain);
   std::vector<Pose> pose;
   for (const Vector6& q : stretched_at_rest(lattice, present, displacement)) pose.push_back(pose_of(q));
   const auto load_of = [](const Beam& beam, const Pose& i, const Pose& j) { return loads_of(beam, i, j); };

@@ -38,15 +38,6 @@ void append_seal(const fs::path& path) {
   if (!file) throw WorldError("write", path, "the checksum could not be appended");
 }
 
-/// Why the file is not one that was written whole; empty where it is.
-std::string damage_of(const fs::path& path) {
-  const std::string bytes = read_whole_file(path);
-  if (bytes.size() <= seal_bytes) return "too short";
-  const std::string seal = bytes.substr(bytes.size() - seal_bytes);
-  if (seal.compare(0, 8, seal_mark, 8) != 0) return "it does not end as a checkpoint does";
-  return seal == seal_of(bytes.substr(0, bytes.size() - seal_bytes)) ? "" : "its checksum does not fit";
-}
-
 Checkpoint read_file(const fs::path& path) {
   const hdf5::InputFile file(path);
   const Json index = Json::parse(file.text("index"));
@@ -59,6 +50,14 @@ Checkpoint read_file(const fs::path& path) {
 }
 
 }  // namespace
+
+std::string checkpoint_damage(const fs::path& path) {
+  const std::string bytes = read_whole_file(path);
+  if (bytes.size() <= seal_bytes) return "too short";
+  const std::string seal = bytes.substr(bytes.size() - seal_bytes);
+  if (seal.compare(0, 8, seal_mark, 8) != 0) return "it does not end as a checkpoint does";
+  return seal == seal_of(bytes.substr(0, bytes.size() - seal_bytes)) ? "" : "its checksum does not fit";
+}
 
 void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) {
   const fs::path path = run_folder / checkpoint_name;
@@ -83,13 +82,19 @@ void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) 
   pending.commit();
 }
 
-std::optional<Checkpoint> read_checkpoint(const fs::path& run_folder, std::string& damaged) {
+std::optional<Checkpoint> read_checkpoint(const fs::path& run_folder, std::uint64_t journal_bytes,
+                                          std::string& damaged) {
   for (const char* name : {checkpoint_name, former_checkpoint_name}) {
     const fs::path path = run_folder / name;
     if (!fs::exists(path)) continue;
-    std::string why = damage_of(path);
+    std::string why = checkpoint_damage(path);
     try {
-      if (why.empty()) return read_file(path);
+      if (why.empty()) {
+        Checkpoint checkpoint = read_file(path);
+        if (checkpoint.journal_bytes <= journal_bytes) return checkpoint;
+        why = fmt::format("it needs {} bytes of the journal, of which {} are whole", checkpoint.journal_bytes,
+                          journal_bytes);
+      }
     } catch (const std::exception& error) {
       why = error.what();
     }

@@ -26,8 +26,13 @@ inline constexpr const char* former_checkpoint_name = "checkpoint_former.h5";
 /// Throws WorldError; the one before is then still there.
 void write_checkpoint(const std::filesystem::path& run_folder, const Checkpoint& checkpoint);
 
-/// The latest one that is whole. @param[out] damaged  why a later one was not taken, for people; may be empty
-std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& run_folder, std::string& damaged);
+/// The latest one that is whole. @param[in] journal_bytes  of the journal that are whole: a checkpoint that
+/// needs more is of no use.  @param[out] damaged  why a later one was not taken, for people; may be empty
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& run_folder,
+                                          std::uint64_t journal_bytes, std::string& damaged);
+
+/// Why a checkpoint's file is not one that was written whole; empty where it is.
+std::string checkpoint_damage(const std::filesystem::path& path);
 
 /// The run has ended: there is nothing to go on from.
 void remove_checkpoints(const std::filesystem::path& run_folder);

@@ -87,6 +87,14 @@ void AppendFile::close() {
   if (::close(descriptor) != 0) throw WorldError("close", path_, errno_text(errno));
 }
 
+bool is_being_written(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return locked;
+}
+
 PendingFile::PendingFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {
   temporary_ += ".part";
 }

@@ -38,6 +38,9 @@ class AppendFile {
   int descriptor_ = -1;
 };
 
+/// Whether another AppendFile, of any process, goes on with the file. False where there is no such file.
+[[nodiscard]] bool is_being_written(const std::filesystem::path& path);
+
 /// A file that appears under its name only when it is complete: written under `temporary()` in the same
 /// folder, renamed by commit(), removed where commit() is never reached.
 class PendingFile {

@@ -1,8 +1,8 @@
 #include "engine/results/hdf5.hpp"
 
+#include "engine/results/hdf5_calls.hpp"
 #include "engine/results/world_error.hpp"
 
-#include <hdf5.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -14,9 +14,6 @@
 
 namespace rift::results::hdf5 {
 namespace {
-
-static_assert(std::is_same_v<hid_t, std::int64_t>, "HDF5 1.10 or later");
-static_assert(std::is_same_v<herr_t, int>);
 
 // Of shuffled floats higher levels gain little and cost several times more.
 constexpr unsigned deflate_level = 1;
@@ -40,7 +37,9 @@ void give_up(hid_t file) {
   ::close(sink);
 }
 
-[[noreturn]] void fail(const std::string& attempt, const Place& place) {
+}  // namespace
+
+void fail(const std::string& attempt, const Place& place) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, note_innermost, &reason);
   give_up(place.file_id);
@@ -57,6 +56,8 @@ Handle own(hid_t id, Handle::Closer closer, const std::string& attempt, const Pl
   if (id < 0) fail(attempt, place);
   return {id, closer};
 }
+
+namespace {
 
 template <typename T>
 struct Types;
@@ -260,40 +261,6 @@ Group File::root() {
 void File::close() {
   require(H5Fflush(id_, H5F_SCOPE_GLOBAL), "write", {path_, "", id_});
   require(H5Fclose(std::exchange(id_, -1)), "close", {path_, "", -1});
-}
-
-InputFile::InputFile(const std::filesystem::path& path)
-    : path_(path),
-      file_((H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr),
-             own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open", {path, "", -1}))) {}
-
-Handle InputFile::dataset(const std::string& name) const {
-  return own(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "open", {path_, name, -1});
-}
-
-std::vector<double> InputFile::doubles(const std::string& name) const {
-  const Place place{path_, name, -1};
-  const Handle set = dataset(name);
-  const auto space = own(H5Dget_space(set.id()), H5Sclose, "describe", place);
-  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-  std::error_code ignored;
-  const auto most = std::filesystem::file_size(path_, ignored);  // deflate takes a thousandth at best
-  if (count < 0 || static_cast<std::uintmax_t>(count) / 1100 > most) fail("believe the size of", place);
-  std::vector<double> numbers(static_cast<std::size_t>(count));
-  if (!numbers.empty())
-    require(H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()), "read",
-            place);
-  return numbers;
-}
-
-std::string InputFile::text(const std::string& name) const {
-  const Place place{path_, name, -1};
-  const Handle set = dataset(name);
-  const auto type = own(H5Dget_type(set.id()), H5Tclose, "describe", place);
-  std::string text(H5Tget_size(type.id()), '\0');
-  require(H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "read", place);
-  text.resize(std::min(text.size(), text.find_last_not_of('\0') + 1));
-  return text;
 }
 
 template class Growing<float>;

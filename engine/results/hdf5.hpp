@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -106,17 +107,35 @@ class File {
   std::int64_t id_;
 };
 
-/// A file of our own, open for reading.
+/// A dataset that a file holds.
+struct Stored {
+  enum class Kind : std::uint8_t { integer, real, text, other } kind = Kind::other;
+  std::vector<std::uint64_t> shape;  // rows first; empty where it is a scalar
+  std::uint64_t rows() const { return shape.empty() ? 1 : shape.front(); }
+  std::uint64_t columns() const { return shape.size() < 2 ? 1 : shape[1]; }
+};
+
+/// A file open for reading. Sizes that the file is too small for are not believed: WorldError.
 class InputFile {
  public:
   explicit InputFile(const std::filesystem::path& path);
   /// All numbers of a dataset, as they lie.
   [[nodiscard]] std::vector<double> doubles(const std::string& name) const;
+  [[nodiscard]] std::vector<std::int64_t> integers(const std::string& name) const;
   /// What write_text() wrote.
   [[nodiscard]] std::string text(const std::string& name) const;
+  /// Every dataset, by its path without the leading slash.
+  [[nodiscard]] std::map<std::string, Stored> contents() const;
+  /// Reads all of a dataset, a few MB at a time. @return the XXH3-64 of its numbers or text
+  [[nodiscard]] std::uint64_t digest(const std::string& name) const;
+  /// An attribute's numbers; empty where there is none.
+  [[nodiscard]] std::vector<std::int64_t> attribute(const std::string& object, const std::string& name) const;
+  [[nodiscard]] std::string text_attribute(const std::string& object, const std::string& name) const;
 
  private:
   [[nodiscard]] Handle dataset(const std::string& name) const;
+  template <class T>
+  [[nodiscard]] std::vector<T> numbers(const std::string& name) const;
   std::filesystem::path path_;
   Handle file_;
 };

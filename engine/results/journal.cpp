@@ -78,7 +78,13 @@ JournalReader::JournalReader(const std::filesystem::path& path, std::uint64_t fr
   if (stream_.bad()) throw WorldError("read", path, std::generic_category().message(errno));
   const auto expected = preamble();
   if (std::memcmp(bytes.data(), expected.data(), std::min<std::size_t>(preamble_size, size_)) != 0) {
-    stop(JournalState::foreign, "not a journal of version 1");
+    std::uint32_t its = 0;
+    std::memcpy(&its, bytes.data() + magic.size(), sizeof(its));
+    const bool journal = size_ >= preamble_size && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
+    stop(JournalState::foreign,
+         journal && its != version
+             ? fmt::format("a journal of version {}, and this build reads version {}", its, version)
+             : fmt::format("not a journal of version {}", version));
   } else if (size_ < preamble_size) {
     stop(JournalState::truncated, "cut short in its first 16 bytes");
   } else {
@@ -125,6 +131,43 @@ std::optional<Record> JournalReader::next() {
                 fmt::format("the record at byte {} (kind {}) makes no sense", good_bytes_, head.kind));
   good_bytes_ += around + head.size;
   return record;
+}
+
+namespace {
+
+/// The record that begins at a byte, if one that is whole does.
+std::optional<std::pair<Record, std::size_t>> record_at(std::string_view bytes, std::size_t at) {
+  constexpr std::size_t around = sizeof(Head) + sizeof(std::uint64_t);
+  Head head{};
+  if (bytes.size() - at < around) return std::nullopt;
+  std::memcpy(&head, bytes.data() + at, sizeof(head));
+  if (head.check != head_check(head.kind, head.size) || head.size > bytes.size() - at - around)
+    return std::nullopt;
+  const std::string_view payload = bytes.substr(at + sizeof(head), head.size);
+  std::uint64_t checksum = 0;
+  std::memcpy(&checksum, payload.data() + payload.size(), sizeof(checksum));
+  if (checksum != XXH3_64bits(payload.data(), payload.size())) return std::nullopt;
+  auto record = decode(head.kind, payload);
+  if (!record) return std::nullopt;
+  return std::pair{std::move(*record), around + head.size};
+}
+
+}  // namespace
+
+std::uint64_t salvage_journal(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const std::string bytes = read_whole_file(from);
+  JournalWriter writer(to);
+  std::uint64_t lost = 0;
+  for (std::size_t at = std::min(preamble_size, bytes.size()); at < bytes.size();) {
+    if (const auto found = record_at(bytes, at)) {
+      writer.write(found->first);
+      at += found->second;
+    } else {
+      ++lost, ++at;
+    }
+  }
+  writer.close();
+  return lost;
 }
 
 }  // namespace rift::results

@@ -69,4 +69,9 @@ class JournalReader {
   std::string reason_;
 };
 
+/// Copies every whole record of a journal into a new one: those behind damage, too, which a reader does not
+/// reach. Throws WorldError. Cost O(size) in time and memory.
+/// @return bytes that belong to no whole record
+std::uint64_t salvage_journal(const std::filesystem::path& from, const std::filesystem::path& to);
+
 }  // namespace rift::results

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -17,7 +18,7 @@ struct Collector {
   void moment(std::int64_t step, double time_s, std::int32_t lane) {
     scan.last_step = step;
     scan.last_time_s = time_s;
-    scan.lanes = std::max(scan.lanes, lane + 1);
+    scan.lanes = std::max(scan.lanes, lane < std::numeric_limits<std::int32_t>::max() ? lane + 1 : lane);
   }
   void operator()(RunHeader&& header) {
     scan.lanes = std::max(scan.lanes, lanes_of_header(header.json));

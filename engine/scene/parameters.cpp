@@ -54,7 +54,7 @@ std::vector<Parameter> specimen_rows() {
       {"specimen.radius_spread", "0.125", [](Scene& s) -> Slot { return &s.specimen.radius_spread; },
        "Uniform radii lie within plus or minus this fraction of their mean; of log-normal ones it is the "
        "standard deviation of ln r, at most 0.4. 0 for equal spheres.",
-       none, below(0, 0.9)},
+       none, below(0, 0.95)},
       {"specimen.coordination", "6.0", [](Scene& s) -> Slot { return &s.specimen.coordination; },
        "Coordination number of the packing, 2 contacts / N, walls not counted.", none, closed(4, 7)},
       {"specimen.solid_fraction", "", [](Scene& s) -> Slot { return &s.specimen.solid_fraction; },

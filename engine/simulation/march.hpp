@@ -66,6 +66,7 @@ struct LaneResult {
   std::string where;                   // of a divergence or a stop, for people
   std::vector<results::Sample> books;  // all rows, in time
   double worst_residual = 0;           // largest |residual| of all rows
+  std::int64_t sound_at = -1;          // the last step at which the books were looked at and not hopeless
   double prestress_kinetic = 0;        // kinetic over total energy when the crack started (ramp)
   double energy_at_crack_start = 0;    // elastic [J]
   Wake wake;                           // when it finished, of two heights behind the tip, or between two tips

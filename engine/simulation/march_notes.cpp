@@ -34,7 +34,10 @@ Json json_of(const LaneResult& r) {
 
 LaneResult lane_of(const Json& j) {
   LaneResult r;
-  r.outcome = static_cast<Outcome>(j.at("outcome").get<int>());
+  const int outcome = j.at("outcome");
+  if (outcome < 0 || outcome > static_cast<int>(Outcome::diverged))
+    throw std::invalid_argument("its notes tell of an outcome that there is not");
+  r.outcome = static_cast<Outcome>(outcome);
   r.steps = j.at("steps");
   r.where = j.at("where");
   const Json& worst = j.at("worst_residual");

@@ -28,7 +28,11 @@ void Run<Real>::go_on(const Resumption& from) {
   MarchNotes notes = march_notes(from.checkpoint.notes);
   check_fit(notes);
   result_.lane = std::move(notes.lane);
-  for (const results::Sample& row : from.books) result_.lane.at(row.lane).books.push_back(row);
+  for (const results::Sample& row : from.books) {
+    if (row.lane >= static_cast<int>(result_.lane.size()))
+      throw std::invalid_argument("the journal holds rows of a lane that this run does not have");
+    result_.lane[row.lane].books.push_back(row);
+  }
   for (int k = 0; k < static_cast<int>(lane_.size()); ++k)
     for (const Change& change : result_.lane[k].changes)
       (void)change_lane(lane_[k], change, prepared_, change.step);
@@ -58,6 +62,11 @@ void Run<Real>::check_fit(const MarchNotes& notes) const {
     refuse(fmt::format("is of {} scenarios in {} lanes, and this run has {} in {}", notes.lane.size(),
                        notes.lanes, lane_.size(), ensemble_.lanes()));
   if (notes.dt != prepared_.step.dt) refuse("is of another time step");
+  const int scenarios = static_cast<int>(lane_.size());
+  if (notes.next_scenario < 0 || notes.next_scenario > scenarios)
+    refuse("waits for a scenario that is not there");
+  for (const MarchNotes::Seat& seat : notes.seats)
+    if (seat.scenario < -1 || seat.scenario >= scenarios) refuse("marches a scenario that is not there");
   if (notes.instructions != result_.instructions)
     refuse(fmt::format("was made with {} and this machine marches with {}: the bits would differ",
                        notes.instructions, result_.instructions));

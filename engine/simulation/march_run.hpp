@@ -95,10 +95,16 @@ class Run {
   void tell_frame(Seat& seat);
   void report_released();
   void read_books(Seat& seat);
+  /// Why a row cannot be of a plate that cracks; empty where it can.
+  std::string what_is_wrong(const LaneResult& lane, const results::Sample& row);
+  /// Ends the lane as diverged where something is wrong.
+  void judge(Seat& seat, const results::Sample& row);
+  /// Between two samples a divergence is not waited for.
+  void watch();
   results::Sample books(const Seat& seat);
   results::Frame frame(const Seat& seat, const std::vector<std::string>& fields);
-  /// The first element whose motion is no number any more, for the message.
-  std::string first_lost_element(int lane);
+  /// The element that is lost first or fastest and its most strained beam, for the message.
+  std::string where_it_diverges(int lane);
   /// What the crack has left, in the scenario's units.
   Wake wake(const Seat& seat);
   void tell_end(const Seat& seat) {

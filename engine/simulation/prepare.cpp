@@ -318,7 +318,11 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
   p.rayleigh_speed = rayleigh_speed(scene);
   p.path = straight_path(scene.specimen.length, path_height_m(scene), scene.crack.tips);
   build_specimen(p, cache, progress);
-  build_prestress(p, cache, progress);
+  try {
+    build_prestress(p, cache, progress);
+  } catch (const StaticsError& error) {
+    throw InputError({issue_at(p.preset, "loading.displacement", error.what())});
+  }
   tell(progress, "critical step", 0.0);
   p.stable = stable_step(p.lattice);
   take_lanes(p, planned(p, lanes));

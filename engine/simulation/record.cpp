@@ -113,7 +113,8 @@ Recorded record_run(const Prepared& prepared, const std::filesystem::path& folde
 Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
                     const Observer& beside, std::string& note, const MarchOptions& options,
                     double preparation_s) {
-  std::optional<results::Checkpoint> checkpoint = results::read_checkpoint(folder, note);
+  const results::RunState state = results::inspect_run(folder);
+  std::optional<results::Checkpoint> checkpoint = results::read_checkpoint(folder, state.good_bytes, note);
   if (!checkpoint) {
     const std::string steering = std::filesystem::exists(folder / results::steering_name)
                                      ? results::read_whole_file(folder / results::steering_name)

@@ -23,9 +23,11 @@ void add_render(CLI::App& app, ExitCode& exit_code);
 void add_reproduce(CLI::App& app, ExitCode& exit_code);
 void add_resume(CLI::App& app, ExitCode& exit_code);
 void add_run(CLI::App& app, ExitCode& exit_code);
+void add_stability(CLI::App& app, ExitCode& exit_code);
 void add_studio(CLI::App& app, ExitCode& exit_code);
 void add_study(CLI::App& app, ExitCode& exit_code);
 void add_theory(CLI::App& app, ExitCode& exit_code);
+void add_verify(CLI::App& app, ExitCode& exit_code);
 void add_watch(CLI::App& app, ExitCode& exit_code);
 
 /// What `rift` alone does.
@@ -33,7 +35,8 @@ ExitCode open_studio();
 
 /// All subcommands, in the order of `rift --help`.
 inline constexpr std::array all_commands = {
-    add_studio,    add_run,  add_resume, add_render, add_watch,  add_study,  add_reproduce, add_accuracy,
-    add_calibrate, add_pack, add_check,  add_list,   add_theory, add_export, add_bench};
+    add_studio,    add_run,      add_resume,    add_render,    add_watch, add_study,
+    add_reproduce, add_accuracy, add_stability, add_calibrate, add_pack,  add_check,
+    add_list,      add_theory,   add_export,    add_verify,    add_bench};
 
 }  // namespace rift::studio

@@ -124,7 +124,7 @@ TEST(Assign, ObservesOpenAndClosedEnds) {
   EXPECT_EQ(problem_of("solver.beta", "1"), "");
   EXPECT_EQ(problem_of("solver.beta", "0"), "must lie in (0, 1]");
   EXPECT_EQ(problem_of("specimen.radius_spread", "0"), "");
-  EXPECT_EQ(problem_of("specimen.radius_spread", "0.9"), "must lie in [0, 0.9)");
+  EXPECT_EQ(problem_of("specimen.radius_spread", "0.95"), "must lie in [0, 0.95)");
   EXPECT_EQ(problem_of("material.poisson_ratio", "-1"), "must lie in (-1, 0.5)");
   EXPECT_EQ(problem_of("material.poisson_ratio", "0.5"), "must lie in (-1, 0.5)");
   EXPECT_EQ(problem_of("crack.tips", "2"), "");

@@ -135,7 +135,7 @@ TEST(CheckpointFile, ComesBackToTheBitAndIsSealed) {
       77};
   results::write_checkpoint(folder.path(), written);
   std::string damaged;
-  auto read = results::read_checkpoint(folder.path(), damaged);
+  auto read = results::read_checkpoint(folder.path(), 1000, damaged);
   ASSERT_TRUE(read) << damaged;
   EXPECT_EQ(read->notes, written.notes);
   EXPECT_EQ(read->state, written.state);
@@ -143,7 +143,7 @@ TEST(CheckpointFile, ComesBackToTheBitAndIsSealed) {
   results::Checkpoint later = written;
   later.journal_bytes = 99;
   results::write_checkpoint(folder.path(), later);
-  EXPECT_EQ(results::read_checkpoint(folder.path(), damaged)->journal_bytes, 99U);
+  EXPECT_EQ(results::read_checkpoint(folder.path(), 1000, damaged)->journal_bytes, 99U);
   const std::filesystem::path file = folder.path() / results::checkpoint_name;
   std::string bytes = studio::read_text(file);
   for (const std::size_t at : {std::size_t{20}, bytes.size() / 2, bytes.size() - 3}) {
@@ -151,15 +151,15 @@ TEST(CheckpointFile, ComesBackToTheBitAndIsSealed) {
     broken[at] = static_cast<char>(broken[at] ^ 4);
     studio::write_text(file, broken);
     damaged.clear();
-    read = results::read_checkpoint(folder.path(), damaged);
+    read = results::read_checkpoint(folder.path(), 1000, damaged);
     ASSERT_TRUE(read);
     EXPECT_EQ(read->journal_bytes, 77U);  // the one before
     EXPECT_NE(damaged.find("checkpoint.h5"), std::string::npos) << damaged;
   }
   studio::write_text(file, bytes.substr(0, bytes.size() / 2));
-  EXPECT_EQ(results::read_checkpoint(folder.path(), damaged)->journal_bytes, 77U);
+  EXPECT_EQ(results::read_checkpoint(folder.path(), 1000, damaged)->journal_bytes, 77U);
   results::remove_checkpoints(folder.path());
-  EXPECT_FALSE(results::read_checkpoint(folder.path(), damaged));
+  EXPECT_FALSE(results::read_checkpoint(folder.path(), 1000, damaged));
 }
 
 }  // namespace

@@ -1,0 +1,224 @@
+#include "engine/results/verify.hpp"
+
+#include "engine/results/archive.hpp"
+#include "engine/results/archive_check.hpp"
+#include "engine/results/checkpoint.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/journal_scan.hpp"
+#include "engine/results/series.hpp"
+#include "engine/results/world_error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <optional>
+#include <system_error>
+
+namespace rift::results {
+namespace fs = std::filesystem;
+namespace {
+
+/// "run.vtkhdf" -> "run_damaged.vtkhdf", or with a number where that is taken.
+fs::path name_aside(const fs::path& path) {
+  for (int k = 1;; ++k) {
+    const fs::path aside =
+        path.parent_path() / fmt::format("{}_damaged{}{}", path.stem().string(),
+                                         k == 1 ? "" : std::to_string(k), path.extension().string());
+    if (!fs::exists(aside)) return aside;
+  }
+}
+
+void move_aside(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return;
+  fs::rename(path, name_aside(path), error);
+  if (error) throw WorldError("rename", path, error.message());
+}
+
+class Verifier {
+ public:
+  Verifier(const fs::path& folder, bool mend) : folder_(folder) {
+    result_.running = is_being_written(folder / journal_name);
+    mend_ = mend && !result_.running;
+  }
+
+  Verification all() {
+    leftovers();
+    const bool has_journal = fs::exists(folder_ / journal_name);
+    if (!has_journal && !fs::exists(folder_ / archive_name))
+      throw WorldError(
+          "verify", folder_,
+          fmt::format("it holds neither {} nor {}: there is no run in it", journal_name, archive_name));
+    result_.run = inspect_run(folder_);
+    if (has_journal) journal();
+    for (const char* name : {checkpoint_name, former_checkpoint_name}) checkpoint(name);
+    archive();
+    if (scan_ && scan_->geometry && !result_.running) tables();
+    return std::move(result_);
+  }
+
+ private:
+  void found(const std::string& file, Found what, std::string text) {
+    result_.files.push_back({file, what, std::move(text)});
+  }
+
+  void leftovers() {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder_, error)) {
+      if (entry.path().extension() != ".part" || result_.running) continue;
+      if (mend_) fs::remove(entry.path(), error);
+      found(entry.path().filename().string(), mend_ ? Found::removed : Found::damaged,
+            "left by a kill, of no use");
+    }
+    if (error) throw WorldError("read the folder", folder_, error.message());
+  }
+
+  void journal() {
+    const RunState& run = result_.run;
+    const fs::path path = folder_ / journal_name;
+    const std::string holds =
+        fmt::format("{} samples, {} frames, to step {}", run.samples, run.frames, run.last_step);
+    switch (run.condition) {
+      case RunCondition::finished:
+        found(journal_name, Found::sound, holds);
+        break;
+      case RunCondition::unfinished:
+        found(journal_name, Found::sound,
+              result_.running ? holds + "; another process is writing it"
+                              : fmt::format("{}; {}", holds, run.reason));
+        break;
+      case RunCondition::not_a_run:
+        found(journal_name, Found::damaged, run.reason);
+        return;
+      case RunCondition::damaged:
+        salvage(path);
+        break;
+    }
+    scan_ = scan_journal(path);
+  }
+
+  void salvage(const fs::path& path) {
+    const std::string reason = result_.run.reason;
+    if (!mend_) return found(journal_name, Found::damaged, reason);
+    const fs::path saved = folder_ / (std::string(journal_name) + ".part");
+    const std::uint64_t lost = salvage_journal(path, saved);
+    move_aside(path);
+    std::error_code error;
+    fs::rename(saved, path, error);
+    if (error) throw WorldError("rename", saved, error.message());
+    const RunState now = inspect_run(folder_);
+    found(journal_name, Found::damaged,
+          fmt::format("{}: {} bytes are lost; {} samples and {} frames are saved, the damaged one is kept",
+                      reason, lost, now.samples, now.frames));
+    damaged_at_ = result_.run.good_bytes;
+  }
+
+  void checkpoint(const char* name) {
+    const fs::path path = folder_ / name;
+    if (!fs::exists(path)) return;
+    std::string why = checkpoint_damage(path);
+    if (why.empty() && damaged_at_ && mend_) why = "the journal that it goes on from is damaged";
+    if (why.empty()) return found(name, Found::sound, "");
+    found(name, Found::damaged, why);
+    if (mend_) move_aside(path);
+  }
+
+  void archive() {
+    const fs::path path = folder_ / archive_name;
+    const bool can_be_made = scan_ && scan_->geometry;
+    if (!fs::exists(path)) {
+      if (result_.running) return;
+      if (!can_be_made || !mend_)
+        return found(archive_name, Found::missing,
+                     can_be_made ? "can be made from the journal" : "and the journal holds no geometry");
+      assemble_archive(folder_);
+      return found(archive_name, Found::mended, "made from the journal");
+    }
+    const ArchiveCheck check = check_archive_in_child(path);
+    std::string wrong = check.problems.empty() ? "" : check.problems.front();
+    if (check.problems.size() > 1) wrong += fmt::format(", and {} more", check.problems.size() - 1);
+    if (wrong.empty() && can_be_made && !damaged_at_) wrong = differs_from_journal(check);
+    if (wrong.empty())
+      return found(archive_name, Found::sound,
+                   fmt::format("{} datasets, {} moments, {} elements, {} beams", check.digest.size(),
+                               check.moments, check.elements, check.beams));
+    if (!can_be_made || !mend_) return found(archive_name, Found::damaged, wrong);
+    move_aside(path);
+    assemble_archive(folder_);
+    found(archive_name, Found::mended, wrong + ": made anew from the journal");
+  }
+
+  /// Where it does not hold what the journal gives; empty where it does.
+  std::string differs_from_journal(const ArchiveCheck& check) const {
+    const fs::path again = fs::temp_directory_path() / fmt::format("rift_verify_{}.vtkhdf", getpid());
+    assemble_archive(folder_, again);
+    const ArchiveCheck expected = check_archive(again);
+    std::error_code ignored;
+    fs::remove(again, ignored);
+    for (const auto& [name, digest] : expected.digest) {
+      const auto there = check.digest.find(name);
+      if (there == check.digest.end()) return name + " is missing";
+      if (there->second != digest) return name + " is not what the journal holds";
+    }
+    return "";
+  }
+
+  void table(const char* name, const std::string& expected, bool same) {
+    const fs::path path = folder_ / name;
+    if (same) return found(name, Found::sound, "");
+    const bool there = fs::exists(path);
+    if (!mend_) return found(name, there ? Found::damaged : Found::missing, "can be made from the journal");
+    move_aside(path);
+    write_whole_file(path, expected);
+    found(name, Found::mended,
+          there ? "not what the journal holds: made anew from it" : "made from the journal");
+  }
+
+  void tables() {
+    const fs::path series = folder_ / series_name, summary = folder_ / summary_name;
+    const std::string rows = series_csv(scan_->samples, scan_->rates);
+    table(series_name, rows, fs::exists(series) && read_whole_file(series) == rows);
+    if (!scan_->summary_json) return;
+    const auto expected = nlohmann::ordered_json::parse(*scan_->summary_json, nullptr, false);
+    const auto there = fs::exists(summary)
+                           ? nlohmann::ordered_json::parse(read_whole_file(summary), nullptr, false)
+                           : nlohmann::ordered_json();
+    table(summary_name, expected.dump(2) + "\n", there == expected);
+  }
+
+  const fs::path& folder_;
+  bool mend_ = false;
+  Verification result_;
+  std::optional<JournalScan> scan_;
+  std::optional<std::uint64_t> damaged_at_;
+};
+
+}  // namespace
+
+const char* name_of(Found found) {
+  switch (found) {
+    case Found::sound:
+      return "sound";
+    case Found::missing:
+      return "missing";
+    case Found::mended:
+      return "mended";
+    case Found::damaged:
+      return "damaged";
+    case Found::removed:
+      return "removed";
+  }
+  return "";
+}
+
+bool is_whole(const Verification& verification) {
+  return std::none_of(verification.files.begin(), verification.files.end(), [](const Finding& f) {
+    return f.found == Found::damaged || f.found == Found::missing;
+  });
+}
+
+Verification verify_run(const fs::path& folder, bool mend) { return Verifier(folder, mend).all(); }
+
+}  // namespace rift::results

@@ -1,0 +1,159 @@
+#include "engine/stability/free_vibration.hpp"
+
+#include "engine/ensemble/ensemble.hpp"
+#include "engine/simulation/march.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace rift {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double far = 1e6;  // grown or shrunk
+
+/// M^-1/2 of each degree of freedom, 0 where gripped.
+VectorXd root_mobility(const Lattice& lattice) {
+  VectorXd root = VectorXd::Zero(6 * static_cast<long>(lattice.mass.size()));
+  for (long i = 0; i < static_cast<long>(lattice.mass.size()); ++i) {
+    if (lattice.grip[i] != Grip::none) continue;
+    root.segment<3>(6 * i).setConstant(1.0 / std::sqrt(lattice.mass[i]));
+    root.segment<3>(6 * i + 3).setConstant(1.0 / std::sqrt(lattice.inertia[i]));
+  }
+  return root;
+}
+
+std::vector<Vector6> by_element(const VectorXd& q) {
+  std::vector<Vector6> motion(static_cast<std::size_t>(q.size() / 6));
+  for (std::size_t i = 0; i < motion.size(); ++i) motion[i] = q.segment<6>(6 * static_cast<long>(i));
+  return motion;
+}
+
+/// An ensemble of one lane that no crack ever reaches, at rest and moved out of its equilibrium.
+template <class Real>
+Ensemble<Real> released(const Lattice& lattice, const VectorXd& from, double dt, double beta) {
+  LaneScenario idle;
+  idle.history = history_of(0.0, {{1.0, 1.0}});
+  const double beside = 10.0 * (lattice.box.length + lattice.box.height);
+  Ensemble<Real> s(lattice, straight_path(lattice.box.length, beside), 0.0, dt, {idle});
+  s.release_from(by_element(from));
+  s.set_beta(beta);
+  return s;
+}
+
+double residual_now(auto& ensemble) {
+  return std::abs(ensemble.sample(0, results::Phase::fracture).residual);
+}
+
+double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
+
+/// Position (times omega) and speed of a mode, from those of all elements.
+struct ModalState {
+  const Lattice& lattice;
+  const HighestMode& mode;
+
+  Eigen::Vector2d of(auto& s) const {
+    Eigen::Vector2d state = Eigen::Vector2d::Zero();
+    for (int i = 0; i < static_cast<int>(lattice.mass.size()); ++i) {
+      Vector6 weight = mode.shape.segment<6>(6L * i);
+      weight.head<3>() *= lattice.mass[i], weight.tail<3>() *= lattice.inertia[i];
+      state += Eigen::Vector2d(mode.omega * weight.dot(s.motion(i, 0)), weight.dot(s.velocity(i, 0)));
+    }
+    return state;
+  }
+};
+
+double log_spectral_radius(const Eigen::Matrix2d& a) {
+  return std::log(a.eigenvalues().cwiseAbs().maxCoeff());
+}
+
+template <class Real>
+Seen vibrate_in(const Lattice& lattice, const HighestMode& mode, double dt, double beta, std::int64_t steps) {
+  Ensemble<Real> s =
+      released<Real>(lattice, mode.shape * (1e-6 / mode.shape.cwiseAbs().maxCoeff()), dt, beta);
+  const ModalState modal{lattice, mode};
+  Eigen::Vector2d before = modal.of(s);
+  const double start = before.norm();
+  Eigen::Matrix2d products = Eigen::Matrix2d::Zero(), squares = Eigen::Matrix2d::Zero();
+  Seen seen;
+  seen.residual = 0.0;
+  for (; seen.steps < steps && before.norm() < far * start && before.norm() > start / far; ++seen.steps) {
+    s.step();
+    const Eigen::Vector2d after = modal.of(s);
+    products += after * before.transpose() / before.squaredNorm();
+    squares += before * before.transpose() / before.squaredNorm();
+    before = after;
+    if (seen.steps % 16 == 0) seen.residual = larger(seen.residual, residual_now(s));
+  }
+  seen.growth = log_spectral_radius(products * squares.inverse());
+  return seen;
+}
+
+}  // namespace
+
+HighestMode highest_mode(const Lattice& lattice) {
+  const VectorXd root = root_mobility(lattice);
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(root.size(), root.size());
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
+    const Matrix12 part = stiffness_of(lattice.beam[b]);
+    const auto& e = lattice.ends[b];
+    for (int r : {0, 1})
+      for (int c : {0, 1}) k.block<6, 6>(6 * e[r], 6 * e[c]) += part.block<6, 6>(6 * r, 6 * c);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * k * root.asDiagonal());
+  const long last = root.size() - 1;
+  return {std::sqrt(solver.eigenvalues()[last]), root.cwiseProduct(solver.eigenvectors().col(last))};
+}
+
+double growth_of_mode(double omega_dt, double beta) {
+  const double h = omega_dt * omega_dt;
+  const double determinant = 1.0 + (beta - 1.0) * h / 2.0, half_trace = 1.0 - (1.0 + beta) * h / 4.0;
+  const double discriminant = half_trace * half_trace - determinant;
+  if (discriminant <= 0.0) return 0.5 * std::log(determinant);
+  return std::log(std::abs(half_trace) + std::sqrt(discriminant));
+}
+
+Seen vibrate(const Lattice& lattice, const HighestMode& mode, double dt, double beta, std::int64_t steps,
+             Precision precision) {
+  Seen seen = precision == Precision::double_precision ? vibrate_in<double>(lattice, mode, dt, beta, steps)
+                                                       : vibrate_in<float>(lattice, mode, dt, beta, steps);
+  seen.limit = ledger_limit(Kinematics::linear, precision);
+  const double rounding = growth_tolerance * (precision == Precision::double_precision ? 1.0 : 10.0);
+  if (seen.growth > rounding)
+    seen.residual = std::numeric_limits<double>::quiet_NaN();  // of nothing that is kept
+  seen.ending = seen.growth > rounding        ? Ending::diverges
+                : seen.residual <= seen.limit ? Ending::closes
+                                              : Ending::open;
+  return seen;
+}
+
+Seen vibrate_freely(const Lattice& lattice, double dt, std::int64_t steps, Precision precision) {
+  std::mt19937_64 random(7);
+  VectorXd q = root_mobility(lattice);
+  for (double& x : q) x *= static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5;
+  q *= 1e-6 / q.cwiseAbs().maxCoeff();
+  Seen seen;
+  seen.limit = ledger_limit(Kinematics::linear, precision);
+  const auto march = [&](auto s) {
+    seen.residual = 0.0;
+    for (; seen.steps < steps; ++seen.steps) {
+      s.step();
+      if (seen.steps % std::max<std::int64_t>(steps / 100, 1) == 0)
+        seen.residual = larger(seen.residual, residual_now(s));
+    }
+  };
+  if (precision == Precision::double_precision)
+    march(released<double>(lattice, q, dt, 1.0));
+  else
+    march(released<float>(lattice, q, dt, 1.0));
+  seen.ending = seen.residual <= seen.limit ? Ending::closes : Ending::open;
+  return seen;
+}
+
+}  // namespace rift

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/lattice/lattice.hpp"
+#include "engine/stability/stability_case.hpp"
+
+#include <Eigen/Core>
+
+namespace rift {
+
+/// A lattice's highest mode of vibration, by dense algebra: for lattices of some hundred elements.
+struct HighestMode {
+  double omega = 0;       // [1/s]
+  Eigen::VectorXd shape;  // 6 N, mass-normalised, zero where gripped
+};
+HighestMode highest_mode(const Lattice& lattice);
+
+/// ln of what one step of velocity Verlet does to the amplitude of a mode, at best 0 for beta = 1: the
+/// spectral radius of the matrix with determinant 1 + (beta - 1) h / 2 and trace 2 - (1 + beta) h / 2, h =
+/// (omega dt)^2 [physics.md §3; paper eqs. (1), (2)]
+double growth_of_mode(double omega_dt, double beta);
+
+/// Marches the lattice from rest in its highest mode, nothing cracked, and measures what a step does to it:
+/// the spectral radius of the matrix that fits all steps best. It diverges where that is above 1; where it is
+/// not the books must close.
+/// @param[in] steps  at most; it ends earlier where the amplitude has grown or shrunk 1e6-fold
+Seen vibrate(const Lattice& lattice, const HighestMode& mode, double dt, double beta, std::int64_t steps,
+             Precision precision);
+
+/// Marches the lattice from rest in a mixture of all motions and looks at the books a hundred times.
+Seen vibrate_freely(const Lattice& lattice, double dt, std::int64_t steps, Precision precision);
+
+}  // namespace rift

@@ -1,0 +1,160 @@
+#include "engine/ensemble/ensemble.hpp"
+#include "engine/lattice/packing.hpp"
+#include "engine/lattice/stiffness.hpp"
+#include "engine/mechanics/stable_step.hpp"
+#include "engine/mechanics/statics.hpp"
+#include "engine/simulation/march.hpp"
+#include "engine/stability/families.hpp"
+#include "engine/stability/free_vibration.hpp"
+#include "engine/stability/small_lattices.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+/// Families over lattices made by hand.
+namespace rift {
+namespace {
+
+struct Vibrating {
+  Lattice lattice = small_block(5, 5, 3);
+  HighestMode mode = highest_mode(lattice);
+  StableStep stable = stable_step(lattice);
+};
+
+constexpr std::int64_t growing_steps = 4000;
+
+/// A crack at 0.5 of the speed of a bar's waves along any path of a lattice that is pulled by 1 %.
+Seen crack_along(const Lattice& lattice, const CrackPath& path, double until, Precision precision) {
+  const StableStep stable = stable_step(lattice);
+  const double speed = 500.0, dt = 0.3 * stable.critical;
+  const std::vector<char> present(lattice.beam.size(), 1);
+  const std::vector<Vector6> base = stretched_at_rest(lattice, present, 0.01 * lattice.box.height);
+  LaneScenario scenario;
+  scenario.law = {Technique::progressive, 1.0, lattice.mean_radius};
+  scenario.history = history_of(-scenario.law.zone_length, {{speed, until}});
+  Seen seen;
+  seen.limit = ledger_limit(Kinematics::linear, precision);
+  const auto run = [&](auto s) {
+    s.start_from(base);
+    s.start_crack({});
+    seen.residual = 0.0;
+    seen.steps = static_cast<std::int64_t>(1.2 * (until + scenario.law.zone_length) / (speed * dt));
+    for (std::int64_t n = 0; n < seen.steps; ++n) {
+      s.step();
+      const double residual = std::abs(s.sample(0, results::Phase::fracture).residual);
+      if (!(residual <= seen.residual)) seen.residual = residual;
+    }
+    seen.said = fmt::format("{} beams released", s.met().size());
+    if (s.met().empty() || s.factor(0, 0) != 0.0) seen.residual = std::numeric_limits<double>::quiet_NaN();
+  };
+  if (precision == Precision::double_precision)
+    run(Ensemble<double>(lattice, path, 0.0, dt, {scenario}));
+  else
+    run(Ensemble<float>(lattice, path, 0.0, dt, {scenario}));
+  seen.ending = seen.residual <= seen.limit ? Ending::closes : Ending::open;
+  return seen;
+}
+
+/// Two halves that nothing joins: the upper one is lifted as a whole and nothing is strained.
+Seen halves_apart(Precision precision) {
+  const Lattice lattice = small_block(4, 6, 2, true);
+  Seen seen = vibrate_freely(lattice, 0.9 * stable_step(lattice).critical, 2000, precision);
+  const std::vector<Vector6> lifted =
+      stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 1e-3);
+  double energy = 0.0;
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b)
+    energy += energy_of_beam(lattice, static_cast<int>(b), Kinematics::linear, lifted);
+  seen.said = fmt::format("{:.1e} J in it when pulled by 1 mm", energy);
+  if (!(energy < 1e-15)) seen.ending = Ending::open;
+  return seen;
+}
+
+Seen rattlers_only(Precision) {
+  Packing packing;
+  for (int k = 0; k < 8; ++k)
+    packing.centre.emplace_back(3e-3 * (k % 2) + 1e-3, 3e-3 * (k / 4) + 1e-3, 3e-3 * (k / 2 % 2) + 1e-3);
+  packing.radius.assign(8, 1e-3);
+  Seen seen;
+  try {
+    (void)make_plate(packing, {.length = 5e-3, .height = 5e-3, .thickness = 5e-3}, 1.0);
+  } catch (const PackingError& error) {
+    seen.ending = Ending::refused;
+    seen.said = error.what();
+  }
+  return seen;
+}
+
+}  // namespace
+
+// The first family: its cases are those from the first on.
+void add_free_vibration(Cases& cases, const SuiteOptions& options) {
+  const auto block = std::make_shared<Vibrating>();
+  for (const double fraction : {0.1, 0.5, 0.9, 0.99, 1.0, 1.01, 1.1, 2.0}) {
+    const double dt = fraction * block->stable.critical;
+    const double growth = growth_of_mode(block->mode.omega * dt, 1.0);
+    cases.push_back({"time step", fmt::format("{:g} of critical", fraction),
+                     growth > 0.0 ? Ending::diverges : Ending::closes, growth, "", [block, dt](Precision p) {
+                       return vibrate(block->lattice, block->mode, dt, 1.0, growing_steps, p);
+                     }});
+  }
+  // At the limit itself K + U - C is some 1e-5 of K + U: single precision cannot keep books of it.
+  cases[4].expected_in_single = Ending::open;
+  for (const double beta : {0.9, 0.99, 1.0, 1.01, 1.1, 1.5}) {
+    const double dt = 0.5 * block->stable.critical;
+    const double growth = growth_of_mode(block->mode.omega * dt, beta);
+    cases.push_back({"beta", fmt::format("{:g} at half the critical step", beta),
+                     growth > 0.0 ? Ending::diverges : Ending::closes, growth, "",
+                     [block, dt, beta](Precision p) {
+                       return vibrate(block->lattice, block->mode, dt, beta, growing_steps, p);
+                     }});
+  }
+  const std::int64_t steps = options.quick ? 10'000 : 1'000'000;
+  cases.push_back({"drift", fmt::format("{} steps of free vibration at 0.9 of critical", steps),
+                   Ending::closes, std::nan(""), "", [block, steps](Precision p) {
+                     return vibrate_freely(block->lattice, 0.9 * block->stable.critical, steps, p);
+                   }});
+}
+
+void add_small_lattices(Cases& cases) {
+  for (const int elements : {2, 20})
+    cases.push_back({"small lattices", elements == 2 ? "two elements, one beam" : "a chain of 20 elements",
+                     Ending::closes, std::nan(""), "", [elements](Precision p) {
+                       const Lattice chain = small_chain(elements);
+                       return vibrate_freely(chain, 0.9 * stable_step(chain).critical, 5000, p);
+                     }});
+  cases.push_back({"small lattices", "cut in two", Ending::closes, std::nan(""), "", halves_apart});
+  cases.push_back({"small lattices", "rattlers only", Ending::refused, std::nan(""), "grip", rattlers_only});
+}
+
+void add_paths(Cases& cases) {
+  const auto block = std::make_shared<Lattice>(small_block(12, 8, 2));
+  const double r = small_spacing;
+  const auto add = [&](const char* name, CrackPath path, double until) {
+    cases.push_back({"crack path", name, Ending::closes, std::nan(""), "",
+                     [block, path, until](Precision p) { return crack_along(*block, path, until, p); }});
+  };
+  add("through the rows", {{{0, 4.0 * r}, {12 * r, 4.0 * r}}}, 12 * r);
+  add("along a row of beams", {{{0, 4.5 * r}, {12 * r, 4.5 * r}}}, 12 * r);
+  add("through the elements' centres, aslant", {{{0, 2.0 * r}, {5 * r, 7.0 * r}}}, 7 * r);
+  add("leaving the plate", {{{0, 4.0 * r}, {6 * r, 4.0 * r}, {18 * r, 16.0 * r}}}, 20 * r);
+  add("crossing itself",
+      {{{0, 3.0 * r}, {8 * r, 3.1 * r}, {8.2 * r, 5.1 * r}, {4.1 * r, 5.0 * r}, {4.3 * r, 2.0 * r}}}, 17 * r);
+}
+
+GrowthCurve growth_around_the_limit() {
+  const Vibrating v;
+  const double truth = 2.0 / v.mode.omega;
+  GrowthCurve curve{v.stable.element_bound / truth, v.stable.critical / truth, {}, {}, {}};
+  for (const double x : {0.7,    0.8,   0.85,  0.9,   0.95, 0.98, 0.99, 0.995, 0.999, 0.9999, 1.0001,
+                         1.0003, 1.001, 1.002, 1.005, 1.01, 1.02, 1.03, 1.05,  1.07,  1.1}) {
+    curve.step.push_back(x);
+    curve.expected.push_back(growth_of_mode(2.0 * x, 1.0));
+    curve.seen.push_back(
+        vibrate(v.lattice, v.mode, x * truth, 1.0, growing_steps, Precision::double_precision).growth);
+  }
+  return curve;
+}
+
+}  // namespace rift

@@ -1,0 +1,52 @@
+#include "engine/stability/small_lattices.hpp"
+
+#include <cmath>
+
+namespace rift {
+namespace {
+
+constexpr MicroMaterial micro{10e9, 0.3, 0.5};
+constexpr double density = 1000.0;
+
+/// @param[in] reach  beams join centres nearer than this many spacings
+Lattice joined(Specimen s, double reach, double cut_at) {
+  const int n = static_cast<int>(s.centre.size());
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j) {
+      const Eigen::Vector3d between = s.centre[j] - s.centre[i];
+      if (between.norm() > reach * small_spacing) continue;
+      if ((s.centre[i].y() < cut_at) != (s.centre[j].y() < cut_at)) continue;
+      if (std::abs(between.z()) > 0.1 * small_spacing && between.norm() > 1.1 * small_spacing) continue;
+      s.beam.push_back({i, j});
+    }
+  s.radius.assign(s.centre.size(), 0.5 * small_spacing);
+  s.packing.mean_radius = 0.5 * small_spacing;
+  return make_lattice(s, micro, density);
+}
+
+}  // namespace
+
+Lattice small_chain(int elements) {
+  Specimen s;
+  s.box = {.length = elements * small_spacing, .height = small_spacing, .thickness = small_spacing};
+  for (int k = 0; k < elements; ++k)
+    s.centre.emplace_back((k + 0.5) * small_spacing, 0.5 * small_spacing, 0.5 * small_spacing);
+  s.grip.assign(s.centre.size(), Grip::none);
+  s.grip.front() = Grip::bottom;
+  return joined(std::move(s), 1.1, -1.0);
+}
+
+Lattice small_block(int nx, int ny, int nz, bool cut) {
+  Specimen s;
+  s.box = {.length = nx * small_spacing, .height = ny * small_spacing, .thickness = nz * small_spacing};
+  for (int x = 0; x < nx; ++x)
+    for (int y = 0; y < ny; ++y)
+      for (int z = 0; z < nz; ++z) {
+        s.centre.emplace_back((x + 0.5) * small_spacing, (y + 0.5) * small_spacing,
+                              (z + 0.5) * small_spacing);
+        s.grip.push_back(y == 0 ? Grip::bottom : y == ny - 1 ? Grip::top : Grip::none);
+      }
+  return joined(std::move(s), 1.5, cut ? ny / 2 * small_spacing : -1.0);
+}
+
+}  // namespace rift

@@ -1,0 +1,51 @@
+#include "engine/stability/stability_case.hpp"
+
+#include <chrono>
+
+namespace rift {
+namespace {
+
+Seen timed(const StabilityCase& one, Precision precision) {
+  const auto start = std::chrono::steady_clock::now();
+  Seen seen = one.run(precision);
+  if (seen.wall_s == 0.0)
+    seen.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seen;
+}
+
+}  // namespace
+
+const char* name_of(Ending ending) {
+  switch (ending) {
+    case Ending::closes:
+      return "closes";
+    case Ending::open:
+      return "open";
+    case Ending::refused:
+      return "refused";
+    case Ending::diverges:
+      return "diverges";
+  }
+  return "";
+}
+
+bool is_as_expected(const StabilityCase& expected, const Seen& seen, Precision precision) {
+  const bool single = precision == Precision::single_precision;
+  if (seen.ending != (single ? expected.expected_in_single.value_or(expected.expected) : expected.expected))
+    return false;
+  if (seen.ending == Ending::refused) return seen.said.find(expected.names) != std::string::npos;
+  if (seen.ending == Ending::diverges && seen.caught_within > caught_at_most) return false;
+  const double tolerance = growth_tolerance * (single ? 10.0 : 1.0);
+  return std::isnan(expected.growth) || std::abs(seen.growth - expected.growth) <= tolerance;
+}
+
+StabilityRow try_case(const StabilityCase& one) {
+  StabilityRow row{one.family, one.name, one.expected, one.growth, {}, {}, false};
+  row.in_double = timed(one, Precision::double_precision);
+  row.in_single = timed(one, Precision::single_precision);
+  row.as_expected = is_as_expected(one, row.in_double, Precision::double_precision) &&
+                    is_as_expected(one, row.in_single, Precision::single_precision);
+  return row;
+}
+
+}  // namespace rift

@@ -1,0 +1,63 @@
+#include "engine/results/verify.hpp"
+
+#include "studio/commands/commands.hpp"
+#include "studio/report/table.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+
+namespace rift::studio {
+namespace {
+
+struct VerifyOptions {
+  std::string run, color;
+  bool check_only = false, json = false;
+};
+
+std::string verdict(const results::Verification& v, const std::string& run) {
+  if (v.running) return fmt::format("{} is going on; it was looked at, nothing was changed", run);
+  if (!results::is_whole(v))
+    return fmt::format("{}: something is lost or missing; what is whole is kept", run);
+  if (v.run.condition == results::RunCondition::unfinished)
+    return fmt::format("{} is whole so far and has not ended: 'rift resume {}' goes on", run, run);
+  return fmt::format("{} is whole", run);
+}
+
+ExitCode verify(const VerifyOptions& options) {
+  const results::Verification v = results::verify_run(options.run, !options.check_only);
+  if (options.json) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const results::Finding& f : v.files)
+      files.push_back({{"file", f.file}, {"found", results::name_of(f.found)}, {"text", f.text}});
+    const nlohmann::ordered_json all{{"run", options.run},     {"whole", results::is_whole(v)},
+                                     {"running", v.running},   {"samples", v.run.samples},
+                                     {"frames", v.run.frames}, {"last_step", v.run.last_step},
+                                     {"files", files}};
+    fmt::print("{}\n", all.dump(2));
+  } else {
+    Table table{{"file", "is", ""}, {}};
+    for (const results::Finding& f : v.files)
+      table.rows.push_back({f.file, results::name_of(f.found), f.text});
+    fmt::print("{}\n{}\n", plain_table(table, wants_color(options.color, stdout)), verdict(v, options.run));
+  }
+  return results::is_whole(v) ? ExitCode::done : ExitCode::world_failed;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "verify", "Look at every file of a run by its checksums; make anew what can be, save what is whole");
+  const auto options = std::make_shared<VerifyOptions>();
+  command.add_option("run", options->run, "Folder of the run")->required();
+  command.add_flag("--check-only", options->check_only, "Change nothing");
+  command.add_flag("--json", options->json, "The result as JSON on stdout");
+  add_color_option(command, options->color);
+  command.callback([options, &exit_code] { exit_code = verify(*options); });
+}
+
+}  // namespace rift::studio

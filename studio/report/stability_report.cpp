@@ -1,0 +1,157 @@
+#include "studio/report/stability_report.hpp"
+
+#include "engine/results/files.hpp"
+#include "engine/results/world_error.hpp"
+#include "studio/report/html.hpp"
+#include "studio/report/progress.hpp"
+#include "studio/report/stability_charts.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(double value, const char* format) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+std::string seen_text(const Seen& seen) {
+  if (seen.ending == Ending::diverges && seen.caught_within >= 0)
+    return fmt::format("diverges, caught in {}", seen.caught_within);
+  return name_of(seen.ending);
+}
+
+/// What a row has to say beside its numbers, short enough for a table.
+std::string remark(const StabilityRow& row) {
+  std::string said = row.in_double.said;
+  if (const auto line_end = said.find('\n'); line_end != said.npos) said.resize(line_end);
+  constexpr std::size_t most = 120;
+  if (said.size() > most) said = said.substr(0, most - 3) + "...";
+  return said;
+}
+
+std::string csv_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' ? ' ' : c);
+  return quoted + "\"";
+}
+
+Json json_of(const Seen& seen) {
+  const auto value = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
+  return {{"seen", name_of(seen.ending)},
+          {"ledger_residual", value(seen.residual)},
+          {"ledger_limit", seen.limit},
+          {"growth", value(seen.growth)},
+          {"ratio_with_damping", value(seen.ratio)},
+          {"steps", seen.steps},
+          {"caught_within", seen.caught_within < 0 ? Json(nullptr) : Json(seen.caught_within)},
+          {"said", seen.said},
+          {"wall_s", seen.wall_s}};
+}
+
+std::string csv_of(const std::vector<StabilityRow>& rows) {
+  std::string csv =
+      "family,case,expected,growth_expected,precision,seen,ledger_residual,ledger_limit,growth,"
+      "ratio_with_damping,steps,caught_within,wall_s,said\n";
+  const auto value = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
+  for (const StabilityRow& row : rows)
+    for (const bool single : {false, true}) {
+      const Seen& s = single ? row.in_single : row.in_double;
+      csv +=
+          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(row.family), csv_text(row.name),
+                      name_of(row.expected), value(row.growth), single ? "single" : "double",
+                      name_of(s.ending), value(s.residual), s.limit, value(s.growth), value(s.ratio), s.steps,
+                      s.caught_within < 0 ? "" : std::to_string(s.caught_within), s.wall_s, csv_text(s.said));
+    }
+  return csv;
+}
+
+std::size_t as_expected(const std::vector<StabilityRow>& rows) {
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const StabilityRow& row) { return row.as_expected; }));
+}
+
+std::string verdict(const StabilityReport& report) {
+  return fmt::format("{} of {} cases are as expected, in both precisions; {}", as_expected(report.rows),
+                     report.rows.size(), duration_text(report.wall_s));
+}
+
+}  // namespace
+
+Table stability_table(const std::vector<StabilityRow>& rows) {
+  Table table{{"case", "", "expected", "double", "residual", "single", "residual", "growth", "theory",
+               "ratio", "single-double", "s", ""},
+              {}};
+  std::string family;
+  for (const StabilityRow& row : rows) {
+    const Seen &a = row.in_double, &b = row.in_single;
+    table.rows.push_back(
+        {row.family == family ? "" : row.family, row.name, name_of(row.expected), seen_text(a),
+         number(a.residual, "{:.0e}"), seen_text(b), number(b.residual, "{:.0e}"), number(a.growth, "{:.5f}"),
+         number(row.growth, "{:.5f}"), number(a.ratio, "{:.4f}"), number(b.ratio - a.ratio, "{:+.0e}"),
+         number(a.wall_s + b.wall_s, "{:.1f}"), row.as_expected ? "" : "NOT AS EXPECTED"});
+    family = row.family;
+  }
+  return table;
+}
+
+std::string stability_text(const StabilityReport& report, bool color) {
+  std::string text = plain_table(stability_table(report.rows), color);
+  std::string said;
+  for (const StabilityRow& row : report.rows)
+    if (const std::string words = remark(row); !words.empty())
+      said += fmt::format("  {}: {}\n    {}\n", row.family, row.name, words);
+  if (!said.empty()) text += "\n" + heading("What was said", color) + "\n" + said;
+  return text + "\n" + verdict(report) + "\n";
+}
+
+Json stability_json(const StabilityReport& report) {
+  Json rows = Json::array();
+  for (const StabilityRow& row : report.rows)
+    rows.push_back({{"family", row.family},
+                    {"case", row.name},
+                    {"expected", name_of(row.expected)},
+                    {"growth_expected", std::isfinite(row.growth) ? Json(row.growth) : Json(nullptr)},
+                    {"double", json_of(row.in_double)},
+                    {"single", json_of(row.in_single)},
+                    {"as_expected", row.as_expected}});
+  return {{"cases", rows},
+          {"as_expected", as_expected(report.rows)},
+          {"of", report.rows.size()},
+          {"wall_s", report.wall_s},
+          {"version", report.build.version}};
+}
+
+void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  results::write_whole_file(folder / "summary.json", stability_json(report).dump(2) + "\n");
+  results::write_whole_file(folder / "table.csv", csv_of(report.rows));
+  std::string figures;
+  std::optional<results::WorldError> failure;
+  for (const NamedChart& named : stability_charts(report)) {
+    try {
+      figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
+    } catch (const results::WorldError& error) {
+      failure = error;
+      figures += html_paragraph(error.what());
+    }
+  }
+  Table said{{"case", "", "said"}, {}};
+  for (const StabilityRow& row : report.rows)
+    if (!row.in_double.said.empty()) said.rows.push_back({row.family, row.name, row.in_double.said});
+  std::string body =
+      html_paragraph(fmt::format("{}. Made by `rift stability`, rift {} ({}).", verdict(report),
+                                 report.build.version, report.build.compiler));
+  body += html_section("Charts", figures) + html_section("Cases", html_table(stability_table(report.rows)));
+  body += html_section("What was said", html_table(said));
+  results::write_whole_file(folder / "report.html", html_page("Stiff and extreme cases", body));
+  if (failure) throw *failure;
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "engine/simulation/build_info.hpp"
+#include "engine/stability/suite.hpp"
+#include "studio/report/table.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace rift::studio {
+
+/// What `rift stability` tells.
+struct StabilityReport {
+  std::vector<StabilityRow> rows;
+  std::optional<GrowthCurve> growth;  // with a report only
+  BuildInfo build;
+  double wall_s = 0;
+};
+
+/// A line per case: expected, seen in both precisions, how far the books are open, growth, what was said.
+Table stability_table(const std::vector<StabilityRow>& rows);
+
+/// The table, and how many are as expected.
+std::string stability_text(const StabilityReport& report, bool color);
+
+nlohmann::ordered_json stability_json(const StabilityReport& report);
+
+/// report.html, table.csv, summary.json and charts/. Throws WorldError.
+void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder);
+
+}  // namespace rift::studio
