@@ -1,6 +1,7 @@
 #include "engine/interrupted.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/simulation/record.hpp"
+#include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_ending.hpp"
 #include "studio/commands/run_panel.hpp"
@@ -18,7 +19,7 @@ namespace rift::studio {
 namespace {
 
 struct ResumeOptions {
-  std::string run, color;
+  std::string run, color, budget;
   int threads = 0;
   bool quiet = false, json = false, plain = false, no_cache = false;
 };
@@ -56,12 +57,13 @@ std::optional<Recorded> go_on_live(const ResumeOptions& options, const Preset& p
 }
 
 ExitCode resume(const ResumeOptions& options) {
+  const std::optional<double> budget = read_budget("rift resume", options.budget);
   if (has_ended(options.run)) {
     fmt::print(stderr, "rift resume: {} has come to its end: nothing is left of it\n", options.run);
     return ExitCode::done;
   }
   const Preset preset = preset_of_run(options.run);
-  const StopSignal stop;
+  const StopSignal stop(budget);
   ProgressLine line(progress_style(options.quiet, options.json));
   Cache cache = options.no_cache ? Cache{} : user_cache();
   const bool panel = !options.plain && !options.quiet && !options.json && panel_there();
@@ -89,6 +91,8 @@ void add_resume(CLI::App& app, ExitCode& exit_code) {
       .add_option("--threads", options->threads,
                   "Threads (default: one per core); the results do not depend on it")
       ->check(CLI::Range(1, 1024));
+  command.add_option("--budget", options->budget,
+                     "Stop after this time (\"2 h\") with a checkpoint and exit code 4");
   command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
   command.add_flag("--quiet", options->quiet, "No progress on stderr");
   command.add_flag("--json", options->json, "Progress as JSON lines on stderr, the result as JSON on stdout");

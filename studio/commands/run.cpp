@@ -4,6 +4,7 @@
 #include "engine/scene/issue.hpp"
 #include "engine/scene/units.hpp"
 #include "engine/simulation/record.hpp"
+#include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
 #include "studio/commands/run_ending.hpp"
@@ -29,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 struct RunOptions {
   SceneOptions scene;
-  std::string out, replay, checkpoint = "30 s";
+  std::string out, replay, budget, checkpoint = "30 s";
   bool force = false, plain = false;
   std::unique_ptr<FilmOfRun> film;
 };
@@ -117,6 +118,7 @@ double checkpoint_seconds(const RunOptions& options) {
 ExitCode run(const RunOptions& options) {
   const Preset preset = read_wish(options);
   const double checkpoint_s = checkpoint_seconds(options);
+  const std::optional<double> budget = read_budget("rift run", options.budget);
   if (options.scene.print_config) {
     fmt::print("{}", preset_text(preset));
     return ExitCode::done;
@@ -126,7 +128,7 @@ ExitCode run(const RunOptions& options) {
     fmt::print(stderr, "rift run: {}\n", trouble);
     return ExitCode::bad_input;
   }
-  const StopSignal stop;
+  const StopSignal stop(budget);
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
   Cache cache = cache_for(options.scene);
   const Way way{options, preset, stop, line, checkpoint_s};
@@ -156,6 +158,9 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
       .add_option("--checkpoint", options->checkpoint,
                   "Time between two checkpoints, for 'rift resume' after a kill or a power cut")
       ->capture_default_str();
+  command.add_option(
+      "--budget", options->budget,
+      "Stop after this time (\"2 h\") with a checkpoint and exit code 4; 'rift resume' goes on");
   command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
   command.add_flag("--force", options->force, "Replace the run that is in the folder");
   CLI::Option* preset = command.get_option("preset");

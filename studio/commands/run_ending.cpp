@@ -46,6 +46,7 @@ void print_run(const nlohmann::ordered_json& summary, const std::filesystem::pat
 }
 
 ExitCode stopped_by(const StopSignal& stop) {
+  if (stop.received() == StopSignal::time_is_up) return ExitCode::budget_ran_out;
   return static_cast<ExitCode>(128 + (stop.received() != 0 ? stop.received() : SIGINT));
 }
 

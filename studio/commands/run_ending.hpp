@@ -22,7 +22,7 @@ std::function<bool(const Progress&)> telling(ProgressLine& line, const StopSigna
 void print_run(const nlohmann::ordered_json& summary, const std::filesystem::path& folder, bool json,
                bool color, const std::string& film = {});
 
-/// By a signal, or by hand in the panel, which counts as a Ctrl-C.
+/// By a signal, by a budget, or by hand in the panel, which counts as a Ctrl-C.
 ExitCode stopped_by(const StopSignal& stop);
 ExitCode exit_code_of(Outcome outcome, const StopSignal& stop);
 

@@ -63,7 +63,11 @@ void print_notes(const Cache& cache) {
   for (const std::string& note : cache.notes) fmt::print(stderr, "cache: {}\n", note);
 }
 
-StopSignal::StopSignal() {
+StopSignal::StopSignal(std::optional<double> budget) {
+  if (budget)
+    until_ =
+        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                               std::chrono::duration<double>(*budget));
   stop_signal = 0;
   std::signal(SIGINT, note_signal);
   std::signal(SIGTERM, note_signal);
@@ -76,6 +80,9 @@ StopSignal::~StopSignal() {
   std::signal(SIGHUP, SIG_DFL);
 }
 
-int StopSignal::received() const { return stop_signal; }
+int StopSignal::received() const {
+  if (stop_signal != 0) return stop_signal;
+  return until_ && std::chrono::steady_clock::now() >= *until_ ? time_is_up : 0;
+}
 
 }  // namespace rift::studio

@@ -6,6 +6,8 @@
 
 #include <CLI/App.hpp>
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,15 +46,20 @@ Cache cache_for(const SceneOptions& options);
 /// What the cache has to say, on stderr.
 void print_notes(const Cache& cache);
 
-/// SIGINT, SIGTERM and SIGHUP no longer kill, but set a flag that long work looks at. Lives as long as the
-/// command.
+/// SIGINT, SIGTERM and SIGHUP no longer kill, but set a flag that long work looks at; a time that is up
+/// counts as one. Lives as long as the command.
 class StopSignal {
  public:
-  StopSignal();
+  /// @param budget  [s] from now, none for ever
+  explicit StopSignal(std::optional<double> budget = {});
   ~StopSignal();
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
+  static constexpr int time_is_up = -1;
   int received() const;  // the signal's number, 0 for none
+
+ private:
+  std::optional<std::chrono::steady_clock::time_point> until_;
 };
 
 }  // namespace rift::studio

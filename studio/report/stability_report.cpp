@@ -85,17 +85,19 @@ std::string verdict(const StabilityReport& report) {
 }  // namespace
 
 Table stability_table(const std::vector<StabilityRow>& rows) {
-  Table table{{"case", "", "expected", "double", "residual", "single", "residual", "growth", "theory",
-               "ratio", "single-double", "s", ""},
+  Table table{{"case", "", "expected", "seen", "books, double", "single", "growth", "theory", "ratio",
+               "single", "s", ""},
               {}};
   std::string family;
   for (const StabilityRow& row : rows) {
     const Seen &a = row.in_double, &b = row.in_single;
-    table.rows.push_back(
-        {row.family == family ? "" : row.family, row.name, name_of(row.expected), seen_text(a),
-         number(a.residual, "{:.0e}"), seen_text(b), number(b.residual, "{:.0e}"), number(a.growth, "{:.5f}"),
-         number(row.growth, "{:.5f}"), number(a.ratio, "{:.4f}"), number(b.ratio - a.ratio, "{:+.0e}"),
-         number(a.wall_s + b.wall_s, "{:.1f}"), row.as_expected ? "" : "NOT AS EXPECTED"});
+    const std::string first = seen_text(a), second = seen_text(b);
+    table.rows.push_back({row.family == family ? "" : row.family, row.name, name_of(row.expected),
+                          first == second ? first : first + " / " + second, number(a.residual, "{:.0e}"),
+                          number(b.residual, "{:.0e}"), number(a.growth, "{:.5f}"),
+                          number(row.growth, "{:.5f}"), number(a.ratio, "{:.4f}"),
+                          number(b.ratio - a.ratio, "{:+.0e}"), number(a.wall_s + b.wall_s, "{:.1f}"),
+                          row.as_expected ? "" : "NOT AS EXPECTED"});
     family = row.family;
   }
   return table;

@@ -1,0 +1,213 @@
+#include "engine/results/verify.hpp"
+
+#include "engine/results/archive.hpp"
+#include "engine/results/archive_check.hpp"
+#include "engine/results/checkpoint.hpp"
+#include "engine/results/child.hpp"
+#include "engine/results/journal.hpp"
+#include "engine/results/run_writer.hpp"
+#include "engine/results/world_error.hpp"
+#include "tests/engine/results/small_run.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace rift::results {
+namespace {
+
+namespace fs = std::filesystem;
+using small_run::bytes_of;
+using small_run::put_bytes;
+
+/// A finished run of two frames and three samples.
+void write_run(const fs::path& folder, bool to_the_end = true) {
+  fs::create_directories(folder);
+  RunWriter writer(folder, {{"version", "0.1.0"}, {"lanes", 1}, {"preset", ""}}, small_run::geometry());
+  writer.frame(small_run::frame(0, 0));
+  writer.sample(small_run::sample(10, 0, 0.01));
+  writer.sample(small_run::sample(20, 0, 0.02));
+  writer.event({1, 0, 1e-7, 0.01, 1e-9});
+  writer.frame(small_run::frame(20, 0));
+  writer.sample(small_run::sample(30, 0, 0.03));
+  writer.flush();
+  if (to_the_end) writer.finish({{"scenarios", nlohmann::ordered_json::array()}}, {{{0.02, 1, 1, 1, 1}}});
+}
+
+Found found_of(const Verification& v, const std::string& file) {
+  for (const Finding& f : v.files)
+    if (f.file == file) return f.found;
+  ADD_FAILURE() << file << " was not looked at";
+  return Found::missing;
+}
+
+std::string text_of(const Verification& v, const std::string& file) {
+  for (const Finding& f : v.files)
+    if (f.file == file) return f.text;
+  return "";
+}
+
+void flip(const fs::path& path, std::size_t at) {
+  std::string bytes = bytes_of(path);
+  bytes.at(at) = static_cast<char>(bytes[at] ^ 0x20);
+  put_bytes(path, bytes);
+}
+
+TEST(Verify, OfAFinishedRunFindsItWholeAndChangesNothing) {
+  const small_run::Scratch scratch;
+  write_run(scratch / "run");
+  const std::string archive = bytes_of(scratch.path() / "run" / archive_name);
+  const Verification v = verify_run(scratch / "run", true);
+  EXPECT_TRUE(is_whole(v));
+  for (const Finding& f : v.files) EXPECT_EQ(f.found, Found::sound) << f.file << ": " << f.text;
+  EXPECT_EQ(v.files.size(), 4U);
+  EXPECT_EQ(bytes_of(scratch.path() / "run" / archive_name), archive);
+}
+
+TEST(Verify, MakesWhatIsMissingOrWrongAnewAndKeepsTheOld) {
+  const small_run::Scratch scratch;
+  const fs::path run = scratch / "run";
+  write_run(run);
+  const std::string series = bytes_of(run / series_name), summary = bytes_of(run / summary_name);
+  put_bytes(run / archive_name, bytes_of(run / archive_name).substr(0, 900));
+  put_bytes(run / series_name, "step\n");
+  fs::remove(run / summary_name);
+  put_bytes(run / "run.vtkhdf.part", "half");
+
+  const Verification looked = verify_run(run, false);
+  EXPECT_FALSE(is_whole(looked));
+  EXPECT_EQ(found_of(looked, archive_name), Found::damaged);
+  EXPECT_EQ(found_of(looked, summary_name), Found::missing);
+  EXPECT_TRUE(fs::exists(run / "run.vtkhdf.part"));  // nothing was changed
+  EXPECT_FALSE(fs::exists(run / summary_name));
+
+  const Verification v = verify_run(run, true);
+  EXPECT_TRUE(is_whole(v));
+  for (const char* file : {archive_name, series_name, summary_name})
+    EXPECT_EQ(found_of(v, file), Found::mended) << file;
+  EXPECT_EQ(found_of(v, "run.vtkhdf.part"), Found::removed);
+  EXPECT_EQ(bytes_of(run / series_name), series);
+  EXPECT_EQ(bytes_of(run / summary_name), summary);
+  EXPECT_EQ(bytes_of(run / "series_damaged.csv"), "step\n");
+  EXPECT_TRUE(fs::exists(run / "run_damaged.vtkhdf"));
+  EXPECT_TRUE(is_whole(verify_run(run, false)));
+}
+
+// The header of the first frame's dataset, a number of the series, ...: wherever values lie.
+TEST(Verify, SeesAnArchiveWhoseValuesAreNotTheJournals) {
+  const small_run::Scratch scratch;
+  const fs::path run = scratch / "run";
+  write_run(run);
+  const std::string archive = bytes_of(run / archive_name);
+  const double tip = 0.02;
+  const auto at = archive.find(std::string(reinterpret_cast<const char*>(&tip), sizeof tip));
+  ASSERT_NE(at, std::string::npos);
+  flip(run / archive_name, at + 3);
+  const Verification v = verify_run(run, false);
+  EXPECT_EQ(found_of(v, archive_name), Found::damaged);
+  EXPECT_NE(text_of(v, archive_name).find("is not what the journal holds"), std::string::npos)
+      << text_of(v, archive_name);
+}
+
+TEST(Verify, SavesWhatLiesBehindDamageOfTheJournal) {
+  const small_run::Scratch scratch;
+  const fs::path run = scratch / "run";
+  write_run(run, false);
+  const std::string bytes = bytes_of(run / journal_name);
+  const double tip = 0.01;  // of the first sample: in its middle
+  flip(run / journal_name, bytes.find(std::string(reinterpret_cast<const char*>(&tip), sizeof tip)));
+  Checkpoint late;
+  late.notes = "{}", late.journal_bytes = bytes.size();
+  write_checkpoint(run, late);
+
+  const Verification v = verify_run(run, true);
+  EXPECT_FALSE(is_whole(v));
+  EXPECT_EQ(found_of(v, journal_name), Found::damaged);
+  EXPECT_NE(text_of(v, journal_name).find("2 samples and 2 frames are saved"), std::string::npos)
+      << text_of(v, journal_name);
+  EXPECT_EQ(bytes_of(run / "journal_damaged.rift").size(), bytes.size());
+  EXPECT_EQ(found_of(v, checkpoint_name), Found::damaged);  // it would cut the new journal within a record
+  EXPECT_FALSE(fs::exists(run / checkpoint_name));
+  const RunState state = inspect_run(run);
+  EXPECT_EQ(state.condition, RunCondition::unfinished);
+  EXPECT_EQ(state.samples, 2);
+  EXPECT_EQ(state.frames, 2);
+  EXPECT_TRUE(is_whole(verify_run(run, false)));
+}
+
+TEST(Verify, OfAnUnfinishedRunMakesAnArchiveOfWhatThereIs) {
+  const small_run::Scratch scratch;
+  const fs::path run = scratch / "run";
+  write_run(run, false);
+  EXPECT_TRUE(is_whole(verify_run(run, false)));
+  const Verification v = verify_run(run, true);
+  EXPECT_TRUE(is_whole(v));
+  EXPECT_EQ(found_of(v, archive_name), Found::mended);
+  EXPECT_EQ(check_archive(run / archive_name).samples, 3);
+}
+
+TEST(Verify, LeavesARunAloneThatIsBeingWritten) {
+  const small_run::Scratch scratch;
+  const fs::path run = scratch / "run";
+  fs::create_directories(run);
+  RunWriter writer(run, {{"lanes", 1}}, small_run::geometry());
+  put_bytes(run / "summary.json.part", "half");
+  const Verification v = verify_run(run, true);
+  EXPECT_TRUE(v.running);
+  EXPECT_TRUE(fs::exists(run / "summary.json.part"));
+  EXPECT_FALSE(fs::exists(run / archive_name));
+}
+
+TEST(Verify, AJournalOfAnotherVersionIsNamed) {
+  const small_run::Scratch scratch;
+  const fs::path run = scratch / "run";
+  write_run(run);
+  flip(run / journal_name, 8);
+  const Verification v = verify_run(run, true);
+  EXPECT_FALSE(is_whole(v));
+  EXPECT_EQ(text_of(v, journal_name), "a journal of version 33, and this build reads version 1");
+  EXPECT_EQ(found_of(v, archive_name), Found::sound);
+}
+
+TEST(Verify, OfNoRunThrows) {
+  const small_run::Scratch scratch;
+  EXPECT_THROW(verify_run(scratch.path(), true), WorldError);
+}
+
+TEST(ArchiveCheck, OfAFileThatIsNoArchiveIsAProblem) {
+  const small_run::Scratch scratch;
+  put_bytes(scratch / "x", "no archive");
+  EXPECT_FALSE(check_archive_in_child(scratch / "x").problems.empty());
+}
+
+TEST(Child, TellsWhatItsWorkReturns) {
+  EXPECT_EQ(told_by_child([] { return std::string(200'000, 'x'); }, 10).text, std::string(200'000, 'x'));
+}
+
+TEST(Child, ThatDiesHangsThrowsOrEatsMemoryIsOutlived) {
+  EXPECT_NE(told_by_child(
+                []() -> std::string {
+                  std::raise(SIGSEGV);
+                  return "";
+                },
+                10)
+                .death.find("signal 11"),
+            std::string::npos);
+  EXPECT_EQ(told_by_child(
+                []() -> std::string {
+                  for (;;) usleep(1000);
+                },
+                1)
+                .death,
+            "it did not come to an end in 1 s");
+  EXPECT_EQ(told_by_child([]() -> std::string { throw std::runtime_error("no"); }, 10).death, "no");
+  const Told greedy = told_by_child([] { return std::string(std::size_t{6} << 30, 'x'); }, 20);
+  EXPECT_FALSE(greedy.text);
+  EXPECT_EQ(greedy.death, "std::bad_alloc");
+}
+
+}  // namespace
+}  // namespace rift::results

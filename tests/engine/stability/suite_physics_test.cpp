@@ -1,0 +1,117 @@
+#include "engine/mechanics/stable_step.hpp"
+#include "engine/stability/cracked_plate.hpp"
+#include "engine/stability/free_vibration.hpp"
+#include "engine/stability/small_lattices.hpp"
+#include "engine/stability/suite.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rift {
+namespace {
+
+// The dear ones, of damage zones, inclusions and slow cracks, are left to suite_slow_test.cpp.
+
+/// All cases of the families with this in their name come to what they must.
+void expect_family(const std::string& name) {
+  SuiteOptions options;
+  options.quick = true;
+  options.only = name;
+  const std::vector<StabilityCase> cases = stability_cases(options);
+  EXPECT_FALSE(cases.empty()) << name;
+  for (const StabilityCase& one : cases) {
+    const StabilityRow row = try_case(one);
+    EXPECT_TRUE(row.as_expected) << row.family << ": " << row.name << ": in double "
+                                 << name_of(row.in_double.ending) << ' ' << row.in_double.residual
+                                 << " growth " << row.in_double.growth << " for " << row.growth << ' '
+                                 << row.in_double.said << "; in single " << name_of(row.in_single.ending)
+                                 << ' ' << row.in_single.residual << ' ' << row.in_single.said;
+  }
+}
+
+TEST(StiffAndExtremeCases, OfTheStepComeToWhatTheyMust) { expect_family("step"); }
+TEST(StiffAndExtremeCases, OfBetaComeToWhatTheyMust) { expect_family("beta"); }
+TEST(StiffAndExtremeCases, OfDampingComeToWhatTheyMust) { expect_family("damping"); }
+TEST(StiffAndExtremeCases, OfTheBeamsComeToWhatTheyMust) { expect_family("of the beams"); }
+TEST(StiffAndExtremeCases, OfDensityComeToWhatTheyMust) { expect_family("density"); }
+TEST(StiffAndExtremeCases, OfUnequalRadiiComeToWhatTheyMust) { expect_family("radii"); }
+TEST(StiffAndExtremeCases, OfPreStrainComeToWhatTheyMust) { expect_family("pre-strain"); }
+TEST(StiffAndExtremeCases, OfPathsComeToWhatTheyMust) { expect_family("crack path"); }
+TEST(StiffAndExtremeCases, OfSmallLatticesComeToWhatTheyMust) { expect_family("small lattices"); }
+
+// The suite's own expectation, against two cases that are known otherwise.
+TEST(GrowthOfAMode, IsThatOfTheRootsOfTheRecurrence) {
+  EXPECT_NEAR(growth_of_mode(1.0, 1.0), 0.0, 1e-15);
+  // x_{n+1} - 2 x_n + x_{n-1} = -9 x_n: roots of r^2 + 7 r + 1.
+  EXPECT_NEAR(growth_of_mode(3.0, 1.0), std::log((7.0 + std::sqrt(45.0)) / 2.0), 1e-14);
+  EXPECT_NEAR(growth_of_mode(1.0, 1.1), 0.5 * std::log(1.05), 1e-15);
+}
+
+TEST(HighestMode, IsWhatLanczosFindsAndNothingTheElementBoundForbids) {
+  const Lattice block = small_block(4, 4, 2);
+  const StableStep stable = stable_step(block);
+  const double exact = 2.0 / highest_mode(block).omega;
+  EXPECT_NEAR(stable.critical / exact, 1.0, 2e-5);
+  EXPECT_LT(stable.critical, exact);
+  EXPECT_LT(stable.element_bound, exact);
+}
+
+TEST(Suite, SeesThatACaseIsNotAsExpected) {
+  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](Precision) {
+                      Seen seen;
+                      seen.ending = Ending::diverges;
+                      return seen;
+                    }};
+  EXPECT_FALSE(try_case(one).as_expected);
+  one.expected = Ending::diverges;
+  EXPECT_TRUE(try_case(one).as_expected);
+  one.growth = 0.1;  // and none was seen
+  EXPECT_FALSE(try_case(one).as_expected);
+}
+
+TEST(Suite, ARefusalMustSayWhy) {
+  StabilityCase one{"f", "c", Ending::refused, std::nan(""), "the limit is", [](Precision) {
+                      Seen seen;
+                      seen.ending = Ending::refused;
+                      seen.said = "no";
+                      return seen;
+                    }};
+  EXPECT_FALSE(try_case(one).as_expected);
+}
+
+TEST(Suite, ADivergenceMustBeCaughtInTime) {
+  StabilityCase one{"f", "c", Ending::diverges, std::nan(""), "", [](Precision) {
+                      Seen seen;
+                      seen.ending = Ending::diverges;
+                      seen.caught_within = caught_at_most + 1;
+                      return seen;
+                    }};
+  EXPECT_FALSE(try_case(one).as_expected);
+}
+
+// With samples far apart the march itself looks.
+TEST(Divergence, IsCaughtBetweenTwoSamplesByStepElementBeamAndLane) {
+  Preset preset = plate_preset({"crack.velocity=0.005 c_r", "crack.end=22 mm", "output.samples=10"});
+  ASSERT_TRUE(preset.issues.empty());
+  Cache none;
+  Prepared p = prepare(preset, {preset.scene, preset.scene}, none);
+  force_step(p, 1.01 * p.stable.critical);
+  const RunResult result = march(p, {});
+  EXPECT_EQ(result.outcome, Outcome::diverged);
+  for (int lane = 0; lane < 2; ++lane) {
+    const LaneResult& r = result.lane[lane];
+    EXPECT_GT(p.lane[lane].schedule.samples[1], 128);
+    EXPECT_LE(r.steps - r.sound_at, 200);
+    EXPECT_LT(r.steps, p.lane[lane].schedule.samples[1]);
+    EXPECT_TRUE(
+        r.where.starts_with("step " + std::to_string(r.steps) + ", lane " + std::to_string(lane) + ": "))
+        << r.where;
+    EXPECT_NE(r.where.find(" element "), std::string::npos) << r.where;
+    EXPECT_NE(r.where.find("of its beams "), std::string::npos) << r.where;
+    EXPECT_EQ(r.books.back().step, r.steps);  // the row that tells why is kept
+  }
+}
+
+}  // namespace
+}  // namespace rift

@@ -1,0 +1,113 @@
+#include "tests/studio/commands/tiny_plate.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+Ran verify(const TinyPlate& plate, const std::string& options = "") {
+  return run_rift("verify '" + plate.out().string() + "' " + options);
+}
+
+void damage(const fs::path& path) {
+  std::string bytes = read_text(path);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  write_text(path, bytes);
+}
+
+TEST(VerifyCommand, FindsARunWholeThenMendsThenSaysWhatIsLost) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run("--quiet").exit_code, 0);
+  Ran ran = verify(plate);
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  EXPECT_TRUE(contains(ran.out, "is whole"));
+
+  damage(plate.out() / "run.vtkhdf");
+  ran = verify(plate, "--check-only --json");
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_FALSE(nlohmann::json::parse(ran.out).at("whole"));
+  ran = verify(plate);
+  EXPECT_EQ(ran.exit_code, 0) << ran.out;
+  EXPECT_TRUE(contains(ran.out, "made anew from the journal"));
+
+  damage(plate.out() / "journal.rift");
+  ran = verify(plate);
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_TRUE(contains(ran.out, "bytes are lost"));
+  EXPECT_TRUE(fs::exists(plate.out() / "journal_damaged.rift"));
+}
+
+TEST(VerifyCommand, OfNoRunSaysSo) {
+  const TinyPlate plate;
+  const Ran ran = verify(plate);
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_TRUE(contains(ran.err, "out"));
+  EXPECT_EQ(run_rift("verify").exit_code, 2);
+}
+
+// The journal is damaged before what the checkpoint needs: it begins anew, to the same bytes.
+TEST(Resume, WithADamagedJournalStartsWhereItIsWhole) {
+  const TinyPlate plate, other;
+  const std::string slow = "--quiet --threads 1 --set crack.velocity='0.02 c_r' ";
+  ASSERT_EQ(other.run(slow).exit_code, 0);
+  plate.run_under("timeout -s KILL 1.2", slow + "--checkpoint '0.1 s'");
+  ASSERT_TRUE(fs::exists(plate.out() / "checkpoint.h5"));
+  std::string journal = read_text(plate.out() / "journal.rift");
+  journal.resize(journal.size() / 3);
+  write_text(plate.out() / "journal.rift", journal);
+  const Ran ran = run_rift("resume '" + plate.out().string() + "' --plain --threads 1", plate.environment());
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.err, "bytes of the journal, of which"));
+  EXPECT_EQ(read_text(plate.out() / "series.csv"), read_text(other.out() / "series.csv"));
+}
+
+TEST(Budget, StopsARunWithACheckpointAndItsOwnCode) {
+  const TinyPlate plate;
+  const std::string slow = "--quiet --threads 1 --set crack.velocity='0.02 c_r' ";
+  const Ran ran = plate.run(slow + "--budget '0.7 s'");
+  EXPECT_EQ(ran.exit_code, 4) << ran.err;
+  EXPECT_TRUE(fs::exists(plate.out() / "checkpoint.h5"));
+  EXPECT_EQ(run_rift("resume '" + plate.out().string() + "' --quiet --budget '0.3 s'", plate.environment())
+                .exit_code,
+            4);
+  EXPECT_EQ(run_rift("resume '" + plate.out().string() + "' --quiet", plate.environment()).exit_code, 0);
+  EXPECT_EQ(plate.run("--budget 5").exit_code, 2);
+}
+
+TEST(StabilityCommand, EndsWellWhereAllIsAsExpectedAndNamesUnknownFamilies) {
+  Ran ran = run_rift("stability --quick --only 'small lattices' --quiet");
+  EXPECT_EQ(ran.exit_code, 0) << ran.out;
+  EXPECT_TRUE(contains(ran.out, "4 of 4 cases are as expected"));
+  ran = run_rift("stability --only nosuch");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "nosuch"));
+}
+
+TEST(StabilityCommand, LeavesAReport) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "report").string();
+  const Ran ran = run_rift("stability --quick --only density --quiet --json --out '" + out + "'");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(nlohmann::json::parse(ran.out).at("of"), 2);
+  for (const char* file :
+       {"report.html", "table.csv", "summary.json", "charts/growth.svg", "charts/residuals.png"})
+    EXPECT_TRUE(fs::exists(fs::path(out) / file)) << file;
+  EXPECT_EQ(run_rift("stability --quick --only density --out '" + out + "'").exit_code, 2);
+}
+
+// What a run that diverges leaves can be read, and says why.
+TEST(DivergedRun, EndsWithItsOwnCodeAndAnArchiveThatIsWhole) {
+  const TinyPlate plate;
+  const Ran ran = plate.run(
+      "--quiet --json --set solver.kinematics=corotational --set solver.dt_fraction=0.99 --set "
+      "loading.displacement='6 mm' "
+      "--set damping.region=none");
+  if (ran.exit_code == 0) GTEST_SKIP() << "it held";
+  EXPECT_EQ(ran.exit_code, 3) << ran.err;
+  EXPECT_EQ(verify(plate).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace rift::studio
