@@ -1,5 +1,6 @@
 #include "engine/interrupted.hpp"
 #include "engine/simulation/own_numbers.hpp"
+#include "engine/simulation/quasi_static.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/dry_run.hpp"
@@ -37,6 +38,8 @@ void print_measured(const Json& j, bool color) {
     fmt::print("  {:<16}{:.0f} m/s, the material's {:.0f}: {:.3f} of it\n", kind, measured, nominal,
                measured / nominal);
   }
+  fmt::print("  {:<16}G/G_I0 = {:.4f} over the window, released progressively and infinitely slowly\n",
+             "quasi-static", number("ratio_quasi_static"));
   fmt::print("\n{}\n", heading("speed over that of the longest wave, by wavelength over mean radius", color));
   for (const Json& wave : j.at("waves")) {
     const auto kind = wave.at("kind").get<std::string>();
@@ -69,9 +72,11 @@ ExitCode check(const CheckOptions& check_options) {
     };
     const Prepared prepared = prepare(preset, lanes, cache, tell);
     Json j = dry_run(prepared, options.threads);
-    if (check_options.measure)
+    if (check_options.measure) {
       j["measured"] =
           json_of(measure_own_numbers(prepared, cache, tell, options.threads), prepared.lattice.mean_radius);
+      j["measured"]["ratio_quasi_static"] = quasi_static_ratio(prepared, prepared.lane.front().window);
+    }
     line.clear();
     print_notes(cache);
     if (options.json) {
@@ -95,8 +100,10 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       *app.add_subcommand("check", "Dry run: what follows from a preset, its step, cost, what it leaves out");
   const auto options = std::make_shared<CheckOptions>();
   add_scene_options(command, options->scene);
-  command.add_flag("--measure", options->measure,
-                   "Also E, nu and wave speeds of this very specimen, by pulls and by waves thrown into it");
+  command.add_flag(
+      "--measure", options->measure,
+      "Also E, nu and wave speeds of this very specimen, by pulls and by waves thrown into it, and the "
+      "release rate of an infinitely slow crack");
   command.callback([options, &exit_code] { exit_code = check(*options); });
 }
 

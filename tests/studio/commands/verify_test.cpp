@@ -47,12 +47,18 @@ TEST(VerifyCommand, OfNoRunSaysSo) {
   EXPECT_EQ(run_rift("verify").exit_code, 2);
 }
 
+/// Some seconds of marching.
+const std::string slow = "--quiet --threads 1 --set crack.velocity='0.01 c_r' ";
+
 // The journal is damaged before what the checkpoint needs: it begins anew, to the same bytes.
 TEST(Resume, WithADamagedJournalStartsWhereItIsWhole) {
   const TinyPlate plate, other;
-  const std::string slow = "--quiet --threads 1 --set crack.velocity='0.02 c_r' ";
   ASSERT_EQ(other.run(slow).exit_code, 0);
-  plate.run_under("timeout -s KILL 1.2", slow + "--checkpoint '0.1 s'");
+  const std::string command = "env " + plate.environment() + " '" RIFT_EXE "' run '" +
+                              plate.preset().string() + "' --out '" + plate.out().string() + "' " + slow +
+                              "--checkpoint '0.05 s'";
+  run_shell("(" + command + " & p=$!; for k in $(seq 600); do [ -e '" + plate.out().string() +
+            "/checkpoint.h5' ] && break; sleep 0.05; done; kill -9 $p; wait $p) 2>/dev/null");
   ASSERT_TRUE(fs::exists(plate.out() / "checkpoint.h5"));
   std::string journal = read_text(plate.out() / "journal.rift");
   journal.resize(journal.size() / 3);
@@ -60,20 +66,19 @@ TEST(Resume, WithADamagedJournalStartsWhereItIsWhole) {
   const Ran ran = run_rift("resume '" + plate.out().string() + "' --plain --threads 1", plate.environment());
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_TRUE(contains(ran.err, "bytes of the journal, of which"));
-  EXPECT_EQ(read_text(plate.out() / "series.csv"), read_text(other.out() / "series.csv"));
+  EXPECT_TRUE(read_text(plate.out() / "series.csv") == read_text(other.out() / "series.csv"));
 }
 
 TEST(Budget, StopsARunWithACheckpointAndItsOwnCode) {
   const TinyPlate plate;
-  const std::string slow = "--quiet --threads 1 --set crack.velocity='0.02 c_r' ";
-  const Ran ran = plate.run(slow + "--budget '0.7 s'");
+  ASSERT_EQ(plate.check("--quiet").exit_code, 0);  // packs and pulls, so that the budget is the crack's
+  const Ran ran = plate.run(slow + "--budget '1 s'");
   EXPECT_EQ(ran.exit_code, 4) << ran.err;
-  EXPECT_TRUE(fs::exists(plate.out() / "checkpoint.h5"));
-  EXPECT_EQ(run_rift("resume '" + plate.out().string() + "' --quiet --budget '0.3 s'", plate.environment())
-                .exit_code,
-            4);
-  EXPECT_EQ(run_rift("resume '" + plate.out().string() + "' --quiet", plate.environment()).exit_code, 0);
-  EXPECT_EQ(plate.run("--budget 5").exit_code, 2);
+  ASSERT_TRUE(fs::exists(plate.out() / "checkpoint.h5"));
+  const std::string resume = "resume '" + plate.out().string() + "' --quiet";
+  EXPECT_EQ(run_rift(resume + " --budget '0.5 s'", plate.environment()).exit_code, 4);
+  EXPECT_EQ(run_rift(resume, plate.environment()).exit_code, 0);
+  EXPECT_EQ(plate.run("--force --budget 5").exit_code, 2);
 }
 
 TEST(StabilityCommand, EndsWellWhereAllIsAsExpectedAndNamesUnknownFamilies) {
@@ -97,14 +102,11 @@ TEST(StabilityCommand, LeavesAReport) {
   EXPECT_EQ(run_rift("stability --quick --only density --out '" + out + "'").exit_code, 2);
 }
 
-// What a run that diverges leaves can be read, and says why.
+// A plate that still swings after its ramp is refused by the physics; what it leaves can be read.
 TEST(DivergedRun, EndsWithItsOwnCodeAndAnArchiveThatIsWhole) {
   const TinyPlate plate;
-  const Ran ran = plate.run(
-      "--quiet --json --set solver.kinematics=corotational --set solver.dt_fraction=0.99 --set "
-      "loading.displacement='6 mm' "
-      "--set damping.region=none");
-  if (ran.exit_code == 0) GTEST_SKIP() << "it held";
+  const Ran ran =
+      plate.run("--quiet --set loading.method=ramp --set loading.ramp_steps=20 --set loading.hold_steps=0");
   EXPECT_EQ(ran.exit_code, 3) << ran.err;
   EXPECT_EQ(verify(plate).exit_code, 0);
 }

@@ -1,0 +1,38 @@
+#include "engine/simulation/quasi_static.hpp"
+
+#include "engine/lattice/stiffness.hpp"
+#include "engine/mechanics/statics.hpp"
+
+namespace rift {
+namespace {
+
+/// Of the plate at rest with its beams as the first lane's law leaves them when the tip is at `tip` [J].
+double energy_cut_to(const Prepared& p, double tip) {
+  const Kinematics kinematics = p.preset.scene.solver.kinematics;
+  const double displacement = p.preset.scene.loading.displacement;
+  Lattice lattice = p.lattice;
+  std::vector<char> present(lattice.beam.size(), 1);
+  for (const Crossing& c : crossings(p.path, lattice)) {
+    const double left = stiffness_left(p.lane.front().scenario.law, tip, c.position);
+    present[c.beam] = left > 0.0;
+    Beam& beam = lattice.beam[c.beam];
+    beam.axial *= left, beam.bending *= left, beam.twist *= left;
+  }
+  const std::vector<Vector6> q = kinematics == Kinematics::linear
+                                     ? stretched_at_rest(lattice, present, displacement)
+                                     : stretched_at_rest_corotational(lattice, present, displacement);
+  double energy = 0.0;
+  for (std::size_t b = 0; b < present.size(); ++b)
+    if (present[b]) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
+  return energy;
+}
+
+}  // namespace
+
+double quasi_static_ratio(const Prepared& p, const std::array<double, 2>& window) {
+  const double faces = p.scale.thickness * (window[1] - window[0]) * p.scale.tips;
+  return (energy_cut_to(p, window[0]) - energy_cut_to(p, window[1])) /
+         (faces * mean_g_i0(p.scale, window[0], window[1]));
+}
+
+}  // namespace rift
