@@ -147,8 +147,8 @@ GrowthCurve growth_around_the_limit() {
   const Vibrating v;
   const double truth = 2.0 / v.mode.omega;
   GrowthCurve curve{v.stable.element_bound / truth, v.stable.critical / truth, {}, {}, {}};
-  for (const double x : {0.7,    0.8,   0.85,  0.9,   0.95, 0.98, 0.99, 0.995, 0.999, 0.9999, 1.0001,
-                         1.0003, 1.001, 1.002, 1.005, 1.01, 1.02, 1.03, 1.05,  1.07,  1.1}) {
+  for (const double x : {0.5,    0.6,    0.7,   0.8,   0.85,  0.9,  0.95, 0.98, 0.99, 0.995, 0.999, 0.9999,
+                         1.0001, 1.0003, 1.001, 1.002, 1.005, 1.01, 1.02, 1.03, 1.05, 1.07,  1.1}) {
     curve.step.push_back(x);
     curve.expected.push_back(growth_of_mode(2.0 * x, 1.0));
     curve.seen.push_back(

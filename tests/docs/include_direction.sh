@@ -12,8 +12,8 @@ refuse() { # WHAT PATTERN FOLDERS...
   wrong=1
 }
 refuse 'engine reaches upwards' '#include "(viz|studio)/' engine
-refuse 'results reaches into the engine' '#include "engine/(scene|lattice|mechanics|fracture|theory|ensemble|study|simulation)/' engine/results
-refuse 'viz knows more than results' '#include "(studio|engine/(scene|lattice|mechanics|fracture|theory|ensemble|study|simulation))/' viz
+refuse 'results reaches into the engine' '#include "engine/(scene|lattice|mechanics|fracture|theory|ensemble|calibration|study|simulation|stability)/' engine/results
+refuse 'viz knows more than results' '#include "(studio|engine/(scene|lattice|mechanics|fracture|theory|ensemble|calibration|study|simulation|stability))/' viz
 refuse 'VTK outside viz' '#include <vtk' engine studio
 refuse 'ncurses outside studio/terminal' '#include <n?curses' engine viz studio/commands studio/report studio/screen studio/workbench
 refuse 'CLI11 outside studio' '#include <CLI/' engine viz studio/screen studio/workbench

@@ -94,9 +94,12 @@ TEST(Verify, MakesWhatIsMissingOrWrongAnewAndKeepsTheOld) {
   EXPECT_EQ(bytes_of(run / "series_damaged.csv"), "step\n");
   EXPECT_TRUE(fs::exists(run / "run_damaged.vtkhdf"));
   EXPECT_TRUE(is_whole(verify_run(run, false)));
+
+  create_run_folder(run, true);  // with --force all of it goes
+  EXPECT_TRUE(fs::is_empty(run));
 }
 
-// The header of the first frame's dataset, a number of the series, ...: wherever values lie.
+// A small dataset of the series: the library keeps no checksum of it.
 TEST(Verify, SeesAnArchiveWhoseValuesAreNotTheJournals) {
   const small_run::Scratch scratch;
   const fs::path run = scratch / "run";
