@@ -128,7 +128,7 @@ class InputFile {
   [[nodiscard]] std::map<std::string, Stored> contents() const;
   /// Reads all of a dataset, a few MB at a time. @return the XXH3-64 of its numbers or text
   [[nodiscard]] std::uint64_t digest(const std::string& name) const;
-  /// An attribute's numbers; empty where there is none.
+  /// The numbers of an attribute, or its text; empty where there is none of that kind.
   [[nodiscard]] std::vector<std::int64_t> attribute(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::string text_attribute(const std::string& object, const std::string& name) const;
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -175,35 +176,48 @@ std::uint64_t InputFile::digest(const std::string& name) const {
                                               : digest_of<double>(set.id(), stored, place);
 }
 
-std::vector<std::int64_t> InputFile::attribute(const std::string& object, const std::string& name) const {
-  const Place place{path_, object + "@" + name, -1};
-  if (H5Aexists_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) return {};
-  const auto attribute =
-      own(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-          "open", place);
-  const auto type = own(H5Aget_type(attribute.id()), H5Tclose, "describe", place);
+namespace {
+
+/// An attribute of an object, its type and how many values it has; nothing where there is none.
+struct Attribute {
+  Handle attribute, type;
+  hssize_t count;
+};
+
+std::optional<Attribute> attribute_of(hid_t file, const std::string& object, const std::string& name,
+                                      const Place& place) {
+  if (H5Aexists_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) return std::nullopt;
+  Handle attribute = own(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, "open", place);
+  Handle type = own(H5Aget_type(attribute.id()), H5Tclose, "describe", place);
   const auto space = own(H5Aget_space(attribute.id()), H5Sclose, "describe", place);
   const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-  if (H5Tget_class(type.id()) != H5T_INTEGER || count < 0 || count > 64) return {};
-  std::vector<std::int64_t> numbers(static_cast<std::size_t>(count));
-  if (count > 0) require(H5Aread(attribute.id(), H5T_NATIVE_INT64, numbers.data()), "read", place);
+  return Attribute{std::move(attribute), std::move(type), count};
+}
+
+}  // namespace
+
+std::vector<std::int64_t> InputFile::attribute(const std::string& object, const std::string& name) const {
+  const Place place{path_, object + "@" + name, -1};
+  const auto found = attribute_of(file_.id(), object, name, place);
+  constexpr hssize_t most = 64;
+  if (!found || H5Tget_class(found->type.id()) != H5T_INTEGER || found->count < 0 || found->count > most)
+    return {};
+  std::vector<std::int64_t> numbers(static_cast<std::size_t>(found->count));
+  if (!numbers.empty())
+    require(H5Aread(found->attribute.id(), H5T_NATIVE_INT64, numbers.data()), "read", place);
   return numbers;
 }
 
 std::string InputFile::text_attribute(const std::string& object, const std::string& name) const {
   const Place place{path_, object + "@" + name, -1};
-  if (H5Aexists_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) return {};
-  const auto attribute =
-      own(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-          "open", place);
-  const auto type = own(H5Aget_type(attribute.id()), H5Tclose, "describe", place);
-  const auto space = own(H5Aget_space(attribute.id()), H5Sclose, "describe", place);
-  const std::size_t size = H5Tget_size(type.id());
-  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 || size > 4096 ||
-      H5Sget_simple_extent_npoints(space.id()) != 1)
+  const auto found = attribute_of(file_.id(), object, name, place);
+  constexpr std::size_t most = 4096;
+  if (!found || found->count != 1 || H5Tget_class(found->type.id()) != H5T_STRING ||
+      H5Tis_variable_str(found->type.id()) != 0 || H5Tget_size(found->type.id()) > most)
     return {};
-  std::string text(size, '\0');
-  require(H5Aread(attribute.id(), type.id(), text.data()), "read", place);
+  std::string text(H5Tget_size(found->type.id()), '\0');
+  require(H5Aread(found->attribute.id(), found->type.id(), text.data()), "read", place);
   text.resize(std::min(text.size(), text.find_last_not_of('\0') + 1));
   return text;
 }

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-/// A march while it goes: the loop (march.cpp), what is asked of it on the way (march_steering.cpp), and how
-/// it goes on from a checkpoint (march_resume.cpp).
+/// A march while it goes: the loop (march.cpp), whether it goes well (march_watch.cpp), what is asked of it
+/// on the way (march_steering.cpp), and how it goes on from a checkpoint (march_resume.cpp).
 namespace rift {
 
 using Clock = std::chrono::steady_clock;
