@@ -23,7 +23,7 @@ namespace {
 /// "run.vtkhdf" -> "run_damaged.vtkhdf", or with a number where that is taken.
 fs::path name_aside(const fs::path& path) {
   for (int k = 1;; ++k) {
-    const fs::path aside =
+    fs::path aside =
         path.parent_path() / fmt::format("{}_damaged{}{}", path.stem().string(),
                                          k == 1 ? "" : std::to_string(k), path.extension().string());
     if (!fs::exists(aside)) return aside;

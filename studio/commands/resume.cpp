@@ -1,4 +1,6 @@
 #include "engine/interrupted.hpp"
+#include "engine/results/archive.hpp"
+#include "engine/results/files.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/budget.hpp"
@@ -11,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -58,6 +61,9 @@ std::optional<Recorded> go_on_live(const ResumeOptions& options, const Preset& p
 
 ExitCode resume(const ResumeOptions& options) {
   const std::optional<double> budget = read_budget("rift resume", options.budget);
+  const std::filesystem::path journal = std::filesystem::path(options.run) / results::journal_name;
+  if (results::is_being_written(journal))
+    throw results::WorldError("resume", options.run, "another process is writing it");
   if (has_ended(options.run)) {
     fmt::print(stderr, "rift resume: {} has come to its end: nothing is left of it\n", options.run);
     return ExitCode::done;

@@ -73,7 +73,7 @@ TEST(Resume, StoppedAgainAndAgainItStillComesToTheSameEnd) {
 
 TEST(Resume, ADamagedCheckpointIsToldAndTheOneBeforeTaken) {
   const Twice twice;
-  twice.plate.run_under("timeout -s KILL 0.9", twice.slow + "--checkpoint '0.1 s'");
+  twice.plate.run_and_kill("checkpoint_former.h5", twice.slow + "--checkpoint '0.1 s'");
   const fs::path latest = twice.plate.out() / "checkpoint.h5";
   ASSERT_TRUE(fs::exists(latest));
   ASSERT_TRUE(fs::exists(twice.plate.out() / "checkpoint_former.h5"));
@@ -105,11 +105,13 @@ TEST(Resume, ARunThatGoesOnIsLeftAlone) {
   const Twice twice;
   const Ran ran = run_shell("cd '" + twice.plate.path().string() + "' && (env " + twice.plate.environment() +
                             " '" RIFT_EXE "' run '" + twice.plate.preset().string() + "' " + twice.slow +
-                            " --checkpoint '0.1 s' --out out >/dev/null 2>&1 &) ; sleep 0.6; env " +
+                            " --checkpoint '0.1 s' --out out >/dev/null 2>&1 &) ; for k in $(seq 600); do [ "
+                            "-s out/series.csv ] && break; "
+                            "sleep 0.05; done; env " +
                             twice.plate.environment() + " '" RIFT_EXE "' resume out --quiet");
   EXPECT_EQ(ran.exit_code, 1);
   EXPECT_TRUE(contains(ran.err, "another process is writing it"));
-  for (int k = 0; k < 100 && !fs::exists(twice.plate.out() / "summary.json"); ++k) run_shell("sleep 0.1");
+  for (int k = 0; k < 600 && !fs::exists(twice.plate.out() / "summary.json"); ++k) run_shell("sleep 0.1");
   twice.expect_same();
 }
 

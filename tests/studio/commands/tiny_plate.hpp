@@ -52,6 +52,14 @@ frames = 4
                      "' --out '" + out().string() + "' " + arguments);
   }
 
+  /// The same run, killed as soon as a file of that name is in its folder, however slow the machine.
+  Ran run_and_kill(const std::string& file, const std::string& arguments) const {
+    return run_shell("(env " + environment() + " '" RIFT_EXE "' run '" + preset().string() + "' --out '" +
+                     out().string() + "' " + arguments + " & p=$!; for k in $(seq 1200); do [ -e '" +
+                     (out() / file).string() +
+                     "' ] && break; sleep 0.02; done; kill -9 $p; wait $p) 2>/dev/null");
+  }
+
  private:
   TemporaryFolder folder_;
 };
