@@ -17,7 +17,8 @@ std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector
                                        double displacement);
 
 /// The same with corotational beams: Newton's method from the linear solution until the free forces are 1e-11
-/// of the linear loads, or what rounding leaves of strains below 1e-4. Cost about five linear solutions; throws StaticsError.
+/// of the linear loads, or what rounding leaves of strains below 1e-4. Cost about five linear solutions;
+/// throws StaticsError.
 /// @return N displacements and rotation vectors
 std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, const std::vector<char>& present,
                                                     double displacement);
