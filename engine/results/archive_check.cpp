@@ -140,7 +140,7 @@ class Inspection {
   /// Columns of one length, which is returned.
   std::int64_t table(const std::string& group, const std::vector<std::string>& columns) {
     const std::int64_t length = rows(group + "/" + columns.front());
-    for (const std::string& column : columns) expect_rows(group + "/" + column, length);
+    for (const std::string& column : columns) expect_rows(fmt::format("{}/{}", group, column), length);
     return length;
   }
 

@@ -73,8 +73,9 @@ Seen halves_apart(Precision precision) {
 
 Seen rattlers_only(Precision) {
   Packing packing;
-  for (int k = 0; k < 8; ++k)
-    packing.centre.emplace_back(3e-3 * (k % 2) + 1e-3, 3e-3 * (k / 4) + 1e-3, 3e-3 * (k / 2 % 2) + 1e-3);
+  for (const double x : {1e-3, 4e-3})
+    for (const double y : {1e-3, 4e-3})
+      for (const double z : {1e-3, 4e-3}) packing.centre.emplace_back(x, y, z);
   packing.radius.assign(8, 1e-3);
   Seen seen;
   try {
@@ -131,7 +132,7 @@ void add_small_lattices(Cases& cases) {
 void add_paths(Cases& cases) {
   const auto block = std::make_shared<Lattice>(small_block(12, 8, 2));
   const double r = small_spacing;
-  const auto add = [&](const char* name, CrackPath path, double until) {
+  const auto add = [&](const char* name, const CrackPath& path, double until) {
     cases.push_back({"crack path", name, Ending::closes, std::nan(""), "",
                      [block, path, until](Precision p) { return crack_along(*block, path, until, p); }});
   };

@@ -24,6 +24,7 @@ void add(Cases& cases, const char* family, std::string name, Ending expected, st
 void add_side_by_side(Cases& cases, const char* family,
                       const std::vector<std::pair<std::string, SceneChange>>& lanes) {
   std::vector<SceneChange> changes;
+  changes.reserve(lanes.size());
   for (const auto& [name, change] : lanes) changes.push_back(change);
   const auto pass = std::make_shared<SideBySide>(std::move(changes));
   for (int k = 0; k < static_cast<int>(lanes.size()); ++k)

@@ -46,7 +46,8 @@ Lattice small_block(int nx, int ny, int nz, bool cut) {
                               (z + 0.5) * small_spacing);
         s.grip.push_back(y == 0 ? Grip::bottom : y == ny - 1 ? Grip::top : Grip::none);
       }
-  return joined(std::move(s), 1.5, cut ? ny / 2 * small_spacing : -1.0);
+  const int rows_below_the_cut = ny / 2;
+  return joined(std::move(s), 1.5, cut ? rows_below_the_cut * small_spacing : -1.0);
 }
 
 }  // namespace rift
