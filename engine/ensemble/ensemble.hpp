@@ -104,6 +104,9 @@ class Ensemble {
   std::int64_t steps_done(int lane) const { return steps_done_ - born_[lane]; }
   double time(int lane) const { return static_cast<double>(steps_done(lane)) * dt_; }
   double tip(int lane) const { return tip_at(scenario_[lane].history, crack_time(lane, steps_done_)); }
+  double speed(int lane) const {  // [m/s] of the tip
+    return speed_at(scenario_[lane].history, crack_time(lane, steps_done_));
+  }
   double factor(int crossing, int lane) const {
     return static_cast<double>(factor_[at_crossing(crossing, lane)]);
   }

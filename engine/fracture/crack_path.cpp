@@ -13,14 +13,24 @@ double side(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
 
+}  // namespace
+
+Eigen::Vector2d point_on(const CrackPath& path, double arc) {
+  std::size_t k = 0;
+  for (; k + 2 < path.point.size(); ++k) {
+    const double piece = (path.point[k + 1] - path.point[k]).norm();
+    if (arc <= piece) break;
+    arc -= piece;
+  }
+  return path.point[k] + arc * (path.point[k + 1] - path.point[k]).normalized();
+}
+
 double length_of(const CrackPath& path) {
   double length = 0.0;
   for (std::size_t k = 0; k + 1 < path.point.size(); ++k)
     length += (path.point[k + 1] - path.point[k]).norm();
   return length;
 }
-
-}  // namespace
 
 CrackPath straight_path(double length, double height, int tips) {
   return {{{0.0, height}, {length, height}}, tips};

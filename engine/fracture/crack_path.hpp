@@ -14,6 +14,11 @@ struct CrackPath {
   int tips = 1;
 };
 
+/// The point at an arc length [m], on the lines beyond the ends too.
+Eigen::Vector2d point_on(const CrackPath& path, double arc);
+
+double length_of(const CrackPath& path);  // [m]
+
 /// The straight path y = height from x = 0 to x = length [m].
 CrackPath straight_path(double length, double height, int tips = 1);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/fracture/crack_history.hpp"
 #include "engine/fracture/release.hpp"
+#include "engine/history/crack_history.hpp"
 
 #include <vector>
 

@@ -11,8 +11,8 @@ struct Wake {
   std::vector<double> cell_m;  // sides of square cells, 4 mean radii and doubling, the last above the height
   std::vector<double> kinetic_j;  // one more: of motion within the smallest cells, of those within the next
                                   // ones of which they are a fourth, ..., and last of the largest as wholes
-  double rotation_j = 0;      // kinetic energy of rotation
-  double out_of_plane_m = 0;  // largest mean motion along z of an 8 mean radii wide cell
+  double rotation_j = 0;          // kinetic energy of rotation
+  double out_of_plane_m = 0;      // largest mean motion along z of an 8 mean radii wide cell
 };
 
 /// Translation of the elements of a stretch of the plate, taken apart by size: the energy which cells moving

@@ -1,5 +1,6 @@
 #include "engine/scene/crack_text.hpp"
 #include "engine/scene/parameters.hpp"
+#include "engine/scene/toml_text.hpp"
 #include "engine/scene/wording.hpp"
 
 #include <fmt/format.h>
@@ -131,6 +132,88 @@ std::string read_window(const Value& value, std::optional<std::array<double, 2>>
   return {};
 }
 
+/// What a number of a row may be.
+struct Cell {
+  std::string_view name;
+  Dimension dimension;
+};
+
+/// A number in SI, or text with its unit.
+Parsed<double> read_cell(const Value& value, const Cell& cell) {
+  Parsed<double> number;
+  if (const auto* text = std::get_if<std::string>(&value.held))
+    number = read_quantity(*text, cell.dimension);
+  else if (const auto bare = number_in(value))
+    number.value = bare;
+  else
+    number.problem = wrong_type(fmt::format("{} in {}", cell.name, si_unit(cell.dimension)), value);
+  if (number.value && !std::isfinite(*number.value)) return {{}, "must be a finite number"};
+  return number;
+}
+
+/// Rows of at least `fewest` of the cells; those left out are 0.
+template <std::size_t Cells>
+std::string read_rows(const Value& value, const std::array<Cell, Cells>& cells, std::size_t fewest,
+                      const char* expected, std::vector<std::array<double, Cells>>& out) {
+  const auto* list = std::get_if<std::vector<Value>>(&value.held);
+  if (!list) return wrong_type(expected, value);
+  std::vector<std::array<double, Cells>> rows;
+  for (std::size_t r = 0; r < list->size(); ++r) {
+    const auto* row = std::get_if<std::vector<Value>>(&(*list)[r].held);
+    if (!row || row->size() < fewest || row->size() > Cells)
+      return fmt::format("row {}: {}", r + 1, wrong_type(expected, (*list)[r]));
+    rows.emplace_back();
+    for (std::size_t c = 0; c < row->size(); ++c) {
+      const Parsed<double> number = read_cell((*row)[c], cells[c]);
+      if (!number.value) return fmt::format("row {}, {}: {}", r + 1, cells[c].name, number.problem);
+      rows.back()[c] = *number.value;
+    }
+  }
+  if (rows.empty()) return fmt::format("expected {}", expected);
+  out = std::move(rows);
+  return {};
+}
+
+/// What the rows of a critical rate are against, by the first of them.
+std::optional<CriticalRate::Against> against(const Value& value) {
+  const auto* list = std::get_if<std::vector<Value>>(&value.held);
+  const auto* row = list && !list->empty() ? std::get_if<std::vector<Value>>(&list->front().held) : nullptr;
+  const auto* text = row && !row->empty() ? std::get_if<std::string>(&row->front().held) : nullptr;
+  if (!text) return {};
+  if (text->ends_with("c_r")) return CriticalRate::Against::velocity_over_cr;
+  if (read_quantity(*text, Dimension::speed).value) return CriticalRate::Against::velocity;
+  if (read_quantity(*text, Dimension::length).value) return CriticalRate::Against::position;
+  return {};
+}
+
+/// The same list with "0.1 c_r" as 0.1.
+Value without_c_r(const Value& value) {
+  Value out = value;
+  for (Value& row : std::get<std::vector<Value>>(out.held)) {
+    auto* cells = std::get_if<std::vector<Value>>(&row.held);
+    auto* text = cells && !cells->empty() ? std::get_if<std::string>(&cells->front().held) : nullptr;
+    if (text && text->ends_with("c_r")) cells->front() = value_from_text(text->substr(0, text->size() - 3));
+  }
+  return out;
+}
+
+std::string read_critical_rate(const Value& value, CriticalRate& out) {
+  constexpr auto expected = "rows such as [\"0.1 c_r\", \"900 J/m2\"] or [\"10 mm\", \"900 J/m2\"]";
+  const auto of = against(value);
+  if (!of)
+    return std::holds_alternative<std::vector<Value>>(value.held) ? fmt::format("expected {}", expected)
+                                                                  : wrong_type(expected, value);
+  CriticalRate read{.against = *of};
+  const bool over_cr = *of == CriticalRate::Against::velocity_over_cr;
+  const Cell first = *of == CriticalRate::Against::position ? Cell{"position", Dimension::length}
+                     : over_cr                              ? Cell{"velocity", Dimension::none}
+                                                            : Cell{"velocity", Dimension::speed};
+  const std::array cells{first, Cell{"release rate", Dimension::release_rate}};
+  std::string problem = read_rows(over_cr ? without_c_r(value) : value, cells, 2, expected, read.row);
+  if (problem.empty()) out = std::move(read);
+  return problem;
+}
+
 /// Stores what a parser gave.
 template <class T>
 std::string take(const Parsed<T>& parsed, auto& out) {
@@ -175,8 +258,15 @@ struct Assign {
     if (number_in(value)) return "needs a speed with its unit, such as \"0.5 c_r\" or \"1100 m/s\"";
     return wrong_type("a speed such as \"0.5 c_r\" or \"1100 m/s\"", value);
   }
-  std::string operator()(PathHeight* out) const {
+  std::string operator()(CrackLine* out) const {
     if (const auto* text = std::get_if<std::string>(&value.held)) return take(read_path(*text), *out);
+    if (std::holds_alternative<std::vector<Value>>(value.held)) {
+      CrackLine line;
+      constexpr std::array cells{Cell{"x", Dimension::length}, Cell{"y", Dimension::length}};
+      std::string problem = read_rows(value, cells, 2, "points such as [\"10 mm\", \"20 mm\"]", line.point);
+      if (problem.empty()) *out = std::move(line);
+      return problem;
+    }
     const std::optional<double> height = number_in(value);
     if (!height) return wrong_type("a height such as \"0.5 H\" or \"20 mm\"", value);
     if (!std::isfinite(*height)) return "must be a finite number";
@@ -184,6 +274,18 @@ struct Assign {
     *out = {*height, false};
     return {};
   }
+  std::string operator()(std::vector<HistoryPoint>* out) const {
+    constexpr std::array cells{Cell{"time", Dimension::time}, Cell{"position", Dimension::length},
+                               Cell{"uncertainty", Dimension::length}};
+    std::vector<std::array<double, 3>> rows;
+    std::string problem =
+        read_rows(value, cells, 2, "rows of time and position such as [\"4 us\", \"12 mm\"]", rows);
+    if (!problem.empty()) return problem;
+    out->clear();
+    for (const auto& [time, position, uncertainty] : rows) out->push_back({time, position, uncertainty});
+    return {};
+  }
+  std::string operator()(CriticalRate* out) const { return read_critical_rate(value, *out); }
   template <class Enum>
   requires std::is_enum_v<Enum> std::string operator()(Enum* out) const {
     const auto* word = std::get_if<std::string>(&value.held);
@@ -209,6 +311,14 @@ std::string quoted(std::string_view text) {
   return out + '"';
 }
 
+/// "[a, b, ...]", or nothing of nothing.
+template <class Row, class Text>
+std::string list_of(const std::vector<Row>& rows, const Text& text) {
+  std::string out;
+  for (const Row& row : rows) out += (out.empty() ? "[" : ", ") + text(row);
+  return out.empty() ? out : out + ']';
+}
+
 /// And one way of writing.
 struct Write {
   const Parameter& row;
@@ -227,7 +337,29 @@ struct Write {
     return read_relaxation(name).value ? '"' + name + '"' : fmt::format("{}", *exponent.p);
   }
   std::string operator()(const std::vector<VelocityPiece>* v) const { return '"' + velocity_text(*v) + '"'; }
-  std::string operator()(const PathHeight* path) const { return '"' + path_text(*path) + '"'; }
+  std::string operator()(const CrackLine* path) const {
+    if (path->point.empty()) return '"' + path_text(*path) + '"';
+    return list_of(path->point, [](const std::array<double, 2>& p) {
+      return fmt::format("[\"{}\", \"{}\"]", quantity_text(p[0], Dimension::length),
+                         quantity_text(p[1], Dimension::length));
+    });
+  }
+  std::string operator()(const std::vector<HistoryPoint>* rows) const {
+    const bool known = !rows->empty() && rows->front().uncertainty > 0.0;
+    return list_of(*rows, [&](const HistoryPoint& p) {
+      return known ? fmt::format("[{}, {}, {}]", p.time, p.position, p.uncertainty)
+                   : fmt::format("[{}, {}]", p.time, p.position);
+    });
+  }
+  std::string operator()(const CriticalRate* rate) const {
+    return list_of(rate->row, [&](const std::array<double, 2>& row) {
+      const std::string at =
+          rate->against == CriticalRate::Against::velocity_over_cr ? fmt::format("{} c_r", row[0])
+          : rate->against == CriticalRate::Against::velocity       ? quantity_text(row[0], Dimension::speed)
+                                                                   : quantity_text(row[0], Dimension::length);
+      return fmt::format("[\"{}\", \"{}\"]", at, quantity_text(row[1], Dimension::release_rate));
+    });
+  }
   std::string operator()(const std::vector<std::string>* words) const {
     std::string out;
     for (const std::string& word : *words) out += (out.empty() ? "\"" : ", \"") + word + '"';
@@ -252,7 +384,15 @@ struct Allowed {
   std::string operator()(const std::vector<VelocityPiece>*) const {
     return fmt::format("(0, {}] c_r", highest_velocity_over_cr);
   }
-  std::string operator()(const PathHeight*) const { return "(0, 1) H, or a length below H"; }
+  std::string operator()(const CrackLine*) const {
+    return "(0, 1) H, a length below H, or points in the plate";
+  }
+  std::string operator()(const std::vector<HistoryPoint>*) const {
+    return "rows of time and position, in time and never backward";
+  }
+  std::string operator()(const CriticalRate*) const {
+    return "rows of velocity (or position) and release rate, both at least 0 and the first rising";
+  }
   std::string operator()(const std::vector<std::string>*) const {
     return "any of " + choices_text(row, "and");
   }

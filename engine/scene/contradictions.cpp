@@ -1,5 +1,6 @@
 #include "engine/scene/contradictions.hpp"
 
+#include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/crack_text.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
@@ -20,7 +21,7 @@ namespace {
 struct Checks {
   const Preset& preset;
   const Scene& scene;
-  const std::set<std::string>& unsound;
+  std::set<std::string> unsound;
   std::vector<Issue> issues;
 
   bool given(const std::string& key) const { return preset.origins.contains(key); }
@@ -41,10 +42,12 @@ std::string where(const Preset& preset, const std::string& key) {
 }
 
 void check_exclusive(Checks& c) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> pairs{
+  constexpr std::array<std::pair<const char*, const char*>, 6> pairs{
       {{"specimen.thickness", "specimen.layers"},
        {"specimen.solid_fraction", "specimen.coordination"},
        {"material.density", "material.rayleigh_speed"},
+       {"crack.history", "crack.velocity"},
+       {"crack.history", "crack.toughness"},
        {"solver.dt", "solver.dt_fraction"}}};
   for (const auto& [one, other] : pairs) {
     if (!c.given(one) || !c.given(other)) continue;
@@ -141,6 +144,21 @@ void check_path(Checks& c) {
   }
 }
 
+/// Rows which are wrong say nothing further of the crack's way.
+void check_rows(Checks& c) {
+  const auto take = [&](const char* key, std::vector<Issue> found) {
+    if (found.empty()) return;
+    c.unsound.insert(key);
+    for (Issue& issue : found) c.issues.push_back(std::move(issue));
+  };
+  if (c.sound({"crack.history", "crack.history_gap", "crack.smoothing", "crack.start"}))
+    take("crack.history", history_issues(c.preset));
+  take("crack.toughness", toughness_issues(c.preset));
+  if (c.sound({"specimen.length", "specimen.height"})) take("crack.path", path_issues(c.preset));
+  if (c.scene.crack.path.point.empty() && c.scene.crack.path_shape == PathShape::spline)
+    c.say("crack.path_shape", "goes with a crack.path through points only");
+}
+
 /// Whether c_r can be told at all.
 bool knows_rayleigh_speed(const Checks& c) {
   const bool both = c.given("material.density") && c.given("material.rayleigh_speed");
@@ -149,25 +167,42 @@ bool knows_rayleigh_speed(const Checks& c) {
 }
 
 void check_speeds(Checks& c) {
-  if (!c.sound({"crack.velocity"}) || !knows_rayleigh_speed(c)) return;
+  if (!c.sound({"crack.velocity", "crack.history"}) || !knows_rayleigh_speed(c)) return;
   if (highest_velocity(c.scene) <= highest_velocity_over_cr) return;
   const double limit = highest_velocity_over_cr * rayleigh_speed(c.scene);
-  c.say("crack.velocity", fmt::format("must lie in (0, {}] c_r, here (0, {}]", highest_velocity_over_cr,
-                                      rounded_text(limit, Dimension::speed)));
+  const bool measured = !c.scene.crack.history.empty();
+  const std::string reached =
+      measured ? fmt::format("reaches {:.3g} c_r: it ", highest_velocity(c.scene)) : std::string{};
+  c.say(measured ? "crack.history" : "crack.velocity",
+        fmt::format("{}must lie in (0, {}] c_r, here (0, {}]", reached, highest_velocity_over_cr,
+                    rounded_text(limit, Dimension::speed)));
 }
 
 /// "the end of the plate, 200 mm", as far as a tip can run.
 std::string end_of_plate(const Scene& scene) {
   const std::string at = millimetres(way_of_tip_m(scene));
+  if (!scene.crack.path.point.empty()) return fmt::format("the end of the path, {}", at);
   return scene.crack.tips == 1 ? fmt::format("the end of the plate, {}", at)
                                : fmt::format("the ends of the plate, {} from its middle", at);
 }
+
+double measured_end(const Scene& scene) { return measured_course(scene).end; }
 
 /// Start and end on the plate and in order; false where nothing further can be said of the crack's way.
 bool check_ends(Checks& c) {
   const auto& [way, crack] = std::pair{way_of_tip_m(c.scene), c.scene.crack};
   if (crack.start >= way) {
     c.say("crack.start", fmt::format("must lie before {}", end_of_plate(c.scene)));
+    return false;
+  }
+  if (!crack.history.empty() && crack_end(c.scene) > measured_end(c.scene)) {
+    c.say("crack.end",
+          fmt::format("lies beyond the history, which ends at {}", millimetres(measured_end(c.scene))));
+    return false;
+  }
+  if (!crack.history.empty() && measured_end(c.scene) > way) {
+    c.say("crack.history",
+          fmt::format("goes on to {}, beyond {}", millimetres(measured_end(c.scene)), end_of_plate(c.scene)));
     return false;
   }
   if (!crack.end) return true;
@@ -185,6 +220,12 @@ bool check_ends(Checks& c) {
 /// Two tips have a window of their own only where five damage zones end well before the first echo.
 bool check_window_of_two(Checks& c) {
   if (c.scene.crack.tips != 2 || c.given("output.window")) return true;
+  if (!c.scene.crack.history.empty() || !c.scene.crack.toughness.row.empty()) return true;
+  if (!c.scene.crack.path.point.empty()) {
+    c.say("crack.path",
+          "goes through points, so that two tips have no window of their own: give output.window");
+    return false;
+  }
   if (c.scene.crack.velocity.size() > 1) {
     c.say("crack.velocity",
           "changes on the way, so that two tips have no window of their own: give output.window");
@@ -233,6 +274,7 @@ bool check_window(Checks& c) {
 }
 
 void check_pieces(Checks& c) {
+  if (!c.scene.crack.history.empty()) return;
   const double start = c.scene.crack.start, end = crack_end(c.scene);
   for (const VelocityPiece& piece : c.scene.crack.velocity) {
     if (!piece.until || (*piece.until > start && *piece.until < end)) continue;
@@ -242,7 +284,9 @@ void check_pieces(Checks& c) {
 }
 
 void check_crack_way(Checks& c) {
-  if (!c.sound({"specimen.length", "crack.start", "crack.end", "crack.tips"})) return;
+  if (!c.sound({"specimen.length", "crack.start", "crack.end", "crack.tips", "crack.history",
+                "crack.toughness", "crack.path"}))
+    return;
   if (c.scene.specimen.shape == Shape::block && !c.given("specimen.thickness")) return;
   if (!check_ends(c)) return;
   // The default window depends on the velocity, a velocity in m/s on c_r.
@@ -266,6 +310,7 @@ std::vector<Issue> contradictions(const Preset& preset, const std::set<std::stri
   check_micro(checks);
   if (!checks.sound({"specimen.shape"}) || !can_crack(preset.scene)) return std::move(checks.issues);
   check_damping(checks);
+  check_rows(checks);
   check_path(checks);
   check_speeds(checks);
   check_crack_way(checks);

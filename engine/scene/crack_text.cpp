@@ -94,20 +94,20 @@ std::string velocity_text(const std::vector<VelocityPiece>& velocity) {
   return out;
 }
 
-Parsed<PathHeight> read_path(std::string_view text) {
+Parsed<CrackLine> read_path(std::string_view text) {
   text = trimmed(text);
   if (const auto fraction = fraction_of(text, "H")) {
     if (!(*fraction > 0.0 && *fraction < 1.0)) return {{}, "must lie in (0, 1) H"};
-    return {PathHeight{*fraction, true}, {}};
+    return {CrackLine{*fraction, true}, {}};
   }
   const Parsed<double> height = read_quantity(text, Dimension::length);
   if (height.problem == "must be a finite number") return {{}, height.problem};
   if (!height.value) return {{}, "expected the height of a straight path, such as \"0.5 H\" or \"20 mm\""};
   if (!(*height.value > 0.0)) return {{}, "must lie in (0, 1) H"};
-  return {PathHeight{*height.value, false}, {}};
+  return {CrackLine{*height.value, false}, {}};
 }
 
-std::string path_text(const PathHeight& path) {
+std::string path_text(const CrackLine& path) {
   return path.relative ? fmt::format("{} H", path.value) : quantity_text(path.value, Dimension::length);
 }
 

@@ -19,8 +19,8 @@ Parsed<std::vector<VelocityPiece>> read_velocity(std::string_view text);
 std::string velocity_text(const std::vector<VelocityPiece>& velocity);
 
 /// Reads "0.5 H" (a fraction of the plate's height, in (0, 1)) or a length above 0.
-Parsed<PathHeight> read_path(std::string_view text);
-std::string path_text(const PathHeight& path);
+Parsed<CrackLine> read_path(std::string_view text);
+std::string path_text(const CrackLine& path);
 
 /// "linear" is p = 1, "square-root" 1/2, "quadratic" 2 of Y1/Y2 = (1 - b/l)^p   [paper eqs. (9)-(11)]
 Parsed<double> read_relaxation(std::string_view name);

@@ -1,5 +1,6 @@
 #include "engine/scene/derived.hpp"
 
+#include "engine/scene/spline.hpp"
 #include "engine/theory/echo.hpp"
 #include "engine/theory/wave_speeds.hpp"
 
@@ -83,8 +84,18 @@ double speed_m_s(const Speed& speed, double rayleigh_speed) {
   return speed.relative ? speed.value * rayleigh_speed : speed.value;
 }
 
+Course measured_course(const Scene& scene) {
+  return course_of(scene.crack.history, scene.crack.start, scene.crack.smoothing);
+}
+
+bool keeps_its_velocity(const Scene& scene) {
+  return scene.crack.velocity.size() == 1 && scene.crack.history.empty() && scene.crack.toughness.row.empty();
+}
+
 double highest_velocity(const Scene& scene) {
-  double highest = 0.0;
+  if (!scene.crack.history.empty())
+    return highest_speed(measured_course(scene).history) / rayleigh_speed(scene);
+  double highest = scene.crack.toughness.row.empty() ? 0.0 : fastest_by_itself;
   for (const VelocityPiece& piece : scene.crack.velocity) {
     const Speed& v = piece.speed;
     highest = std::max(highest, v.relative ? v.value : v.value / rayleigh_speed(scene));
@@ -93,12 +104,34 @@ double highest_velocity(const Scene& scene) {
 }
 
 double path_height_m(const Scene& scene) {
-  const PathHeight& path = scene.crack.path;
+  const CrackLine& path = scene.crack.path;
+  if (!path.point.empty()) return std::numeric_limits<double>::quiet_NaN();
   return path.relative ? path.value * scene.specimen.height : path.value;
+}
+
+std::vector<std::array<double, 2>> path_points_m(const Scene& scene) {
+  constexpr int pieces = 32;  // of a spline, from point to point
+  const std::vector<std::array<double, 2>>& point = scene.crack.path.point;
+  if (point.empty()) {
+    const double height = path_height_m(scene);
+    return {{0.0, height}, {scene.specimen.length, height}};
+  }
+  return scene.crack.path_shape == PathShape::spline ? spline_through(point, pieces) : point;
+}
+
+double path_length_m(const Scene& scene) {
+  if (scene.crack.path.point.empty()) return scene.specimen.length;
+  const std::vector<std::array<double, 2>> point = path_points_m(scene);
+  double length = 0.0;
+  for (std::size_t k = 0; k + 1 < point.size(); ++k)
+    length += std::hypot(point[k + 1][0] - point[k][0], point[k + 1][1] - point[k][1]);
+  return length;
 }
 
 std::array<double, 2> window_over_length(const Scene& scene) {
   if (scene.output.window) return *scene.output.window;
+  if (!scene.crack.history.empty() || !scene.crack.toughness.row.empty())
+    return {scene.crack.start / scene.specimen.length, crack_end(scene) / scene.specimen.length};
   if (scene.crack.tips == 2) {
     const double zone = expected_zone_m(scene);
     const double from = scene.crack.start + 5.0 * (zone > 0.0 ? zone : expected_mean_radius_m(scene));
@@ -114,15 +147,18 @@ double shortest_window_m(const Scene& scene) {
   return std::max(2.0 * expected_zone_m(scene), 10.0 * expected_mean_radius_m(scene));
 }
 
-double way_of_tip_m(const Scene& scene) { return scene.specimen.length / scene.crack.tips; }
+double way_of_tip_m(const Scene& scene) { return path_length_m(scene) / scene.crack.tips; }
 
 double crack_end(const Scene& scene) {
   if (scene.crack.end) return *scene.crack.end;
+  if (!scene.crack.history.empty()) return measured_course(scene).end;
+  if (!scene.crack.toughness.row.empty()) return way_of_tip_m(scene);
   return window_over_length(scene)[1] * scene.specimen.length;
 }
 
 double echo_free_tip_m(const Scene& scene, double faster) {
-  if (scene.crack.velocity.size() != 1) return std::numeric_limits<double>::quiet_NaN();
+  if (!keeps_its_velocity(scene) || !scene.crack.path.point.empty())
+    return std::numeric_limits<double>::quiet_NaN();
   const Scene::Material& m = scene.material;
   const theory::WaveSpeeds speeds =
       theory::wave_speeds(m.young_modulus, m.poisson_ratio, density(scene), m.plane);

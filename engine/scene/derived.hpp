@@ -36,32 +36,51 @@ double rayleigh_speed(const Scene& scene);
 /// A speed in m/s, c_r where it is relative being `rayleigh_speed` [m/s].
 double speed_m_s(const Speed& speed, double rayleigh_speed);
 
-/// The highest velocity of the crack's pieces, in c_r.
+/// No crack that runs by itself is faster, in c_r.
+inline constexpr double fastest_by_itself = 0.95;
+
+/// The tip's course along its measured history, from crack.start on. Asks for a history whose rows are in
+/// order.
+Course measured_course(const Scene& scene);
+
+/// Whether one velocity is prescribed from the start to the end.
+bool keeps_its_velocity(const Scene& scene);
+
+/// The highest velocity of the crack's pieces or of its measured course, or that it may take by itself, in
+/// c_r.
 double highest_velocity(const Scene& scene);
 
-/// Height of the straight crack path [m].
+/// Height of the straight crack path [m]; NaN of one through points.
 double path_height_m(const Scene& scene);
+
+/// The line of the crack as points (x, y) [m], straight from one to the next.
+std::vector<std::array<double, 2>> path_points_m(const Scene& scene);
+
+double path_length_m(const Scene& scene);
 
 /// Window of the plateau in fractions of the length: as given, or 0.2 to 0.4, or 0.4 to 0.6 where the crack
 /// is faster than 0.8 c_r   [physics.md §7]. With two tips, where it is of half lengths: from five damage
 /// zones (simple: five mean radii) past the start, where the zone no longer matters, to the first echo, up to
 /// which the plate is as good as infinite   [physics.md §9.5]; from the expected mean radius, so that it
-/// follows from the scene alone. NaN there where the crack changes its velocity on the way.
+/// follows from the scene alone. NaN there where the crack changes its velocity on the way. A measured
+/// history and a crack that runs by itself have the whole of their way.
 std::array<double, 2> window_over_length(const Scene& scene);
 
 /// The least length [m] of that window: two damage zones, and ten mean radii, so that each of the ten
 /// sub-windows holds a beam or two at either tip.
 double shortest_window_m(const Scene& scene);
 
-/// How far a tip can run [m]: the length of the plate, with two tips half of it.
+/// How far a tip can run [m]: the length of the path, with two tips half of it.
 double way_of_tip_m(const Scene& scene);
 
-/// Where the crack's way ends [m]: as given, or the end of the window.
+/// Where the crack's way ends [m]: as given; or with the measured course, for a crack that runs by itself
+/// with the path, else with the window.
 double crack_end(const Scene& scene);
 
 /// Tip position at which the first echo of the crack's start is back [m], after theory::echo_free_advance.
 /// With two tips it is a half length, and the ends of the plate are L/2 from the middle.
-/// NaN where the crack changes its velocity on the way, infinity where no wave catches up with it.
+/// NaN where the crack changes its velocity on the way or its path is not straight, infinity where no wave
+/// catches up with it.
 /// @param[in] faster  speed of the plate's waves over that of the material's, whose beams may be stiffer
 double echo_free_tip_m(const Scene& scene, double faster = 1.0);
 

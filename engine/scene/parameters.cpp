@@ -128,8 +128,38 @@ std::vector<Parameter> crack_rows() {
   return {
       {"crack.velocity", "0.5 c_r", [](Scene& s) -> Slot { return &s.crack.velocity; },
        "Velocity of the tip, always with a unit; in pieces: \"0.2 c_r until 40 mm, 0.6 c_r\"."},
+      {"crack.history", "", [](Scene& s) -> Slot { return &s.crack.history; },
+       "A measured history in place of the velocity: rows of time and tip position, and the position's "
+       "standard uncertainty where it is known; or a CSV file of them."},
+      {"crack.smoothing",
+       "monotone",
+       [](Scene& s) -> Slot { return &s.crack.smoothing; },
+       "How the history becomes the tip's course: a monotone penalised spline, as smooth as the "
+       "uncertainties "
+       "(without them: cross-validation) allow; or straight lines from row to row.",
+       none,
+       {},
+       {"monotone", "none"}},
+      {"crack.history_gap", "10", [](Scene& s) -> Slot { return &s.crack.history_gap; },
+       "A longer time between two rows of the history, in times of their median, is taken for missing rows.",
+       none, above(1, 1e6)},
+      {"crack.toughness", "", [](Scene& s) -> Slot { return &s.crack.toughness; },
+       "Critical release rate against velocity or position, as rows or a CSV file: the crack then runs by "
+       "itself, as fast as what is released allows, from `velocity` on."},
+      {"crack.toughness_window", "12", [](Scene& s) -> Slot { return &s.crack.toughness_window; },
+       "Way of the tip, in mean radii, over which the release rate of a crack that runs by itself is "
+       "smoothed; "
+       "its velocity is found anew every sixth of it.",
+       none, closed(1, 1000)},
       {"crack.path", "0.5 H", [](Scene& s) -> Slot { return &s.crack.path; },
-       "Height of the straight crack path along x."},
+       "Line of the crack: straight along x at a height, or through points, as a list or a CSV file."},
+      {"crack.path_shape",
+       "polyline",
+       [](Scene& s) -> Slot { return &s.crack.path_shape; },
+       "Through the points straight, with kinks; or by a centripetal Catmull-Rom spline.",
+       none,
+       {},
+       {"polyline", "spline"}},
       {"crack.start", "0", [](Scene& s) -> Slot { return &s.crack.start; },
        "Where the tip starts; beams before it are absent from the pre-stress on (a notch; with two tips its "
        "half length).",

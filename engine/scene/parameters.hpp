@@ -34,8 +34,9 @@ struct Word {
 using Slot =
     std::variant<double*, std::optional<double>*, int*, long*, bool*, Word, Exponent, Shape*, Radii*, Plane*,
                  StiffnessChoice*, LoadingMethod*, Technique*, DampingRegion*, Kinematics*, Precision*,
-                 ReleaseRateReference*, std::vector<VelocityPiece>*, PathHeight*, std::vector<std::string>*,
-                 std::vector<double>*, std::optional<std::array<double, 2>>*>;
+                 ReleaseRateReference*, std::vector<VelocityPiece>*, CrackLine*, std::vector<HistoryPoint>*,
+                 CriticalRate*, Smoothing*, PathShape*, std::vector<std::string>*, std::vector<double>*,
+                 std::optional<std::array<double, 2>>*>;
 
 /// One row of the table: all that is known of one member of Scene.
 struct Parameter {

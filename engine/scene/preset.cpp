@@ -2,6 +2,7 @@
 
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset_file.hpp"
+#include "engine/scene/rows_file.hpp"
 #include "engine/scene/scenario_tables.hpp"
 #include "engine/scene/scenarios.hpp"
 #include "engine/scene/toml_text.hpp"
@@ -30,7 +31,8 @@ struct Reading {
   Preset preset;
   TomlDocument document;
   std::vector<Given> given;
-  std::set<std::string> unsound;  // keys with an issue of their own
+  std::set<std::string> unsound;      // keys with an issue of their own
+  std::filesystem::path folder = {};  // of the preset, from which its files are found
 
   void say(Issue issue) { preset.issues.push_back(std::move(issue)); }
 };
@@ -100,13 +102,37 @@ void drop_excluded_defaults(Preset& preset) {
   if (!has_layers && !given("specimen.layers")) preset.scene.specimen.layers.reset();
   if (given("material.density") && !given("material.rayleigh_speed"))
     preset.scene.material.rayleigh_speed.reset();
+  Scene::Crack& crack = preset.scene.crack;
+  if (!crack.history.empty() && !given("crack.start")) crack.start = crack.history.front().position;
+}
+
+/// Puts a file's rows in the place of its name.
+/// @return whether they can be had
+bool take_rows(Reading& reading, Given& given) {
+  if (!names_rows_file(*given.row, given.value)) return true;
+  const bool here = given.origin.file == "--set";
+  RowsFile read = read_rows_file(*given.row, std::get<std::string>(given.value.held),
+                                 here ? std::filesystem::path{} : reading.folder);
+  for (Issue& issue : read.issues) {
+    if (issue.line > 0)
+      reading.say(std::move(issue));
+    else
+      reading.say(issue_at(reading.preset, std::string(given.row->key), to_text(issue)));
+  }
+  given.value = std::move(read.rows);
+  reading.preset.rows[std::string(given.row->key)] = std::move(read.origin);
+  return read.issues.empty();
 }
 
 void assign_all(Reading& reading) {
   reading.preset.scene = default_scene();
-  for (const Given& given : reading.given) {
+  for (Given& given : reading.given) {
     const std::string key(given.row->key);
     reading.preset.origins[key] = given.origin;
+    if (!take_rows(reading, given)) {
+      reading.unsound.insert(key);
+      continue;
+    }
     std::string problem = assign(reading.preset.scene, *given.row, given.value);
     if (problem.empty()) continue;
     reading.unsound.insert(key);
@@ -133,23 +159,28 @@ Preset finished(Reading reading, const std::vector<std::string>& overrides, bool
   return std::move(reading.preset);
 }
 
-}  // namespace
-
-Preset read_preset_text(std::string_view text, const std::string& name,
-                        const std::vector<std::string>& overrides) {
-  Reading reading;
-  reading.preset.name = name;
+Preset read(Reading reading, std::string_view text, const std::vector<std::string>& overrides) {
   take_text(reading, text);
   // After a syntax error nothing is known of the file, so nothing can contradict it.
   const bool readable = reading.preset.issues.empty() || reading.preset.issues.front().column == 0;
   return finished(std::move(reading), overrides, readable);
 }
 
+}  // namespace
+
+Preset read_preset_text(std::string_view text, const std::string& name,
+                        const std::vector<std::string>& overrides) {
+  Reading reading;
+  reading.preset.name = name;
+  return read(std::move(reading), text, overrides);
+}
+
 Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   const PresetFile file = read_preset_file(path);
-  if (file.problem.empty()) return read_preset_text(file.text, path.string(), overrides);
   Reading reading;
   reading.preset.name = path.string();
+  reading.folder = path.parent_path();
+  if (file.problem.empty()) return read(std::move(reading), file.text, overrides);
   reading.say({path.string(), 0, "", file.problem});
   return finished(std::move(reading), overrides, false);
 }
@@ -163,6 +194,13 @@ Issue issue_at(const Preset& preset, const std::string& key, std::string text) {
   const Parameter* row = find_parameter(key);
   const std::string value = row ? toml_value(preset.scene, *row) : std::string{};
   return {preset.name, 0, key, std::move(text), value.empty() ? value : value + " (default)"};
+}
+
+Issue issue_at_row(const Preset& preset, const std::string& key, std::size_t row, std::string text) {
+  const auto rows = preset.rows.find(key);
+  if (rows != preset.rows.end() && row < rows->second.line.size())
+    return {rows->second.file, rows->second.line[row], "", std::move(text)};
+  return issue_at(preset, key, fmt::format("row {}: {}", row + 1, text));
 }
 
 }  // namespace rift

@@ -20,6 +20,12 @@ struct Origin {
   std::string value;  // as shown in messages
 };
 
+/// The file that a parameter's rows came from, and their lines.
+struct RowsOrigin {
+  std::string file;
+  std::vector<int> line;
+};
+
 /// One scenario of a study.
 struct StudyRow {
   Scene scene;
@@ -38,7 +44,8 @@ struct Preset {
   std::vector<Scene> lanes;               // of [[lanes]], in the order of the file; a lattice and step shared
   /// Of [study], the first list varying slowest, then of [[study.rows]]; no two scenes are equal.
   std::vector<StudyRow> study;
-  std::vector<Change> steering;  // of [[steering]], by lane and step
+  std::vector<Change> steering;            // of [[steering]], by lane and step
+  std::map<std::string, RowsOrigin> rows;  // by full key, of those whose rows came from a file
 };
 
 /// Reads a preset file, applies overrides ("crack.velocity=0.3 c_r", full keys only) and checks all of it.
@@ -54,6 +61,9 @@ Preset read_preset_text(std::string_view text, const std::string& name,
 /// An issue about `key` that points at where it was set, or at the preset with the default value.
 /// For checks which come later and need more than the scene (the lattice, the critical step).
 Issue issue_at(const Preset& preset, const std::string& key, std::string text);
+
+/// An issue about one of the rows of `key`, from 0: points at its line where the rows came from a file.
+Issue issue_at_row(const Preset& preset, const std::string& key, std::size_t row, std::string text);
 
 /// The effective preset as TOML: every key with a line of doc, absent ones as comments. Reading it gives the
 /// scene back to the last bit.

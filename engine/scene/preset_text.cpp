@@ -44,7 +44,8 @@ std::string preset_text(const Scene& scene) {
       table = table_of(row);
       out += fmt::format("\n[{}]\n", table);
     }
-    const std::string value = toml_value(scene, row);
+    const bool measured = row.key == "crack.velocity" && !scene.crack.history.empty();
+    const std::string value = measured ? std::string{} : toml_value(scene, row);
     out += fmt::format("# {} Allowed: {}.\n", row.doc, allowed(row));
     out += value.empty() ? fmt::format("# {} is not given\n", name_of(row))
                          : fmt::format("{} = {}\n", name_of(row), value);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/history/measured_course.hpp"
 #include "engine/lattice/packing.hpp"
 #include "engine/theory/plane.hpp"
 
@@ -34,11 +35,24 @@ struct VelocityPiece {
   bool operator==(const VelocityPiece&) const = default;
 };
 
-/// A straight crack path along x at height `value`: a length [m], or a fraction of the plate's height.
-struct PathHeight {
+/// The line that the crack follows: straight along x at height `value`, a length [m] or a fraction of the
+/// plate's height; or through points (x, y) [m] where there are any.
+struct CrackLine {
   double value = 0.5;
   bool relative = true;
-  bool operator==(const PathHeight&) const = default;
+  std::vector<std::array<double, 2>> point = {};
+  bool operator==(const CrackLine&) const = default;
+};
+
+enum class PathShape { polyline, spline };
+
+/// What the material withstands: G_c [J/m2] against the tip's velocity, in m/s or in c_r, or against its
+/// position [m]; straight between the rows, constant beyond them.
+struct CriticalRate {
+  enum class Against { velocity, velocity_over_cr, position };
+  Against against = Against::velocity_over_cr;
+  std::vector<std::array<double, 2>> row = {};
+  bool operator==(const CriticalRate&) const = default;
 };
 
 /// All that a preset says, in SI units: what the run depends on, and how it is shown.
@@ -77,7 +91,13 @@ struct Scene {
   } loading;
   struct Crack {
     std::vector<VelocityPiece> velocity;
-    PathHeight path;
+    std::vector<HistoryPoint> history;  // measured, in place of the velocity
+    Smoothing smoothing;
+    double history_gap;       // longest time between two rows, in times of the median
+    CriticalRate toughness;   // where it has rows the crack runs by itself
+    double toughness_window;  // [mean radii] over which its release rate is smoothed
+    CrackLine path;
+    PathShape path_shape;
     double start;               // [m]; of the tip, with two tips the half length
     std::optional<double> end;  // [m]; the end of the window where absent
     int tips;

@@ -115,6 +115,7 @@ std::string steer(Scene& scene, const Change& change, double tip) {
   if (std::string wrong = assign(wished, parameter_of(*axis), value_from_text(change.value)); !wrong.empty())
     return wrong;
   if (change.axis == "crack_velocity") {
+    if (!scene.crack.history.empty()) return "follows a measured history: its velocity is not steered";
     std::vector<VelocityPiece> pieces = scene.crack.velocity;
     if (std::string wrong = turn_to(pieces, wished.crack.velocity, tip); !wrong.empty()) return wrong;
     wished.crack.velocity = std::move(pieces);

@@ -33,6 +33,9 @@ constexpr std::array speeds{Unit{"km/s", 3, false}, Unit{"m/s", 0, true}, Unit{"
 constexpr std::array densities{Unit{"g/cm3", 3, false}, Unit{"g/cm^3", 3, false}, Unit{"kg/m3", 0, true},
                                Unit{"kg/m^3", 0, false}};
 
+constexpr std::array release_rates{Unit{"kJ/m2", 3, true},  Unit{"kJ/m^2", 3, false}, Unit{"J/m2", 0, true},
+                                   Unit{"J/m^2", 0, false}, Unit{"N/mm", 3, false},   Unit{"N/m", 0, false}};
+
 struct DimensionRow {
   std::string_view name, si, example;
   std::span<const Unit> units;
@@ -52,6 +55,8 @@ DimensionRow row_of(Dimension dimension) {
       return {"a speed", "m/s", "2200 m/s", speeds};
     case Dimension::density:
       return {"a density", "kg/m3", "667 kg/m3", densities};
+    case Dimension::release_rate:
+      return {"a release rate", "J/m2", "900 J/m2", release_rates};
   }
   std::abort();  // no such dimension
 }

@@ -6,7 +6,7 @@
 
 namespace rift {
 
-enum class Dimension { none, length, time, pressure, speed, density };
+enum class Dimension { none, length, time, pressure, speed, density, release_rate };
 
 /// What was read, or what is wrong with the text.
 template <class T>

@@ -65,7 +65,7 @@ void Run<Real>::step() {
     if (seat.scenario >= 0) ++result_.lane_steps;
   report_released();
   for (Seat& seat : seat_)
-    if (seat.scenario >= 0) observe(seat);
+    if (seat.scenario >= 0) observe(seat), find_velocity(seat);
   if (marched_ % between_watches == 0) watch();
   ask();
 }
@@ -154,9 +154,11 @@ Wake Run<Real>::wake(const Seat& seat) {
     moved[i] = ensemble_.motion(i, lane).z() - prepared_.displacement[i].z();
   }
   const Box& box = prepared_.lattice.box;
+  const double middle = 0.5 * length_of(prepared_.path);
+  const auto x = [&](double arc) { return point_on(prepared_.path, arc).x(); };
   const std::array<double, 2> behind = prepared_.path.tips == 2
-                                           ? std::array{0.5 * box.length - tip, 0.5 * box.length + tip}
-                                           : std::array{tip - 2.0 * box.height, tip};
+                                           ? std::array{x(middle - tip), x(middle + tip)}
+                                           : std::array{x(tip) - 2.0 * box.height, x(tip)};
   return wake_of(prepared_.lattice, behind, velocity, moved);
 }
 

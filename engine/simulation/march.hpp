@@ -6,6 +6,7 @@
 #include "engine/simulation/prepare.hpp"
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,7 +72,8 @@ struct LaneResult {
   double energy_at_crack_start = 0;    // elastic [J]
   Wake wake;                           // when it finished, of two heights behind the tip, or between two tips
   double wall_s = 0;                   // its share of the time while its crack ran
-  std::vector<Change> changes;         // those that were made
+  std::vector<Change> changes;         // those that were made, its own velocities among them
+  double arrested_m = std::numeric_limits<double>::quiet_NaN();  // where a crack that runs by itself stopped
 };
 
 /// What a run came to.

@@ -24,6 +24,7 @@ Json json_of(const LaneResult& r) {
           {"prestress_kinetic", r.prestress_kinetic},
           {"energy_at_crack_start", r.energy_at_crack_start},
           {"wall_s", r.wall_s},
+          {"arrested_m", r.arrested_m},  // null where it is no number
           {"changes", changes},
           {"wake",
            {{"cell_m", r.wake.cell_m},
@@ -45,6 +46,7 @@ LaneResult lane_of(const Json& j) {
   r.prestress_kinetic = j.at("prestress_kinetic");
   r.energy_at_crack_start = j.at("energy_at_crack_start");
   r.wall_s = j.at("wall_s");
+  if (const Json& arrested = j.at("arrested_m"); !arrested.is_null()) r.arrested_m = arrested;
   for (const Json& c : j.at("changes"))
     r.changes.push_back({c.at("lane"), c.at("step"), c.at("axis"), c.at("value")});
   const Json& wake = j.at("wake");

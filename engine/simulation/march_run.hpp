@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/ensemble/ensemble.hpp"
+#include "engine/fracture/equation_of_motion.hpp"
 #include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/march_notes.hpp"
@@ -13,7 +14,8 @@
 #include <vector>
 
 /// A march while it goes: the loop (march.cpp), whether it goes well (march_watch.cpp), what is asked of it
-/// on the way (march_steering.cpp), and how it goes on from a checkpoint (march_resume.cpp).
+/// on the way (march_steering.cpp), where it leads by itself (march_own_way.cpp), and how it goes on from a
+/// checkpoint (march_resume.cpp).
 namespace rift {
 
 using Clock = std::chrono::steady_clock;
@@ -114,6 +116,13 @@ class Run {
     return std::any_of(seat_.begin(), seat_.end(),
                        [&](const Seat& seat) { return lane_of(seat).outcome == Outcome::finished; });
   }
+
+  // Cracks that run by themselves (march_own_way.cpp).
+  /// A new velocity where it is time for one, or the end where there is none.
+  void find_velocity(Seat& seat);
+  /// The beams that the tip has released from a position on [m].
+  std::vector<ReleasedBeam> released(const Seat& seat, double from) const;
+  void arrest(Seat& seat, double tip);
 
   // What is asked of it on the way (march_steering.cpp).
   /// Whether to go on; if not, every lane stops where it is.

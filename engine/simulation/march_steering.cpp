@@ -46,7 +46,10 @@ void Run<Real>::carry_out(Orders& orders) {
   for (Change& change : orders.changes) {
     Seat* seat = seat_of(change.lane);
     if (seat) change.step = steps(*seat);
-    const std::string refused = seat ? make(*seat, change) : "its crack does not run";
+    const bool by_itself = seat && !plan(*seat).scene.crack.toughness.row.empty();
+    const std::string refused = !seat                                          ? "its crack does not run"
+                                : by_itself && change.axis == "crack_velocity" ? "the crack runs by itself"
+                                                                               : make(*seat, change);
     if (observer_.changed) observer_.changed(change, refused);
   }
   for (const int scenario : orders.frames)

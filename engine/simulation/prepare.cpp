@@ -7,6 +7,7 @@
 #include "engine/mechanics/statics.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/change_lane.hpp"
+#include "engine/simulation/lane_history.hpp"
 #include "engine/theory/griffith.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +16,8 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <span>
+#include <utility>
 
 namespace rift {
 namespace {
@@ -149,7 +150,12 @@ RateScale scale_against(const Scene& scene, const Lattice& lattice, double strip
 
 /// Which beams a notch cuts, for the key of a cached solution.
 std::string notch_key(const Scene& scene) {
-  return fmt::format(" path {:a} notch {:a}{}", path_height_m(scene), scene.crack.start,
+  std::string path;
+  if (scene.crack.path.point.empty())
+    path = fmt::format("{:a}", path_height_m(scene));
+  else
+    for (const auto& [x, y] : path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
+  return fmt::format(" path {} notch {:a}{}", path, scene.crack.start,
                      scene.crack.tips == 2 ? " from the middle" : "");
 }
 
@@ -189,6 +195,12 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   tell(progress, "pre-stress", 1.0);
 }
 
+CrackPath path_of(const Scene& scene) {
+  CrackPath path{{}, scene.crack.tips};
+  for (const auto& [x, y] : path_points_m(scene)) path.point.emplace_back(x, y);
+  return path;
+}
+
 LanePlan plan_lane(const Prepared& p, const Scene& scene) {
   LanePlan lane;
   lane.scene = scene;
@@ -199,12 +211,9 @@ LanePlan plan_lane(const Prepared& p, const Scene& scene) {
   const auto window = window_over_length(scene);
   lane.window = {window[0] * length, window[1] * length};
   lane.scenario.law = release_law(scene, p.lattice);
-  std::vector<SpeedUntil> pieces;
-  for (const VelocityPiece& piece : scene.crack.velocity)
-    pieces.push_back({lattice_speed(p, piece.speed, lane.units),
-                      piece.until.value_or(std::numeric_limits<double>::infinity())});
-  // The history begins a zone's length behind the notch, so that nothing is damaged in one jump.
-  lane.scenario.history = history_of(scene.crack.start - lane.scenario.law.zone_length, pieces);
+  auto [history, lead] = lane_history(scene, lane.scenario.law.zone_length, p.rayleigh_speed, lane.units);
+  lane.scenario.history = std::move(history);
+  lane.lead = lead;
   set_damping(lane.scenario, scene);
   return lane;
 }
@@ -316,7 +325,7 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
                   "'rift calibrate' presses cylinders")});
   p.density = density(scene);
   p.rayleigh_speed = rayleigh_speed(scene);
-  p.path = straight_path(scene.specimen.length, path_height_m(scene), scene.crack.tips);
+  p.path = path_of(scene);
   build_specimen(p, cache, progress);
   try {
     build_prestress(p, cache, progress);

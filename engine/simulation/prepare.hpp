@@ -1,9 +1,9 @@
 #pragma once
 
+#include "engine/cache.hpp"
 #include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/release_rate.hpp"
 #include "engine/fracture/scenario.hpp"
-#include "engine/cache.hpp"
 #include "engine/simulation/lane_units.hpp"
 #include "engine/simulation/schedule.hpp"
 #include "engine/simulation/time_step.hpp"
@@ -23,6 +23,7 @@ struct LanePlan {
   Scene scene;
   LaneUnits units;
   LaneScenario scenario;
+  double lead = 0;                 // [s] from the start of the crack to a measured history's first row
   double crack_end = 0;            // tip position [m]
   std::array<double, 2> window{};  // tip positions [m]
   TimeStep step;                   // its own, whatever marches beside it

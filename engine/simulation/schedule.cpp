@@ -31,6 +31,16 @@ void add_regular(Steps& steps, std::int64_t from, std::int64_t to, int count) {
   steps.push_back(to);
 }
 
+/// `count` steps at which the tip has come equally far from one to the next, both ends among them.
+void add_along(Steps& steps, std::int64_t first, const CrackHistory& history, double dt, double end,
+               int count) {
+  const double start = tip_at(history, 0.0);
+  for (int k = 0; k < count; ++k) {
+    const double time = time_of_arrival(history, start + k * (end - start) / std::max(1, count - 1));
+    steps.push_back(first + static_cast<std::int64_t>(std::ceil(time / dt)));
+  }
+}
+
 void sort_unique(Steps& steps) {
   std::sort(steps.begin(), steps.end());
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
@@ -45,14 +55,22 @@ Schedule make_schedule(const Scene& scene, const CrackHistory& history, double d
     s.ramp = scene.loading.ramp_steps, s.hold = scene.loading.hold_steps;
   s.fracture = static_cast<std::int64_t>(std::ceil(time_of_arrival(history, end) / dt));
   if (s.ramp > 0) add_regular(s.samples, 0, s.crack_start(), scene.output.samples);
-  add_regular(s.samples, s.crack_start(), s.total(), scene.output.samples);
+  // How long a crack that runs by itself will take is not known: it is looked at where it is, not when.
+  const bool by_itself = !scene.crack.toughness.row.empty();
+  if (by_itself)
+    add_along(s.samples, s.crack_start(), history, dt, end, scene.output.samples);
+  else
+    add_regular(s.samples, s.crack_start(), s.total(), scene.output.samples);
   for (int k = 0; k <= sub_windows; ++k) {
     const double tip = window[0] + k * (window[1] - window[0]) / sub_windows;
     const auto step = static_cast<std::int64_t>(std::llround(time_of_arrival(history, tip) / dt));
     if (step >= 0 && step <= s.fracture) s.samples.push_back(s.crack_start() + step);
   }
   sort_unique(s.samples);
-  if (scene.output.frames > 0) add_even(s.frames, s.crack_start(), s.total(), scene.output.frames);
+  if (by_itself && scene.output.frames > 0)
+    add_along(s.frames, s.crack_start(), history, dt, end, scene.output.frames);
+  else if (scene.output.frames > 0)
+    add_even(s.frames, s.crack_start(), s.total(), scene.output.frames);
   sort_unique(s.frames);
   return s;
 }

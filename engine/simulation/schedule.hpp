@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/fracture/crack_history.hpp"
+#include "engine/history/crack_history.hpp"
 #include "engine/scene/scene.hpp"
 
 #include <cstdint>
@@ -17,9 +17,9 @@ struct Schedule {
   std::int64_t total() const { return ramp + hold + fracture; }
 };
 
-/// Samples over each phase, a power of two of steps apart, and one at each end and sub-division of the
-/// window, where the tip is nearest to it; even frames over the fracture phase, its first and last moment
-/// among them.
+/// A crack that runs by itself is sampled and shown at even distances of its tip. Else samples over each
+/// phase, a power of two of steps apart, and one at each end and sub-division of the window, where the tip is
+/// nearest to it; even frames over the fracture phase, its first and last moment among them.
 /// @param[in] end     tip position at which the run ends [m]
 /// @param[in] window  tip positions [m]
 Schedule make_schedule(const Scene& scene, const CrackHistory& history, double dt, double end,

@@ -48,15 +48,14 @@ const char* name_of(ReleaseRateReference r) {
   return r == ReleaseRateReference::strip ? "strip" : "griffith";
 }
 
-/// The constant velocity of the crack in c_r; none where it changes on the way.
-double constant_velocity(const Scene& scene) {
-  return scene.crack.velocity.size() == 1 ? highest_velocity(scene) : undefined;
-}
-
 void add_scenario(Json& j, const LanePlan& lane) {
   const Scene& scene = lane.scene;
   const bool progressive = scene.crack.technique == Technique::progressive;
-  j["crack_velocity_over_cr"] = constant_velocity(scene);
+  j["crack_velocity_over_cr"] = keeps_its_velocity(scene) ? Json(highest_velocity(scene)) : Json(nullptr);
+  j["crack_course"] = !scene.crack.history.empty()         ? "measured"
+                      : !scene.crack.toughness.row.empty() ? "by itself"
+                      : scene.crack.velocity.size() == 1   ? "constant"
+                                                           : "piecewise";
   j["tips"] = scene.crack.tips;
   j["technique"] = name_of(scene.crack.technique);
   j["relaxation"] = progressive ? Json(scene.crack.relaxation) : Json(nullptr);
@@ -119,7 +118,8 @@ void add_step(Json& j, const Prepared& p, const LanePlan& lane, const RunResult&
 void add_rates(Json& j, const Prepared& p, const LanePlan& lane, const Rates& rates) {
   const Plateau& plateau = rates.plateau;
   const auto rate = [&](double value) { return plateau.reached ? Json(value) : Json(nullptr); };
-  const double ratio = plateau.mean.ratio_with_damping, v = constant_velocity(lane.scene);
+  const double ratio = plateau.mean.ratio_with_damping,
+               v = keeps_its_velocity(lane.scene) ? highest_velocity(lane.scene) : undefined;
   const Scene::Material& m = p.preset.scene.material;
   const auto reference = [&](theory::Factor (*of)(double, double, Plane)) {
     return v > 0.0 && v <= 1.0 ? of(v, m.poisson_ratio, m.plane).g : undefined;
@@ -196,7 +196,9 @@ void add_costs(Json& j, const Prepared& p, const RunResult& r, const LaneResult&
 bool changed_in_window(const Prepared& prepared, const RunResult& result, int lane) {
   const LanePlan& plan = prepared.lane[lane];
   const std::vector<Change>& changes = result.lane[lane].changes;
+  const bool by_itself = !plan.scene.crack.toughness.row.empty();
   return std::any_of(changes.begin(), changes.end(), [&](const Change& change) {
+    if (by_itself && change.axis == "crack_velocity") return false;
     const auto steps = static_cast<double>(change.step - plan.schedule.crack_start());
     const double tip = tip_at(plan.scenario.history, steps * prepared.step.dt);
     return tip > plan.window[0] && tip < plan.window[1];
@@ -292,7 +294,10 @@ Json lane_summary(const Prepared& prepared, const RunResult& result, int k, cons
   add_step(scenario, prepared, lane, result, result.lane[k], build);
   add_rates(scenario, prepared, lane, rates);
   add_books(scenario, prepared, lane, result.lane[k]);
-  if (!result.lane[k].changes.empty()) scenario["steering"] = changes_of(result.lane[k]);
+  if (lane.scene.crack.toughness.row.empty() && !result.lane[k].changes.empty())
+    scenario["steering"] = changes_of(result.lane[k]);
+  scenario["arrest_m"] =
+      std::isfinite(result.lane[k].arrested_m) ? Json(result.lane[k].arrested_m) : Json(nullptr);
   add_wake(scenario, result.lane[k].wake);
   add_costs(scenario, prepared, result, result.lane[k], wall_total_s);
   return scenario;

@@ -1,6 +1,6 @@
 #include "engine/study/cost.hpp"
 
-#include "engine/fracture/crack_history.hpp"
+#include "engine/history/crack_history.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/time_step.hpp"
 
@@ -15,6 +15,8 @@ constexpr double critical_radii = 0.63;        // critical step x c_r / R
 constexpr double preparation_steps = 10000.0;  // packing and static solve last as long as so many steps
 
 double crack_time(const Scene& scene) {
+  if (!scene.crack.history.empty())
+    return time_of_arrival(measured_course(scene).history, crack_end(scene));
   std::vector<SpeedUntil> pieces;
   for (const VelocityPiece& piece : scene.crack.velocity)
     pieces.push_back({speed_m_s(piece.speed, rayleigh_speed(scene)),

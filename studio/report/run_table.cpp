@@ -27,6 +27,12 @@ std::string row(const std::string& label, const std::string& content) {
   return fmt::format("  {:<22}{}\n", label, content);
 }
 
+std::string by_itself(const Json& s) {
+  return s.at("arrest_m").is_number()
+             ? fmt::format("by itself, arrested at {:.4g} mm", 1e3 * value(s, "arrest_m"))
+             : "by itself";
+}
+
 std::string title(const Json& s) {
   const bool progressive = text(s, "technique") == "progressive";
   const std::string how = progressive ? fmt::format("progressive release, {}, r_l = {:g}",
@@ -38,7 +44,9 @@ std::string title(const Json& s) {
           : fmt::format(", damping {:g} ({})", value(s, "damping_alpha"), text(s, "damping_region"));
   const std::string speed = s.at("crack_velocity_over_cr").is_number()
                                 ? fmt::format("{:g} c_r", value(s, "crack_velocity_over_cr"))
-                                : "piecewise velocity";
+                            : text(s, "crack_course") == "measured"  ? "measured history"
+                            : text(s, "crack_course") == "by itself" ? by_itself(s)
+                                                                     : "piecewise velocity";
   const char* tips = value(s, "tips") == 2 ? ", two tips" : "";
   return fmt::format("{}{}, {}{}, {} stiffness", speed, tips, how, damping, text(s, "stiffness"));
 }

@@ -15,13 +15,6 @@ CrackPath path_of(std::vector<Point> points) { return {std::move(points)}; }
 /// The path rises at right angles, then goes on: all coordinates below are exact.
 CrackPath stair() { return path_of({{0.0, 1.0}, {2.0, 1.0}, {2.0, 3.0}, {5.0, 3.0}}); }
 
-double length_of(const CrackPath& path) {
-  double length = 0.0;
-  for (std::size_t k = 0; k + 1 < path.point.size(); ++k)
-    length += (path.point[k + 1] - path.point[k]).norm();
-  return length;
-}
-
 /// By another way than the sides of triangles: p + t (q - p) = a + u (b - a) solved for t and u.
 std::optional<double> crossing_by_equations(const CrackPath& path, const Point& a, const Point& b) {
   double behind = 0.0;

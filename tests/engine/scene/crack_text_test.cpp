@@ -58,8 +58,8 @@ TEST(VelocityText, ReadsBackToTheSamePieces) {
 }
 
 TEST(ReadPath, TakesAFractionOfTheHeightOrALength) {
-  EXPECT_EQ(read_path("0.25 H").value, (PathHeight{0.25, true}));
-  EXPECT_EQ(read_path("20 mm").value, (PathHeight{0.02, false}));
+  EXPECT_EQ(read_path("0.25 H").value, (CrackLine{0.25, true}));
+  EXPECT_EQ(read_path("20 mm").value, (CrackLine{0.02, false}));
 }
 
 TEST(ReadPath, SaysWhatIsWrong) {

@@ -50,14 +50,14 @@ TEST(LeftOut, SaysWhatAndWhy) {
   scene.crack.technique = Technique::simple;
   scene.output.frames = 0;
   EXPECT_EQ(left_out(scene),
-            (std::vector<std::string>{"damping: alpha = 0, no damped beams are built",
-                                      "numerical damping: beta = 1", "damage zone: technique = simple",
-                                      "ramp: method = static, the pre-stress is one solve",
-                                      "corotation: kinematics = linear, beam axes and elements' quaternions stay "
-                                      "as they are",
-                                      "books of every step: nothing is dissipated or pulled, energies are read at "
-                                      "samples",
-                                      "frames: frames = 0, no fields are written"}));
+            (std::vector<std::string>{
+                "damping: alpha = 0, no damped beams are built", "numerical damping: beta = 1",
+                "damage zone: technique = simple", "ramp: method = static, the pre-stress is one solve",
+                "corotation: kinematics = linear, beam axes and elements' quaternions stay "
+                "as they are",
+                "books of every step: nothing is dissipated or pulled, energies are read at "
+                "samples",
+                "frames: frames = 0, no fields are written"}));
 }
 
 TEST(LeftOut, IsEmptyWhereAllIsNeeded) { EXPECT_TRUE(left_out(scene_with_everything()).empty()); }

@@ -33,7 +33,7 @@ TEST(ParameterTable, HasEveryKeyOnceInTableOrder) {
     EXPECT_FALSE(row.doc.empty()) << row.key;
     EXPECT_EQ(find_parameter(row.key), &row);
   }
-  EXPECT_EQ(find_parameter("crack.history"), nullptr);
+  EXPECT_EQ(find_parameter("crack.histories"), nullptr);
 }
 
 TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
@@ -75,7 +75,7 @@ TEST(DefaultScene, IsThePlateOfThePaper) {
   EXPECT_EQ(s.loading.displacement, 0.002);
   EXPECT_EQ(s.loading.method, LoadingMethod::static_solve);
   EXPECT_EQ(s.crack.velocity, (std::vector<VelocityPiece>{{{0.5, true}, {}}}));
-  EXPECT_EQ(s.crack.path, (PathHeight{0.5, true}));
+  EXPECT_EQ(s.crack.path, (CrackLine{0.5, true}));
   EXPECT_EQ(s.crack.technique, Technique::progressive);
   EXPECT_EQ(s.crack.relaxation, 1.0);
   EXPECT_EQ(s.damping.region, DampingRegion::none);

@@ -41,7 +41,8 @@ poisson_ratio = nan
             "x.toml:7: crack.velocity = \"5 c_r\": must lie in (0, 2] c_r\n"
             "x.toml:8: unknown key 'damge_zone_ratio', did you mean 'damage_zone_ratio'?\n"
             "x.toml:9: crack.damage_zone_ratio = 0: must lie in (0, 1000]\n"
-            "x.toml:12: material.stiffness = \"calibratd\": must be \"in-situ\", \"bulk\", \"calibrated\" or \"explicit\"\n"
+            "x.toml:12: material.stiffness = \"calibratd\": must be \"in-situ\", \"bulk\", \"calibrated\" or "
+            "\"explicit\"\n"
             "x.toml:13: material.poisson_ratio = nan: must be a finite number\n"
             "--set solver.beta=1.05: must lie in (0, 1]\n");
 }
@@ -59,7 +60,7 @@ TEST(PresetErrors, NameTheExpectedTypeAndTheOneGiven) {
       "x.toml:5: specimen.seed = [1]: expected a whole number, got a list\n"
       "x.toml:7: loading.method = 3: expected \"static\" or \"ramp\", got a whole number\n"
       "x.toml:9: output.fields = \"damage\": expected a list of \"displacement\", \"velocity\", "
-            "\"damage\" and \"energy\", "
+      "\"damage\" and \"energy\", "
       "got text\n"
       "x.toml:10: output.window = 0.3: expected two fractions of the length such as [0.2, 0.4], got a "
       "number\n"
@@ -84,14 +85,14 @@ TEST(PresetErrors, NameUnitsThatAreUnknownOrMissing) {
 TEST(PresetErrors, PointFromUnknownNamesToTheNearestOne) {
   EXPECT_EQ(
       complaints(
-          "lenght = 3\nspecimen = 4\n[crak]\nx = 1\n[studdy]\n[[lane]]\n[damping]\nbeta = 1\nhistory = 2\n"),
+          "lenght = 3\nspecimen = 4\n[crak]\nx = 1\n[studdy]\n[[lane]]\n[damping]\nbeta = 1\ncolour = 2\n"),
       "x.toml:1: unknown key 'lenght', did you mean 'specimen.length'?\n"
       "x.toml:2: specimen = 4: expected a table [specimen], got a whole number\n"
       "x.toml:3: unknown table [crak], did you mean [crack]?\n"
       "x.toml:5: unknown table [studdy], did you mean [study]?\n"
       "x.toml:6: unknown table [lane], did you mean [[lanes]]?\n"
       "x.toml:8: unknown key 'beta', did you mean 'solver.beta'?\n"
-      "x.toml:9: unknown key 'history': [damping] has alpha, region and surface_width\n");
+      "x.toml:9: unknown key 'colour': [damping] has alpha, region and surface_width\n");
 }
 
 TEST(PresetErrors, ListTheTablesWhereNoneIsNear) {

@@ -56,7 +56,7 @@ TEST(Preset, TakesSiNumbersAndTextsWithUnits) {
   EXPECT_EQ(good.scene.specimen.length, 0.1);
   EXPECT_EQ(good.scene.specimen.height, 0.02);
   EXPECT_EQ(good.scene.specimen.seed, 7);
-  EXPECT_EQ(good.scene.crack.path, (PathHeight{0.01, false}));
+  EXPECT_EQ(good.scene.crack.path, (CrackLine{0.01, false}));
   EXPECT_EQ(good.scene.crack.relaxation, 3.0);
 }
 

@@ -1,4 +1,4 @@
-#include "engine/fracture/crack_history.hpp"
+#include "engine/history/crack_history.hpp"
 
 #include <gtest/gtest.h>
 

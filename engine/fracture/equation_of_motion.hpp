@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/scene/scene.hpp"
+
+#include <vector>
+
+/// How fast a crack runs that nobody tells: as fast as what it releases is what the material withstands,
+/// G_ID(v) = G_c(v)   [Freund 1990, section 7.4, "crack tip equation of motion"].
+namespace rift {
+
+/// A beam that the tip has released, and how fast it ran there.
+struct ReleasedBeam {
+  double position = 0;  // [m]
+  double energy = 0;    // [J]
+  double over_cr = 0;   // v / c_R
+};
+
+/// By which a tip's velocity takes at once from what the same tip would release at rest, 1 - v/c_R
+/// [Freund 1990, eq. (6.4.24), approximately].
+double response_to_velocity(double over_cr);
+
+/// What the tip would release at rest [J/m2]: the released energies, each over the response to its velocity,
+/// in a window behind the tip with weights 6 x (1 - x) that are 0 at its ends.
+/// @param[in] released   those within the window
+/// @param[in] thickness  b [m]
+double driving_force(const std::vector<ReleasedBeam>& released, double tip, double window, double thickness);
+
+/// G_c [J/m2] at a velocity and a position [m].
+double critical_rate(const CriticalRate& toughness, double over_cr, double rayleigh_speed, double position);
+
+/// v / c_R in [0, fastest] with driving (1 - v/c_R) = G_c(v): of several the highest, for a tip that runs; 0
+/// where even at rest it does not suffice, the crack is arrested then.
+double velocity_over_cr(double driving, const CriticalRate& toughness, double rayleigh_speed, double position,
+                        double fastest);
+
+}  // namespace rift

@@ -1,0 +1,143 @@
+#include "engine/scene/contradictions_rows.hpp"
+
+#include "engine/scene/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace rift {
+namespace {
+
+constexpr double forgiven = 3.0;  // standard uncertainties
+
+std::string length_text(double x) { return rounded_text(x, Dimension::length); }
+std::string time_text(double x) { return rounded_text(x, Dimension::time); }
+
+double median_interval(const std::vector<HistoryPoint>& rows) {
+  std::vector<double> intervals;
+  for (std::size_t k = 1; k < rows.size(); ++k) intervals.push_back(rows[k].time - rows[k - 1].time);
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return *middle;
+}
+
+struct Rows {
+  const Preset& preset;
+  std::string key;
+  std::vector<Issue> issues = {};
+  void say(std::size_t row, std::string text) {
+    issues.push_back(issue_at_row(preset, key, row, std::move(text)));
+  }
+};
+
+void check_time(Rows& r, std::size_t k, const HistoryPoint& before, const HistoryPoint& row) {
+  if (row.time == before.time) r.say(k, fmt::format("time {} is there twice", time_text(row.time)));
+  if (row.time < before.time)
+    r.say(k, fmt::format("time falls from {} to {}", time_text(before.time), time_text(row.time)));
+}
+
+void check_position(Rows& r, std::size_t k, const HistoryPoint& before, const HistoryPoint& row) {
+  if (row.position >= before.position) return;
+  const double noise = forgiven * std::hypot(before.uncertainty, row.uncertainty);
+  const bool smoothed = r.preset.scene.crack.smoothing == Smoothing::monotone;
+  if (smoothed && before.position - row.position <= noise) return;
+  std::string text =
+      fmt::format("position falls from {} to {}", length_text(before.position), length_text(row.position));
+  if (noise > 0.0 && smoothed)
+    text +=
+        fmt::format(", more than {:g} standard uncertainties of the step, {}", forgiven, length_text(noise));
+  if (noise > 0.0 && !smoothed) text += ": noise asks for crack.smoothing = \"monotone\"";
+  if (noise == 0.0 && smoothed) text += ": for noise give a column uncertainty";
+  r.say(k, std::move(text));
+}
+
+void check_uncertainty(Rows& r, std::size_t k, const HistoryPoint& row) {
+  const bool known = r.preset.scene.crack.history.front().uncertainty != 0.0;
+  if (row.uncertainty < 0.0 || (known && row.uncertainty == 0.0))
+    r.say(k, fmt::format("uncertainty {} must lie above 0", length_text(row.uncertainty)));
+  else if (!known && row.uncertainty != 0.0)
+    r.say(k, "has an uncertainty, and the first row has none: give it for all rows or for none");
+}
+
+void check_gaps(Rows& r, const std::vector<HistoryPoint>& rows) {
+  const double usual = median_interval(rows), most = r.preset.scene.crack.history_gap;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const double gap = rows[k].time - rows[k - 1].time;
+    if (gap > most * usual)
+      r.say(k, fmt::format("no row for {} after {}, {:.3g} times the usual {}: rows are missing, or raise "
+                           "crack.history_gap ({:g})",
+                           time_text(gap), time_text(rows[k - 1].time), gap / usual, time_text(usual), most));
+  }
+}
+
+/// The first row says where the notch ends; crack.start may say it better, within the noise.
+void check_start(Rows& r, const HistoryPoint& first) {
+  const double start = r.preset.scene.crack.start;
+  const double slack = std::max(forgiven * first.uncertainty, 1e-9);
+  if (std::abs(first.position - start) > slack)
+    r.issues.push_back(issue_at(r.preset, "crack.start",
+                                fmt::format("the history begins at {}: leave crack.start out, or cut the "
+                                            "history there",
+                                            length_text(first.position))));
+}
+
+}  // namespace
+
+std::vector<Issue> history_issues(const Preset& preset) {
+  const std::vector<HistoryPoint>& rows = preset.scene.crack.history;
+  if (rows.empty()) return {};
+  Rows r{preset, "crack.history"};
+  if (rows.size() < 2) {
+    r.say(0, "is the only row: a history needs two");
+    return std::move(r.issues);
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (rows[k].position < 0.0)
+      r.say(k, fmt::format("position {} must not lie below 0", length_text(rows[k].position)));
+    check_uncertainty(r, k, rows[k]);
+    if (k > 0) check_time(r, k, rows[k - 1], rows[k]);
+    if (k > 0) check_position(r, k, rows[k - 1], rows[k]);
+  }
+  if (r.issues.empty() && !(rows.back().position > rows.front().position))
+    r.say(rows.size() - 1, "the crack does not advance: the last position must lie beyond the first");
+  if (r.issues.empty()) check_gaps(r, rows);
+  if (r.issues.empty()) check_start(r, rows.front());
+  return std::move(r.issues);
+}
+
+std::vector<Issue> toughness_issues(const Preset& preset) {
+  const CriticalRate& rate = preset.scene.crack.toughness;
+  const bool by_position = rate.against == CriticalRate::Against::position;
+  const char* name = by_position ? "position" : "velocity";
+  Rows r{preset, "crack.toughness"};
+  for (std::size_t k = 0; k < rate.row.size(); ++k) {
+    const auto& [at, critical] = rate.row[k];
+    if (at < 0.0) r.say(k, fmt::format("{} {:g} must not lie below 0", name, at));
+    if (!(critical > 0.0)) r.say(k, fmt::format("release rate {:g} J/m2 must lie above 0", critical));
+    if (k > 0 && at <= rate.row[k - 1][0])
+      r.say(k, fmt::format("{} {:g} does not lie above the {:g} of the row before", name, at,
+                           rate.row[k - 1][0]));
+  }
+  return std::move(r.issues);
+}
+
+std::vector<Issue> path_issues(const Preset& preset) {
+  const std::vector<std::array<double, 2>>& point = preset.scene.crack.path.point;
+  const Scene::Specimen& plate = preset.scene.specimen;
+  if (point.empty()) return {};
+  Rows r{preset, "crack.path"};
+  if (point.size() < 2) r.say(0, "is the only point: a path needs two");
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    const auto& [x, y] = point[k];
+    if (!(x >= 0.0 && x <= plate.length && y >= 0.0 && y <= plate.height))
+      r.say(k, fmt::format("({}, {}) lies outside the plate, {} x {}", length_text(x), length_text(y),
+                           length_text(plate.length), length_text(plate.height)));
+    if (k > 0 && point[k] == point[k - 1]) r.say(k, "is the same point as the row before");
+  }
+  return std::move(r.issues);
+}
+
+}  // namespace rift

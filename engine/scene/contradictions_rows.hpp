@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/scene/preset.hpp"
+
+#include <vector>
+
+/// What can be wrong with the rows of [crack]: each is found row by row, at its line where a file holds it.
+namespace rift {
+
+/// A history goes forward in time, never back in position, misses no rows, and begins at crack.start. Noise
+/// may look like going back where it is smoothed: by no more than three standard uncertainties.
+std::vector<Issue> history_issues(const Preset& preset);
+
+/// Velocities or positions rise, and nothing is below 0.
+std::vector<Issue> toughness_issues(const Preset& preset);
+
+/// Points lie in the plate, and no two neighbours at one place.
+std::vector<Issue> path_issues(const Preset& preset);
+
+}  // namespace rift

@@ -1,0 +1,102 @@
+#include "engine/scene/rows_file.hpp"
+
+#include "engine/scene/csv_table.hpp"
+#include "engine/scene/preset_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+namespace rift {
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 20;  // as much as a preset may hold
+
+using Columns = std::vector<CsvColumn>;
+
+Value number(double x) { return {x}; }
+Value list(std::vector<Value> items) { return {std::move(items)}; }
+
+/// Rows of the columns that are there, as numbers.
+Value plain_rows(const CsvTable& table) {
+  std::vector<Value> rows;
+  for (std::size_t r = 0; r < table.line.size(); ++r) {
+    std::vector<Value> row;
+    for (const std::vector<double>& column : table.column)
+      if (!column.empty()) row.push_back(number(column[r]));
+    rows.push_back(list(std::move(row)));
+  }
+  return list(std::move(rows));
+}
+
+/// Which column the header names first tells what a critical rate is against.
+std::pair<Columns, const char*> toughness_columns(std::string_view text) {
+  std::string_view header;
+  while (!text.empty()) {
+    const auto end = text.find('\n');
+    header = text.substr(0, end);
+    const auto first = header.find_first_not_of(" \t\r");
+    if (first != std::string_view::npos && header[first] != '#') break;
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  const CsvColumn rate{"release_rate", Dimension::release_rate};
+  if (header.find("position") != std::string_view::npos)
+    return {{{"position", Dimension::length}, rate}, "{} m"};
+  if (header.find("c_r") != std::string_view::npos) return {{{"velocity", Dimension::none}, rate}, "{} c_r"};
+  return {{{"velocity", Dimension::speed}, rate}, "{} m/s"};
+}
+
+/// Rows whose first number says with its unit what it is.
+Value rows_with_units(const CsvTable& table, const char* first) {
+  std::vector<Value> rows;
+  for (std::size_t r = 0; r < table.line.size(); ++r)
+    rows.push_back(
+        list({Value{fmt::format(fmt::runtime(first), table.column[0][r])}, number(table.column[1][r])}));
+  return list(std::move(rows));
+}
+
+}  // namespace
+
+bool names_rows_file(const Parameter& row, const Value& value) {
+  const auto* name = std::get_if<std::string>(&value.held);
+  if (!name) return false;
+  return row.key == "crack.history" || row.key == "crack.toughness" ||
+         (row.key == "crack.path" && name->ends_with(".csv"));
+}
+
+RowsFile read_rows_file(const Parameter& row, const std::string& name, const std::filesystem::path& folder) {
+  RowsFile read;
+  const std::filesystem::path path = folder / name;
+  read.origin.file = path.string();
+  const auto say = [&](int line, std::string text) {
+    read.issues.push_back({path.string(), line, "", std::move(text)});
+  };
+  const PresetFile file = read_preset_file(path);
+  if (!file.problem.empty()) return say(0, file.problem), read;
+  if (file.text.size() > largest_file) return say(0, "larger than 1 MiB: thin its rows out"), read;
+
+  CsvTable table;
+  if (row.key == "crack.toughness") {
+    const auto [columns, first] = toughness_columns(file.text);
+    table = read_csv(file.text, columns);
+    if (table.problems.empty()) read.rows = rows_with_units(table, first);
+  } else {
+    const Columns columns = row.key == "crack.path"
+                                ? Columns{{"x", Dimension::length}, {"y", Dimension::length}}
+                                : Columns{{"time", Dimension::time},
+                                          {"position", Dimension::length},
+                                          {"uncertainty", Dimension::length, false}};
+    table = read_csv(file.text, columns);
+    if (table.problems.empty()) read.rows = plain_rows(table);
+  }
+  for (CsvProblem& problem : table.problems) say(problem.line, std::move(problem.text));
+  if (read.issues.empty() && table.line.empty()) say(0, "holds a header and no rows");
+  read.origin.line = std::move(table.line);
+  return read;
+}
+
+}  // namespace rift

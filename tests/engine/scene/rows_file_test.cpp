@@ -1,0 +1,229 @@
+#include "engine/results/files.hpp"
+#include "engine/scene/csv_table.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/scene/parameters.hpp"
+#include "engine/scene/preset.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace rift {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own with a file in it, gone afterwards.
+struct Folder {
+  fs::path path = fs::temp_directory_path() /
+                  ("rift_rows_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  Folder() { fs::remove_all(path), fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  std::string write(const char* name, const std::string& text) const {
+    results::write_whole_file(path / name, text);
+    return (path / name).string();
+  }
+};
+
+/// The complaints about x.csv as [crack] `key` of a plate of 100 mm, without the folder's name.
+std::string complaints(const char* key, const std::string& csv, const std::string& more = {}) {
+  const Folder folder;
+  folder.write("x.csv", csv);
+  const std::string preset = folder.write(
+      "x.toml", std::string("[specimen]\nlength = \"100 mm\"\n[crack]\n") + key + " = \"x.csv\"\n" + more);
+  std::string out;
+  for (const Issue& issue : read_preset(preset).issues) out += to_text(issue) + "\n";
+  const std::string prefix = folder.path.string() + "/";
+  for (auto at = out.find(prefix); at != out.npos; at = out.find(prefix)) out.erase(at, prefix.size());
+  return out;
+}
+
+const std::string head = "time [us];position [mm]\n";
+constexpr const char* noise_hint = ": for noise give a column uncertainty\n";
+
+struct Defect {
+  std::string csv, complaint;
+};
+
+TEST(HistoryFile, NamesEveryDefectWithItsLine) {
+  const std::vector<Defect> defects{
+      {"", "x.csv:1: holds no header, such as \"time [ms];position [mm]\"\n"},
+      {"# nothing\n\n", "x.csv:2: holds no header, such as \"time [ms];position [mm]\"\n"},
+      {head, "x.toml:4: crack.history = \"x.csv\": x.csv: holds a header and no rows\n"},
+      {"tme [us];position [mm]\n0;1\n",
+       "x.csv:1: unknown column 'tme', did you mean 'time'?\nx.csv:1: the header has no column time [ms]\n"},
+      {"time;position [mm]\n0;1\n", "x.csv:1: column 'time' has no unit: write \"time [ms]\"\n"},
+      {"time [mm];position [mm]\n0;1\n",
+       "x.csv:1: column 'time': unknown unit 'mm' for a time: use s, ms, us or ns\n"},
+      {"time [us];time [us];position [mm]\n0;0;1\n", "x.csv:1: the header has two columns 'time'\n"},
+      {head + "0;1\n1\n", "x.csv:3: 1 column, where the header has 2\n"},
+      {head + "0;1\n1;2;3\n", "x.csv:3: 3 columns, where the header has 2\n"},
+      {head + "0;1\n1;\n", "x.csv:3: position is empty\n"},
+      {head + "0;1\n1;x\n", "x.csv:3: position 'x' is no number\n"},
+      {head + "0;1\n1;1,5\n", "x.csv:3: position '1,5' is no number: decimals have a point\n"},
+      {head + "0;1\nnan;2\n", "x.csv:3: time 'nan' is not finite\n"},
+      {head + "0;1\n1;inf\n", "x.csv:3: position 'inf' is not finite\n"},
+      {head + "0;1\n1;1e999\n", "x.csv:3: position '1e999' is no number\n"},
+      {head + "0;1\n", "x.csv:2: is the only row: a history needs two\n"},
+      {head + "0;1\n2;2\n2;3\n", "x.csv:4: time 2 us is there twice\n"},
+      {head + "0;1\n2;2\n1;3\n", "x.csv:4: time falls from 2 us to 1 us\n"},
+      {head + "0;1\n1;4\n2;3\n", std::string("x.csv:4: position falls from 4 mm to 3 mm") + noise_hint},
+      {head + "0;-1\n1;4\n", "x.csv:2: position -1 mm must not lie below 0\n"},
+      {head + "0;1\n1;1\n2;1\n",
+       "x.csv:4: the crack does not advance: the last position must lie beyond the first\n"},
+      {head + "0;1\n1;2\n2;3\n3;4\n60;5\n",
+       "x.csv:6: no row for 57 us after 3 us, 57 times the usual 1 us: rows are missing, or raise "
+       "crack.history_gap (10)\n"},
+      {"time [us];position [mm];uncertainty [mm]\n0;1;0.1\n1;2;0\n",
+       "x.csv:3: uncertainty 0 m must lie above 0\n"},
+      {"time [us];position [mm];uncertainty [mm]\n0;1;-0.1\n1;2;0.1\n",
+       "x.csv:2: uncertainty -100 um must lie above 0\n"},
+      {"time [us];position [mm];uncertainty [mm]\n0;1;0.1\n1;4;0.1\n2;3;0.1\n3;5;0.1\n",
+       "x.csv:4: position falls from 4 mm to 3 mm, more than 3 standard uncertainties of the step, 424.264 "
+       "um\n"},
+      {head + "0;1\n1;60\n",
+       "x.toml:4: crack.history = \"x.csv\": reaches 26.8 c_r: it must lie in (0, 2] c_r, here (0, 4400 "
+       "m/s]\n"},
+  };
+  for (const Defect& defect : defects) {
+    EXPECT_EQ(complaints("history", defect.csv), defect.complaint) << defect.csv;
+  }
+}
+
+TEST(HistoryFile, ThatLeavesThePlateIsNamed) {
+  EXPECT_EQ(complaints("history", head + "0;1\n100;99\n200;120\n", "smoothing = \"none\"\n"),
+            "x.toml:4: crack.history = \"x.csv\": goes on to 120 mm, beyond the end of the plate, 100 mm\n");
+}
+
+TEST(HistoryFile, ThatGoesBackIsNoNoiseWhereNothingIsSmoothed) {
+  EXPECT_EQ(complaints("history", "time [us];position [mm];uncertainty [mm]\n0;1;1\n1;4;1\n2;3;1\n3;5;1\n",
+                       "smoothing = \"none\"\n"),
+            "x.csv:4: position falls from 4 mm to 3 mm: noise asks for crack.smoothing = \"monotone\"\n");
+}
+
+TEST(HistoryFile, ContradictsWhatSaysTheSameOtherwise) {
+  const std::string good = head + "0;10\n10;14\n20;20\n";
+  EXPECT_EQ(complaints("history", good), "");
+  EXPECT_EQ(complaints("history", good, "velocity = \"0.3 c_r\"\n"),
+            "x.toml:4: crack.history = \"x.csv\": excludes crack.velocity (line 5): give one of them\n");
+  EXPECT_EQ(
+      complaints("history", good, "start = \"5 mm\"\n"),
+      "x.toml:5: crack.start = \"5 mm\": the history begins at 10 mm: leave crack.start out, or cut the "
+      "history there\n");
+  EXPECT_EQ(complaints("history", good, "smoothing = \"none\"\nend = \"30 mm\"\n"),
+            "x.toml:6: crack.end = \"30 mm\": lies beyond the history, which ends at 20 mm\n");
+  EXPECT_EQ(complaints("history", good, "toughness = [[\"0 c_r\", \"1 J/m2\"]]\n"),
+            "x.toml:4: crack.history = \"x.csv\": excludes crack.toughness (line 5): give one of them\n");
+}
+
+TEST(HistoryFile, IsReadToTheLastBitWhateverItsCommasAndUnits) {
+  const std::vector<HistoryPoint> rows{{0.1e-6, 0.0021, 0.0001}, {0.47e-3, 0.0125, 0.0002}};
+  for (const char* csv :
+       {"# by hand\r\ntime [us];position [mm];uncertainty [mm]\r\n0.1;2.1;0.1\r\n470;12.5;0.2\r\n",
+        "time [ms]\tposition [cm]\tuncertainty [um]\n0.0001\t0.21\t100\n+0.47\t1.25\t200",
+        "\xEF\xBB\xBFuncertainty (m),position (m),time (s)\n1e-4,2.1e-3,1e-7\n\n# "
+        "more\n2e-4,12.5e-3,4.7e-4\n"}) {
+    const Folder folder;
+    const Preset preset = read_preset_text(
+        "", "x.toml", {"crack.history=" + folder.write("h.csv", csv), "crack.smoothing=none"});
+    ASSERT_TRUE(preset.issues.empty()) << to_text(preset.issues.front());
+    EXPECT_EQ(preset.scene.crack.history, rows);
+    EXPECT_EQ(preset.scene.crack.start, 0.0021);  // where the history begins
+    const Preset again = read_preset_text(preset_text(preset.scene), "again");
+    ASSERT_TRUE(again.issues.empty()) << to_text(again.issues.front());
+    EXPECT_EQ(again.scene.crack.history, rows);
+  }
+}
+
+TEST(HistoryFile, OfNoPlaceOrNoSizeIsNamed) {
+  EXPECT_EQ(to_text(read_preset_text("[crack]\nhistory = \"gone.csv\"\n", "x.toml").issues.at(0)),
+            "x.toml:2: crack.history = \"gone.csv\": gone.csv: no such file");
+  std::string many = head;
+  for (std::size_t k = 0; k <= most_csv_rows; ++k) many += std::to_string(k) + ";" + std::to_string(k) + "\n";
+  EXPECT_EQ(complaints("history", many), "x.csv:10002: more than 10000 rows: thin them out\n");
+  EXPECT_EQ(complaints("history", std::string(std::size_t{2} << 20, '#')),
+            "x.toml:4: crack.history = \"x.csv\": x.csv: larger than 1 MiB: thin its rows out\n");
+}
+
+TEST(HistoryRows, WrittenInThePresetAreCheckedAsThoseOfAFile) {
+  const auto said = [](const std::string& rows) {
+    const Preset preset = read_preset_text("[crack]\nhistory = " + rows + "\n", "x.toml");
+    return preset.issues.empty() ? std::string() : preset.issues.front().text;
+  };
+  EXPECT_EQ(said("[[\"0 us\", \"10 mm\"], [\"20 us\", \"18 mm\"]]"), "");
+  EXPECT_EQ(said("[[0, 0.01], [2e-5, 0.005]]"), "row 2: position falls from 10 mm to 5 mm" +
+                                                    std::string(": for noise give a column uncertainty"));
+  EXPECT_EQ(said("[[0, 0.01], [2e-5]]"),
+            "row 2: expected rows of time and position such as [\"4 us\", \"12 mm\"], got a list");
+  EXPECT_EQ(said("[[0, \"10 us\"], [1, 2]]"),
+            "row 1, position: unknown unit 'us' for a length: use m, mm, um or nm");
+  EXPECT_EQ(said("3"),
+            "expected rows of time and position such as [\"4 us\", \"12 mm\"], got a whole number");
+}
+
+TEST(PathFile, NamesPointsThatCannotBe) {
+  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n60;50\n100;20\n"),
+            "x.csv:3: (60 mm, 50 mm) lies outside the plate, 100 mm x 40 mm\n");
+  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n0;20\n"),
+            "x.csv:3: is the same point as the row before\n");
+  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n"), "x.csv:2: is the only point: a path needs two\n");
+  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n30;20\n"),
+            "x.toml: output.window: the measuring window, 20 mm to 40 mm, ends beyond the end of the path, "
+            "30 mm\n");
+  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n100;30\n"), "");
+  const Preset straight = read_preset_text("[crack]\npath_shape = \"spline\"\n", "x.toml");
+  EXPECT_EQ(to_text(straight.issues.at(0)),
+            "x.toml:2: crack.path_shape = \"spline\": goes with a crack.path through points only");
+}
+
+TEST(ToughnessFile, IsAgainstVelocityOrPosition) {
+  const Folder folder;
+  const auto read = [&](const std::string& csv) {
+    const Preset preset = read_preset_text("", "x.toml", {"crack.toughness=" + folder.write("t.csv", csv)});
+    EXPECT_TRUE(preset.issues.empty()) << to_text(preset.issues.front());
+    const Preset again = read_preset_text(preset_text(preset.scene), "again");
+    EXPECT_EQ(again.scene.crack.toughness, preset.scene.crack.toughness);
+    return preset.scene.crack.toughness;
+  };
+  using enum CriticalRate::Against;
+  EXPECT_EQ(read("velocity [c_r];release_rate [kJ/m2]\n0;1.5\n0.9;4\n"),
+            (CriticalRate{velocity_over_cr, {{0.0, 1500.0}, {0.9, 4000.0}}}));
+  EXPECT_EQ(read("velocity [m/s];release_rate [J/m2]\n0;1500\n700;4000\n"),
+            (CriticalRate{velocity, {{0.0, 1500.0}, {700.0, 4000.0}}}));
+  EXPECT_EQ(read("position [mm];release_rate [N/mm]\n10;1.5\n90;4\n"),
+            (CriticalRate{position, {{0.01, 1500.0}, {0.09, 4000.0}}}));
+  EXPECT_EQ(complaints("toughness", "velocity [c_r];release_rate [J/m2]\n0.2;5\n0.1;-3\n"),
+            "x.csv:3: release rate -3 J/m2 must lie above 0\n"
+            "x.csv:3: velocity 0.1 does not lie above the 0.2 of the row before\n");
+}
+
+TEST(CrackPathPoints, OfASplineGoThroughTheGivenOnesWithoutALoop) {
+  const Preset preset = read_preset_text(
+      "[crack]\npath_shape = \"spline\"\n"
+      "path = [[\"0 mm\", \"20 mm\"], [\"60 mm\", \"20 mm\"], [\"62 mm\", \"25 mm\"], [\"200 mm\", \"20 "
+      "mm\"]]\n",
+      "x.toml");
+  ASSERT_TRUE(preset.issues.empty()) << to_text(preset.issues.front());
+  const auto points = path_points_m(preset.scene);
+  EXPECT_EQ(points.size(), 3U * 32U + 1U);
+  for (const auto& given : preset.scene.crack.path.point)
+    EXPECT_NE(std::find(points.begin(), points.end(), given), points.end());
+  for (std::size_t k = 1; k < points.size(); ++k) EXPECT_GT(points[k][0], points[k - 1][0]) << k;
+  EXPECT_GT(path_length_m(preset.scene), 0.2);
+  EXPECT_LT(path_length_m(preset.scene), 0.21);
+}
+
+TEST(CrackPathPoints, OnALineAreOnItHoweverTheyAreJoined) {
+  for (const char* shape : {"polyline", "spline"}) {
+    const Preset preset = read_preset_text(
+        std::string("[crack]\npath = [[0, 0.01], [0.05, 0.015], [0.2, 0.03]]\npath_shape = \"") + shape +
+            "\"\n",
+        "x.toml");
+    ASSERT_TRUE(preset.issues.empty()) << to_text(preset.issues.front());
+    for (const auto& [x, y] : path_points_m(preset.scene)) EXPECT_NEAR(y, 0.01 + 0.1 * x, 1e-12);
+    EXPECT_NEAR(path_length_m(preset.scene), 0.2 * std::sqrt(1.01), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace rift

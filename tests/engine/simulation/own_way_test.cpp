@@ -1,0 +1,124 @@
+#include "engine/scene/derived.hpp"
+#include "engine/simulation/march.hpp"
+#include "engine/simulation/summary.hpp"
+#include "tests/engine/simulation/small_plate.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rift {
+namespace {
+
+/// A small plate whose crack runs by itself, and what its strip holds [J/m2].
+Prepared by_itself(const std::string& toughness, std::vector<std::string> more = {}) {
+  more.insert(more.end(), {"crack.toughness=" + toughness, "crack.velocity=0.2 c_r",
+                           "crack.damage_zone_ratio=3", "crack.toughness_window=8"});
+  return small_plate(more);
+}
+
+double stored() { return small_plate({}).scale.g_i0; }
+
+TEST(OwnWay, KeepsToTheVelocityAtWhichWhatIsReleasedIsWhatIsWithstood) {
+  const double g = stored();
+  // Steep enough for the root to stay within some hundredths of 0.4 c_r.
+  const Prepared p =
+      by_itself(fmt::format("[[\"0.35 c_r\", \"{} J/m2\"], [\"0.45 c_r\", \"{} J/m2\"]]", 0.3 * g, 1.3 * g));
+  const RunResult run = march(p, {}, {.threads = 1});
+  ASSERT_EQ(run.outcome, Outcome::finished);
+  EXPECT_LT(run.lane[0].worst_residual, 1e-10);
+  EXPECT_GT(run.lane[0].changes.size(), 5U);
+  const results::Sample& last = run.lane[0].books.back();
+  EXPECT_GE(last.tip_m, crack_end(p.preset.scene) - p.step.dt * last.velocity_m_s);
+  double way = 0.0, released = 0.0, slow = 1e9, fast = 0.0;
+  for (std::size_t k = 1; k < run.lane[0].books.size(); ++k) {
+    const results::Sample &a = run.lane[0].books[k - 1], &b = run.lane[0].books[k];
+    if (a.tip_m < p.preset.scene.crack.start + 16.0 * p.lattice.mean_radius) continue;
+    slow = std::min(slow, b.velocity_m_s), fast = std::max(fast, b.velocity_m_s);
+    way += b.tip_m - a.tip_m, released += b.fracture_j - a.fracture_j;
+  }
+  EXPECT_GT(slow, 0.34 * p.rayleigh_speed);
+  EXPECT_LT(fast, 0.46 * p.rayleigh_speed);
+  const double rate = released / (way * p.scale.thickness);
+  EXPECT_GT(rate, 0.3 * g);
+  EXPECT_LT(rate, 1.3 * g);
+}
+
+TEST(OwnWay, IsArrestedWhereTheMaterialWithstandsMoreThanThereIs) {
+  const Prepared p = by_itself(fmt::format("[[\"0 m\", \"{} J/m2\"]]", 3.0 * stored()));
+  const RunResult run = march(p, {}, {.threads = 1});
+  ASSERT_EQ(run.outcome, Outcome::finished);
+  const LaneResult& lane = run.lane[0];
+  ASSERT_TRUE(std::isfinite(lane.arrested_m));
+  // As soon as the window of the release rate is full.
+  EXPECT_NEAR(lane.arrested_m, p.preset.scene.crack.start + 8.0 * p.lattice.mean_radius,
+              1.4 * p.lattice.mean_radius);
+  EXPECT_EQ(lane.books.back().tip_m, lane.arrested_m);
+  EXPECT_EQ(lane.steps, lane.books.back().step);
+}
+
+TEST(OwnWay, RunsAtTheHighestVelocityWhereNothingHoldsIt) {
+  const Prepared p = by_itself("[[\"0 c_r\", \"1 J/m2\"]]");
+  const RunResult run = march(p, {}, {.threads = 1});
+  EXPECT_NEAR(run.lane[0].books.back().velocity_m_s, fastest_by_itself * p.rayleigh_speed, 1e-6);
+}
+
+TEST(OwnWay, GoesOnFromACheckpointToTheSameBits) {
+  const double g = stored();
+  const Prepared p =
+      by_itself(fmt::format("[[\"0 c_r\", \"{} J/m2\"], [\"0.9 c_r\", \"{} J/m2\"]]", 0.2 * g, 1.5 * g));
+  const RunResult whole = march(p, {}, {.threads = 1});
+  Resumption from;
+  Observer observer;
+  observer.steer = [&](const Moment& moment) {
+    Orders orders;
+    orders.steps = 1;
+    orders.stop = moment.progress.step >= whole.lane[0].steps * 2 / 3;
+    return orders;
+  };
+  observer.sample = [&](const results::Sample& s) { from.books.push_back(s); };
+  observer.checkpoint = [&](const auto& make, bool stopping) {
+    if (stopping) from.checkpoint = make();
+  };
+  ASSERT_EQ(march(p, observer, {.threads = 1}).outcome, Outcome::stopped);
+  const RunResult again = march(p, {}, {.threads = 1}, &from);
+  ASSERT_EQ(again.lane[0].books.size(), whole.lane[0].books.size());
+  EXPECT_EQ(again.lane[0].changes, whole.lane[0].changes);
+  for (std::size_t k = 0; k < whole.lane[0].books.size(); ++k) {
+    EXPECT_EQ(again.lane[0].books[k].step, whole.lane[0].books[k].step);
+    EXPECT_EQ(again.lane[0].books[k].fracture_j, whole.lane[0].books[k].fracture_j);
+  }
+}
+
+TEST(MeasuredRun, FollowsItsHistoryAndItsPathToTheEnd) {
+  const Prepared p =
+      small_plate({"crack.history=[[\"5 us\", \"4 mm\"], [\"9 us\", \"7 mm\"], [\"14 us\", \"13 mm\"]]",
+                   "crack.smoothing=none", "crack.damage_zone_ratio=2", "crack.end=13 mm"});
+  const LanePlan& lane = p.lane[0];
+  EXPECT_NEAR(tip_at(lane.scenario.history, 0.0), 4e-3 - 2.0 * p.lattice.mean_radius, 1e-12);
+  EXPECT_NEAR(lane.lead * 750.0, 2.0 * p.lattice.mean_radius, 1e-9);  // as fast as the history begins
+  EXPECT_NEAR(tip_at(lane.scenario.history, lane.lead), 4e-3, 1e-12);
+  EXPECT_NEAR(tip_at(lane.scenario.history, lane.lead + 4e-6), 7e-3, 1e-12);
+  const RunResult run = march(p, {}, {.threads = 1});
+  EXPECT_EQ(run.outcome, Outcome::finished);
+  EXPECT_LT(run.lane[0].worst_residual, 1e-10);
+  EXPECT_NEAR(run.lane[0].books.back().tip_m, 13e-3, p.step.dt * 1300.0);
+}
+
+TEST(InclinedRun, ReleasesTheBeamsThatItsPathCrosses) {
+  const Prepared p =
+      small_plate({"crack.path=[[\"0 mm\", \"4 mm\"], [\"12 mm\", \"7 mm\"], [\"30 mm\", \"9 mm\"]]",
+                   "crack.end=20 mm", "output.window=[0.1, 0.4]"});
+  const RunResult run = march(p, {}, {.threads = 1});
+  EXPECT_EQ(run.outcome, Outcome::finished);
+  EXPECT_LT(run.lane[0].worst_residual, 1e-10);
+  for (const Crossing& c : crossings(p.path, p.lattice)) {
+    const auto& [i, j] = p.lattice.ends[c.beam];
+    const Eigen::Vector2d at = point_on(p.path, c.position);
+    const Eigen::Vector2d a = p.lattice.centre[i].head<2>(), b = p.lattice.centre[j].head<2>();
+    EXPECT_LT(std::abs((b - a).x() * (at - a).y() - (b - a).y() * (at - a).x()) / (b - a).norm(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace rift
