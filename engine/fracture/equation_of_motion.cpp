@@ -31,6 +31,17 @@ double critical_rate(const CriticalRate& toughness, double over_cr, double rayle
   return y0 + (y1 - y0) * (at - x0) / (x1 - x0);
 }
 
+CriticalRate in_window(const CriticalRate& toughness, double tip, double window) {
+  constexpr int parts = 48;
+  if (toughness.against != CriticalRate::Against::position) return toughness;
+  double sum = 0.0;
+  for (int k = 0; k < parts; ++k) {
+    const double x = (k + 0.5) / parts;
+    sum += 6.0 * x * (1.0 - x) * critical_rate(toughness, 0.0, 0.0, tip - x * window) / parts;
+  }
+  return {toughness.against, {{tip, sum}}};
+}
+
 double velocity_over_cr(double driving, const CriticalRate& toughness, double rayleigh_speed, double position,
                         double fastest) {
   constexpr int parts = 190;  // in which a root is looked for

@@ -28,6 +28,10 @@ double driving_force(const std::vector<ReleasedBeam>& released, double tip, doub
 /// G_c [J/m2] at a velocity and a position [m].
 double critical_rate(const CriticalRate& toughness, double over_cr, double rayleigh_speed, double position);
 
+/// What is withstood in the window behind the tip, with the same weights as what is released there. Only a
+/// rate against the position is averaged: one against the velocity is of the velocity that is looked for.
+CriticalRate in_window(const CriticalRate& toughness, double tip, double window);
+
 /// v / c_R in [0, fastest] with driving (1 - v/c_R) = G_c(v): of several the highest, for a tip that runs; 0
 /// where even at rest it does not suffice, the crack is arrested then.
 double velocity_over_cr(double driving, const CriticalRate& toughness, double rayleigh_speed, double position,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rift {
 namespace {
@@ -54,14 +55,27 @@ RatePoint rate_between(const Sample& from, const Sample& to, const RateScale& sc
           .ratio_translation_only = ratio + (to.kinetic_rotation_j - from.kinetic_rotation_j) / unit};
 }
 
+RatePoint rate_around(const std::vector<Sample>& lane, double tip, double width, const RateScale& scale) {
+  const double from = tip - 0.5 * width, to = tip + 0.5 * width;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (lane.size() < 2 || from < lane.front().tip_m || to > lane.back().tip_m)
+    return {.tip_m = tip,
+            .ratio = none,
+            .ratio_release = none,
+            .ratio_with_damping = none,
+            .ratio_translation_only = none};
+  RatePoint rate = rate_between(books_at(lane, from), books_at(lane, to), scale);
+  rate.tip_m = tip;
+  return rate;
+}
+
 std::vector<RatePoint> rate_curve(const std::vector<Sample>& lane, const RateScale& scale) {
   std::vector<RatePoint> curve;
   const double half = 0.005 * scale.length;
   for (const Sample& s : lane) {
     if (s.tip_m - half < lane.front().tip_m || s.tip_m + half > lane.back().tip_m) continue;
     if (scale.g_i0_slope > 0.0 && s.tip_m < half) continue;
-    curve.push_back(rate_between(books_at(lane, s.tip_m - half), books_at(lane, s.tip_m + half), scale));
-    curve.back().tip_m = s.tip_m;
+    curve.push_back(rate_around(lane, s.tip_m, 2.0 * half, scale));
   }
   return curve;
 }

@@ -30,6 +30,11 @@ double mean_g_i0(const RateScale& scale, double from, double to);
 results::RatePoint rate_between(const results::Sample& from, const results::Sample& to,
                                 const RateScale& scale);
 
+/// Release rate around a tip position, over `width` [m]; NaN where that reaches beyond the first or the last
+/// row.
+results::RatePoint rate_around(const std::vector<results::Sample>& lane, double tip, double width,
+                               const RateScale& scale);
+
 /// Release rate against tip position: centred difference over 0.01 L around each row of the books, between
 /// neighbouring rows interpolated; none where that reaches beyond the first or the last row, or, with a
 /// slope, before a = 0, where there is no crack to refer to.

@@ -41,18 +41,18 @@ std::vector<Vector6> forces_on(const Lattice& lattice, const std::vector<char>& 
 }
 
 /// The top grip moved, all else where it was.
-std::vector<Vector6> gripped(const Lattice& lattice, double displacement) {
+std::vector<Vector6> gripped(const Lattice& lattice, const Pull& pull) {
   std::vector<Vector6> q(lattice.centre.size(), Vector6::Zero());
   for (std::size_t i = 0; i < q.size(); ++i)
-    if (lattice.grip[i] == Grip::top) q[i][1] = displacement;
+    if (lattice.grip[i] == Grip::top) q[i][1] = pull.at(lattice.centre[i].x() / lattice.box.length);
   return q;
 }
 
 }  // namespace
 
 std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector<char>& present,
-                                       double displacement) {
-  std::vector<Vector6> q = gripped(lattice, displacement);
+                                       const Pull& pull) {
+  std::vector<Vector6> q = gripped(lattice, pull);
   const StaticSystem system = assemble(lattice, number_the_free(lattice, present), present,
                                        [&](int b) { return stiffness_of(lattice.beam[b]); });
   if (system.centre.empty()) return q;
@@ -67,14 +67,14 @@ std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector
 }
 
 std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, const std::vector<char>& present,
-                                                    double displacement) {
+                                                    const Pull& pull) {
   constexpr double inner_tolerance = 1e-5;
   constexpr int most_rounds = 20;
   // A beam's stretch is the difference of two lengths, rounded to some 1e-16 of them.
-  const double strain = std::abs(displacement) / lattice.box.height;
+  const double strain = std::abs(pull.middle) / lattice.box.height;
   const double balanced = std::max(1e-11, 1e-15 / strain);
   std::vector<Pose> pose;
-  for (const Vector6& q : stretched_at_rest(lattice, present, displacement)) pose.push_back(pose_of(q));
+  for (const Vector6& q : stretched_at_rest(lattice, present, pull)) pose.push_back(pose_of(q));
   const auto load_of = [](const Beam& beam, const Pose& i, const Pose& j) { return loads_of(beam, i, j); };
   const std::vector<int> number = number_the_free(lattice, present);
   double scale = 0.0, unbalance = 0.0;

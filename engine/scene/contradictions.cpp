@@ -144,6 +144,11 @@ void check_path(Checks& c) {
   }
 }
 
+void check_tilt(Checks& c) {
+  if (c.scene.loading.tilt != 0.0 && c.scene.loading.method == LoadingMethod::ramp)
+    c.say("loading.tilt", "goes with loading.method = \"static\" only");
+}
+
 /// Rows which are wrong say nothing further of the crack's way.
 void check_rows(Checks& c) {
   const auto take = [&](const char* key, std::vector<Issue> found) {
@@ -310,6 +315,7 @@ std::vector<Issue> contradictions(const Preset& preset, const std::set<std::stri
   check_micro(checks);
   if (!checks.sound({"specimen.shape"}) || !can_crack(preset.scene)) return std::move(checks.issues);
   check_damping(checks);
+  check_tilt(checks);
   check_rows(checks);
   check_path(checks);
   check_speeds(checks);

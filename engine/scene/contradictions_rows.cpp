@@ -12,6 +12,8 @@ namespace rift {
 namespace {
 
 constexpr double forgiven = 3.0;  // standard uncertainties
+// What no crack is measured by: it would only overflow.
+constexpr double latest = 1000.0, farthest = 100.0, shortest = 1e-12, finest = 1e-9;  // [s], [m], [s], [m]
 
 std::string length_text(double x) { return rounded_text(x, Dimension::length); }
 std::string time_text(double x) { return rounded_text(x, Dimension::time); }
@@ -34,6 +36,8 @@ struct Rows {
 };
 
 void check_time(Rows& r, std::size_t k, const HistoryPoint& before, const HistoryPoint& row) {
+  if (row.time > before.time && row.time - before.time < shortest)
+    r.say(k, fmt::format("time {} follows within {}", time_text(row.time), time_text(shortest)));
   if (row.time == before.time) r.say(k, fmt::format("time {} is there twice", time_text(row.time)));
   if (row.time < before.time)
     r.say(k, fmt::format("time falls from {} to {}", time_text(before.time), time_text(row.time)));
@@ -58,6 +62,9 @@ void check_uncertainty(Rows& r, std::size_t k, const HistoryPoint& row) {
   const bool known = r.preset.scene.crack.history.front().uncertainty != 0.0;
   if (row.uncertainty < 0.0 || (known && row.uncertainty == 0.0))
     r.say(k, fmt::format("uncertainty {} must lie above 0", length_text(row.uncertainty)));
+  else if (known && (row.uncertainty < finest || row.uncertainty > farthest))
+    r.say(k, fmt::format("uncertainty {} must lie in [{}, {}]", length_text(row.uncertainty),
+                         length_text(finest), length_text(farthest)));
   else if (!known && row.uncertainty != 0.0)
     r.say(k, "has an uncertainty, and the first row has none: give it for all rows or for none");
 }
@@ -97,6 +104,11 @@ std::vector<Issue> history_issues(const Preset& preset) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].position < 0.0)
       r.say(k, fmt::format("position {} must not lie below 0", length_text(rows[k].position)));
+    if (rows[k].position > farthest)
+      r.say(k, fmt::format("position {} must not lie beyond {}", length_text(rows[k].position),
+                           length_text(farthest)));
+    if (std::abs(rows[k].time) > latest)
+      r.say(k, fmt::format("time {} must lie within {}", time_text(rows[k].time), time_text(latest)));
     check_uncertainty(r, k, rows[k]);
     if (k > 0) check_time(r, k, rows[k - 1], rows[k]);
     if (k > 0) check_position(r, k, rows[k - 1], rows[k]);

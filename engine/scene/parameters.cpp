@@ -108,6 +108,11 @@ std::vector<Parameter> loading_rows() {
   return {
       {"loading.displacement", "2 mm", [](Scene& s) -> Slot { return &s.loading.displacement; },
        "Displacement of the top face along y, held while the crack runs.", length, above(0, 10)},
+      {"loading.tilt", "0", [](Scene& s) -> Slot { return &s.loading.tilt; },
+       "The top face opens unevenly: by this fraction of the displacement more at the right end and less at "
+       "the "
+       "left one. A crack then finds more, or less, on its way.",
+       none, inside(-1, 1)},
       {"loading.method",
        "static",
        [](Scene& s) -> Slot { return &s.loading.method; },

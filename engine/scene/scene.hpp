@@ -84,7 +84,8 @@ struct Scene {
     std::optional<double> micro_poisson_ratio, micro_radius_ratio;
   } material;
   struct Loading {
-    double displacement;  // [m] of the top face along y
+    double displacement;  // [m] of the top face along y, in its middle
+    double tilt;          // of the displacement, more at the right end and less at the left one
     LoadingMethod method;
     int ramp_steps, hold_steps;
     double ramp_beta;  // numerical damping while ramping and holding, taken out before the crack starts

@@ -30,8 +30,9 @@ void Run<Real>::find_velocity(Seat& seat) {
   };
   if (tip < crack.start + window || decision(tip) == decision(tip - moved)) return;
   const double driving = driving_force(released(seat, tip - window), tip, window, prepared_.scale.thickness);
-  const double velocity = velocity_over_cr(driving, crack.toughness, prepared_.rayleigh_speed, tip,
-                                           std::max(fastest_by_itself, slowest));
+  const double velocity =
+      velocity_over_cr(driving, in_window(crack.toughness, tip, window), prepared_.rayleigh_speed, tip,
+                       std::max(fastest_by_itself, slowest));
   if (velocity < slowest) return arrest(seat, tip);
   const std::string refused =
       make(seat, {seat.scenario, steps(seat), "crack_velocity", fmt::format("{} c_r", velocity)});

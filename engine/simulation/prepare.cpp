@@ -120,17 +120,22 @@ struct Statics {
   bool& from_cache;
   std::string lattice_key;
 
-  std::vector<Vector6> unit(const std::vector<char>& present, const std::string& notch) {
-    return cached_motions("statics 2 of " + lattice_key + notch, lattice.centre.size(), cache, from_cache,
-                          [&] { return stretched_at_rest(lattice, present, 1.0); });
+  std::vector<Vector6> unit(const std::vector<char>& present, const std::string& notch, double tilt = 0.0) {
+    const std::string uneven = tilt == 0.0 ? std::string{} : fmt::format(" tilt {:a}", tilt);
+    return cached_motions("statics 2 of " + lattice_key + notch + uneven, lattice.centre.size(), cache,
+                          from_cache, [&] {
+                            return stretched_at_rest(lattice, present, {1.0, tilt});
+                          });
   }
   std::vector<Vector6> at_rest(const std::vector<char>& present, const std::string& notch) {
-    const double displacement = scene.loading.displacement;
-    if (scene.solver.kinematics == Kinematics::linear) return scaled(unit(present, notch), displacement);
-    const std::string key =
-        fmt::format("corotational statics 1 of {}{} by {:a}", lattice_key, notch, displacement);
-    return cached_motions(key, lattice.centre.size(), cache, from_cache,
-                          [&] { return stretched_at_rest_corotational(lattice, present, displacement); });
+    const double displacement = scene.loading.displacement, tilt = scene.loading.tilt;
+    if (scene.solver.kinematics == Kinematics::linear)
+      return scaled(unit(present, notch, tilt), displacement);
+    std::string key = fmt::format("corotational statics 1 of {}{} by {:a}", lattice_key, notch, displacement);
+    if (tilt != 0.0) key += fmt::format(" tilt {:a}", tilt);
+    return cached_motions(key, lattice.centre.size(), cache, from_cache, [&] {
+      return stretched_at_rest_corotational(lattice, present, {displacement, tilt});
+    });
   }
 };
 

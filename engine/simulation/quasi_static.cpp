@@ -9,7 +9,8 @@ namespace {
 /// Of the plate at rest with its beams as the first lane's law leaves them when the tip is at `tip` [J].
 double energy_cut_to(const Prepared& p, double tip) {
   const Kinematics kinematics = p.preset.scene.solver.kinematics;
-  const double displacement = p.preset.scene.loading.displacement;
+  const Scene::Loading& loading = p.preset.scene.loading;
+  const Pull pull(loading.displacement, loading.tilt);
   Lattice lattice = p.lattice;
   std::vector<char> present(lattice.beam.size(), 1);
   for (const Crossing& c : crossings(p.path, lattice)) {
@@ -19,8 +20,8 @@ double energy_cut_to(const Prepared& p, double tip) {
     beam.axial *= left, beam.bending *= left, beam.twist *= left;
   }
   const std::vector<Vector6> q = kinematics == Kinematics::linear
-                                     ? stretched_at_rest(lattice, present, displacement)
-                                     : stretched_at_rest_corotational(lattice, present, displacement);
+                                     ? stretched_at_rest(lattice, present, pull)
+                                     : stretched_at_rest_corotational(lattice, present, pull);
   double energy = 0.0;
   for (std::size_t b = 0; b < present.size(); ++b)
     if (present[b]) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
@@ -28,6 +29,17 @@ double energy_cut_to(const Prepared& p, double tip) {
 }
 
 }  // namespace
+
+std::vector<double> quasi_static_rates(const Prepared& p, const std::vector<double>& tip) {
+  std::vector<double> rate;
+  double before = energy_cut_to(p, tip.front());
+  for (std::size_t k = 1; k < tip.size(); ++k) {
+    const double now = energy_cut_to(p, tip[k]);
+    rate.push_back((before - now) / (p.scale.thickness * (tip[k] - tip[k - 1]) * p.scale.tips));
+    before = now;
+  }
+  return rate;
+}
 
 double quasi_static_ratio(const Prepared& p, const std::array<double, 2>& window) {
   const double faces = p.scale.thickness * (window[1] - window[0]) * p.scale.tips;

@@ -12,4 +12,8 @@ namespace rift {
 /// @param[in] window  tip positions [m]
 double quasi_static_ratio(const Prepared& prepared, const std::array<double, 2>& window);
 
+/// -dU/da of a slow crack between each two neighbours of these tip positions [m], in J/m2: one less than
+/// positions. Cost: a static solve for each.
+std::vector<double> quasi_static_rates(const Prepared& prepared, const std::vector<double>& tip);
+
 }  // namespace rift

@@ -114,6 +114,21 @@ TEST(Statics, IsLinearInTheDisplacement) {
   EXPECT_NEAR((thrice + 3.0 * once).norm(), 0.0, 1e-9 * thrice.norm());
 }
 
+TEST(Statics, OfAnUnevenPullIsThatOfTheEvenOneAndOfItsTilt) {
+  const Lattice& plate = packed_plate();
+  const auto pulled = [&](double tilt) { return stretched_at_rest(plate, all_of(plate), {1e-4, tilt}); };
+  const std::vector<Vector6> tilted = pulled(0.4);
+  for (std::size_t i = 0; i < tilted.size(); ++i) {
+    if (plate.grip[i] != Grip::top) continue;
+    EXPECT_NEAR(tilted[i][1], 1e-4 * (0.6 + 0.8 * plate.centre[i].x() / plate.box.length), 1e-18);
+    EXPECT_EQ(tilted[i].tail<5>().norm(), std::abs(tilted[i][1]));
+  }
+  const Eigen::VectorXd even = stacked(pulled(0.0)), once = stacked(pulled(0.2)) - even,
+                        twice = stacked(tilted) - even;
+  EXPECT_GT(once.norm(), 0.01 * even.norm());
+  EXPECT_NEAR((twice - 2.0 * once).norm(), 0.0, 1e-9 * even.norm());
+}
+
 TEST(Statics, LeavesAFragmentWhereItIs) {
   const Lattice column = uneven_column();
   std::vector<char> present = all_of(column);
@@ -148,8 +163,7 @@ TEST(Statics, RefusesALatticeThatIsNotStable) {
 
 TEST(Statics, SaysHowFarItCameWhereItDoesNotConverge) {
   const std::string message = message_of(uneven_column(), std::numeric_limits<double>::quiet_NaN());
-  EXPECT_NE(message.find("the statics did not converge: relative residual "), std::string::npos)
-      << message;
+  EXPECT_NE(message.find("the statics did not converge: relative residual "), std::string::npos) << message;
   EXPECT_NE(message.find("(limit 1e-13)"), std::string::npos) << message;
 }
 

@@ -85,14 +85,14 @@ TEST(PresetErrors, NameUnitsThatAreUnknownOrMissing) {
 TEST(PresetErrors, PointFromUnknownNamesToTheNearestOne) {
   EXPECT_EQ(
       complaints(
-          "lenght = 3\nspecimen = 4\n[crak]\nx = 1\n[studdy]\n[[lane]]\n[damping]\nbeta = 1\ncolour = 2\n"),
+          "lenght = 3\nspecimen = 4\n[crak]\nx = 1\n[studdy]\n[[lane]]\n[damping]\nbeta = 1\nxyzzy = 2\n"),
       "x.toml:1: unknown key 'lenght', did you mean 'specimen.length'?\n"
       "x.toml:2: specimen = 4: expected a table [specimen], got a whole number\n"
       "x.toml:3: unknown table [crak], did you mean [crack]?\n"
       "x.toml:5: unknown table [studdy], did you mean [study]?\n"
       "x.toml:6: unknown table [lane], did you mean [[lanes]]?\n"
       "x.toml:8: unknown key 'beta', did you mean 'solver.beta'?\n"
-      "x.toml:9: unknown key 'colour': [damping] has alpha, region and surface_width\n");
+      "x.toml:9: unknown key 'xyzzy': [damping] has alpha, region and surface_width\n");
 }
 
 TEST(PresetErrors, ListTheTablesWhereNoneIsNear) {

@@ -69,6 +69,12 @@ TEST(HistoryFile, NamesEveryDefectWithItsLine) {
       {head + "0;1\n2;2\n1;3\n", "x.csv:4: time falls from 2 us to 1 us\n"},
       {head + "0;1\n1;4\n2;3\n", std::string("x.csv:4: position falls from 4 mm to 3 mm") + noise_hint},
       {head + "0;-1\n1;4\n", "x.csv:2: position -1 mm must not lie below 0\n"},
+      {head + "0;1\n1;2\n2;3e6\n", "x.csv:4: position 3000 m must not lie beyond 100 m\n"},
+      {head + "0;1\n1;2\n2e10;3\n", "x.csv:4: time 20000 s must lie within 1000 s\n"},
+      {head + "0;1\n1e-9;2\n2;3\n", "x.csv:3: time 1e-15 s follows within 1e-12 s\n"},
+      {"time [us];position [mm];uncertainty [mm]\n0;1;1e-7\n1;2;1e-7\n",
+       "x.csv:2: uncertainty 1e-10 m must lie in [1 nm, 100 m]\nx.csv:3: uncertainty 1e-10 m must lie in [1 "
+       "nm, 100 m]\n"},
       {head + "0;1\n1;1\n2;1\n",
        "x.csv:4: the crack does not advance: the last position must lie beyond the first\n"},
       {head + "0;1\n1;2\n2;3\n3;4\n60;5\n",

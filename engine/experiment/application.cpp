@@ -1,0 +1,114 @@
+#include "engine/experiment/application.hpp"
+
+#include "engine/fracture/equation_of_motion.hpp"
+#include "engine/interrupted.hpp"
+#include "engine/simulation/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift {
+namespace {
+
+using results::Sample;
+
+CriticalRate law_of(const Experiment& found) {
+  CriticalRate law{.against = CriticalRate::Against::velocity_over_cr};
+  for (const auto& [over_cr, rate, uncertainty] : found.law) law.row.push_back({over_cr, rate});
+  return law;
+}
+
+Scene by_itself(const Preset& preset, const Experiment& found) {
+  Scene scene = preset.scene;
+  const CrackHistory& course = found.course.history;
+  const double start = scene.crack.start;
+  const double began =
+      found.width / (time_of_arrival(course, start + found.width) - time_of_arrival(course, start));
+  scene.crack.history.clear();
+  scene.crack.velocity = {{{began, false}, {}}};
+  scene.crack.end = found.along.back().position + 0.5 * found.width;
+  scene.crack.toughness = law_of(found);
+  return scene;
+}
+
+/// What the law's uncertainty makes of the velocity, over its mean: rms over the points.
+double expected_error(const Experiment& found) {
+  const auto& [slow, low, of_low] = found.law.front();
+  const auto& [fast, high, of_high] = found.law.back();
+  const double slope = fast > slow ? (high - low) / (fast - slow) : 0.0;
+  double squares = 0.0, mean = 0.0;
+  for (const CriticalPoint& p : found.along) {
+    squares += std::pow(p.uncertainty / (slope + p.as_paper / response_to_velocity(p.over_cr)), 2.0);
+    mean += p.over_cr;
+  }
+  const auto count = static_cast<double>(found.along.size());
+  return std::sqrt(squares / count) / (mean / count);
+}
+
+/// When the tip of the run was at a position, between two rows [s].
+double time_at(const std::vector<Sample>& rows, double position) {
+  const auto after = std::lower_bound(rows.begin() + 1, rows.end() - 1, position,
+                                      [](const Sample& s, double a) { return s.tip_m < a; });
+  const Sample &a = *(after - 1), &b = *after;
+  return a.time_s + (b.time_s - a.time_s) * (position - a.tip_m) / (b.tip_m - a.tip_m);
+}
+
+/// Clocks are set alike where both cracks are at the first point.
+std::vector<Application::Point> compared(const Experiment& found, const std::vector<Sample>& rows,
+                                         const RateScale& scale) {
+  const CrackHistory& course = found.course.history;
+  std::vector<Application::Point> along;
+  const double first = found.along.front().position, half = 0.5 * found.width;
+  const double own_zero = time_at(rows, first), measured_zero = time_of_arrival(course, first);
+  for (const CriticalPoint& point : found.along) {
+    if (point.position + half > rows.back().tip_m) break;
+    Application::Point p{.position = point.position, .measured_over_cr = point.over_cr};
+    const double passed = time_at(rows, point.position) - own_zero;
+    p.lag = tip_at(course, measured_zero + passed) - point.position;
+    p.over_cr = found.width / (time_at(rows, point.position + half) - time_at(rows, point.position - half)) /
+                found.rayleigh_speed;
+    p.given = critical_rate(law_of(found), p.over_cr, found.rayleigh_speed, point.position);
+    p.rate = rate_around(rows, point.position, found.width, scale).ratio_with_damping *
+             mean_g_i0(scale, point.position - half, point.position + half);
+    along.push_back(p);
+  }
+  return along;
+}
+
+}  // namespace
+
+Application apply(const Preset& preset, const Experiment& found, Cache& cache, const MarchOptions& options,
+                  const ExperimentProgress& progress) {
+  Preset own = preset;
+  own.scene = by_itself(preset, found);
+  const Prepared prepared =
+      prepare(own, cache, [&](std::string_view, double) { return progress("application", 0.0); });
+  const RunResult run =
+      march(prepared,
+            {.go_on =
+                 [&](const Progress& p) {
+                   return progress("application", static_cast<double>(p.step) / static_cast<double>(p.total));
+                 }},
+            options);
+  if (run.outcome == Outcome::stopped) throw Interrupted("application");
+  Application a;
+  a.arrested_m = run.lane[0].arrested_m;
+  std::vector<Sample> rows;
+  for (const Sample& row : run.lane[0].books)
+    if (row.phase == results::Phase::fracture) rows.push_back(row);
+  if (rows.size() < 2) return a;
+  a.along = compared(found, rows, scale_of(prepared, prepared.lane[0]));
+  double velocity = 0.0, rate = 0.0, mean = 0.0;
+  for (const Application::Point& p : a.along) {
+    a.worst_lag = std::max(a.worst_lag, std::abs(p.lag));
+    velocity += std::pow(p.over_cr - p.measured_over_cr, 2.0), mean += p.measured_over_cr;
+    rate += std::pow(p.rate / p.given - 1.0, 2.0);
+  }
+  const auto count = static_cast<double>(a.along.size());
+  a.velocity_error = std::sqrt(velocity / count) / (mean / count);
+  a.velocity_expected = expected_error(found);
+  a.rate_error = std::sqrt(rate / count);
+  return a;
+}
+
+}  // namespace rift

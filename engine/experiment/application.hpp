@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/experiment/experiment.hpp"
+
+namespace rift {
+
+/// Lets a crack run by itself in the same plate, with the law that was found as what the material withstands,
+/// and compares it with the measured one. It begins as fast as the measured tip ran over its first window.
+Application apply(const Preset& preset, const Experiment& found, Cache& cache, const MarchOptions& options,
+                  const ExperimentProgress& progress);
+
+}  // namespace rift

@@ -1,0 +1,71 @@
+#include "engine/experiment/efficiency.hpp"
+
+#include "engine/interrupted.hpp"
+#include "engine/simulation/summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rift {
+namespace {
+
+/// Above 0.9 c_R what arrives within a plate's length is not yet what was stored   [physics.md §9.4].
+constexpr std::array velocities{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
+
+/// A plate of the same kind whose crack runs steadily along its middle.
+Scene steady(const Scene& scene, double over_cr) {
+  Scene s = scene;
+  s.crack.history.clear();
+  s.crack.toughness = {};
+  s.crack.velocity = {{{over_cr, true}, {}}};
+  s.crack.path = {}, s.crack.path_shape = PathShape::polyline;
+  s.crack.start = 0.0, s.crack.end.reset(), s.crack.tips = 1;
+  s.loading.method = LoadingMethod::static_solve, s.loading.tilt = 0.0;
+  s.output.window.reset(), s.output.frames = 0, s.output.g_i0_reference = ReleaseRateReference::strip;
+  return s;
+}
+
+}  // namespace
+
+std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double lowest, double highest, Cache& cache,
+                                           const MarchOptions& options, const ExperimentProgress& progress) {
+  std::vector<Scene> scenes;
+  std::vector<EfficiencyPoint> points;
+  for (std::size_t k = 0; k < velocities.size(); ++k) {
+    const bool below = k + 1 < velocities.size() && velocities[k + 1] <= lowest;
+    const bool above = k > 0 && velocities[k - 1] >= highest;
+    if (below || above) continue;
+    points.push_back({velocities[k]});
+    scenes.push_back(steady(preset.scene, velocities[k]));
+  }
+  Preset strip = preset;
+  strip.scene = scenes.front(), strip.steering.clear();
+  const Prepared prepared =
+      prepare(strip, scenes, cache, [&](std::string_view, double) { return progress("efficiency", 0.0); });
+  const RunResult run =
+      march(prepared,
+            {.go_on =
+                 [&](const Progress& p) {
+                   return progress("efficiency", static_cast<double>(p.step) / static_cast<double>(p.total));
+                 }},
+            options);
+  if (run.outcome == Outcome::stopped) throw Interrupted("efficiency");
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Rates rates = rates_of(prepared, run, static_cast<int>(k));
+    points[k].efficiency = rates.plateau.mean.ratio_with_damping, points[k].scatter = rates.plateau.scatter;
+  }
+  return points;
+}
+
+double efficiency_at(const std::vector<EfficiencyPoint>& points, double over_cr) {
+  if (over_cr <= points.front().over_cr) return points.front().efficiency;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    if (over_cr > points[k].over_cr) continue;
+    const EfficiencyPoint &a = points[k - 1], &b = points[k];
+    return a.efficiency + (b.efficiency - a.efficiency) * (over_cr - a.over_cr) / (b.over_cr - a.over_cr);
+  }
+  return points.back().efficiency;
+}
+
+}  // namespace rift

@@ -1,0 +1,283 @@
+#include "engine/experiment/experiment.hpp"
+
+#include "engine/experiment/application.hpp"
+#include "engine/experiment/efficiency.hpp"
+#include "engine/experiment/resampling.hpp"
+#include "engine/interrupted.hpp"
+#include "engine/results/run_folder.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/simulation/quasi_static.hpp"
+#include "engine/simulation/record.hpp"
+#include "engine/simulation/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace rift {
+namespace {
+
+using results::Sample;
+
+constexpr int points = 60, static_parts = 8;
+constexpr double bin = 0.02;  // of the velocity [c_R], for the mean against it
+
+std::vector<Sample> crack_rows(const LaneResult& lane) {
+  std::vector<Sample> rows;
+  for (const Sample& row : lane.books)
+    if (row.phase == results::Phase::fracture) rows.push_back(row);
+  return rows;
+}
+
+/// Mean and standard deviation of those that are numbers; NaN of none.
+struct Spread {
+  double mean = std::numeric_limits<double>::quiet_NaN(), deviation = 0;
+};
+Spread spread_of(const std::vector<double>& values) {
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (const double v : values)
+    if (std::isfinite(v)) sum += v, squares += v * v, count += 1.0;
+  if (count == 0.0) return {};
+  const double mean = sum / count;
+  return {mean, count > 1.0 ? std::sqrt(std::max(0.0, squares - count * mean * mean) / (count - 1.0)) : 0.0};
+}
+
+/// What one lane shows at the points, in J/m2.
+std::vector<double> rates_at(const Prepared& p, const RunResult& run, int lane,
+                             const std::vector<CriticalPoint>& along, double width) {
+  const std::vector<Sample> rows = crack_rows(run.lane[lane]);
+  const RateScale scale = scale_of(p, p.lane[lane]);
+  std::vector<double> rates;
+  for (const CriticalPoint& point : along)
+    rates.push_back(rate_around(rows, point.position, width, scale).ratio_with_damping *
+                    mean_g_i0(scale, point.position - 0.5 * width, point.position + 0.5 * width));
+  return rates;
+}
+
+class Laboratory {
+ public:
+  Laboratory(const Preset& preset, const ExperimentWishes& wishes, Cache& cache,
+             const ExperimentProgress& progress)
+      : preset_(preset), wishes_(wishes), cache_(cache), progress_(progress) {}
+
+  Experiment run(const std::filesystem::path& folder, const BuildInfo& build) {
+    measure(folder, build);
+    draw_histories();
+    draw_specimens();
+    read_statics();
+    e_.efficiency = efficiency_of(preset_, slowest(), fastest(), cache_, options(), progress_);
+    conclude();
+    if (wishes_.application) e_.application = apply(preset_, e_, cache_, options(), progress_);
+    return std::move(e_);
+  }
+
+ private:
+  MarchOptions options() const { return {.threads = wishes_.threads}; }
+
+  StageProgress preparing(const std::string& stage) {
+    return [this, stage](std::string_view part, double done) {
+      return progress_(stage + ": " + std::string(part), done);
+    };
+  }
+  Observer marching(const std::string& stage) {
+    return {.go_on = [this, stage](const Progress& p) {
+      return progress_(stage, static_cast<double>(p.step) / static_cast<double>(p.total));
+    }};
+  }
+  void take(const RunResult& run, const char* stage) {
+    if (run.outcome == Outcome::stopped) throw Interrupted(stage);
+    e_.outcome = std::max(e_.outcome, run.outcome);
+    for (const LaneResult& lane : run.lane)
+      e_.worst_residual = std::max(e_.worst_residual, lane.worst_residual);
+  }
+
+  double slowest() const { return std::min_element(e_.along.begin(), e_.along.end(), by_velocity)->over_cr; }
+  double fastest() const { return std::max_element(e_.along.begin(), e_.along.end(), by_velocity)->over_cr; }
+  static bool by_velocity(const CriticalPoint& a, const CriticalPoint& b) { return a.over_cr < b.over_cr; }
+
+  /// The measured crack itself, on the preset's specimen, and the points of the result.
+  void measure(const std::filesystem::path& folder, const BuildInfo& build) {
+    const Prepared p = prepare(preset_, cache_, preparing("specimen 1"));
+    e_.course = measured_course(preset_.scene);
+    e_.width = preset_.scene.crack.toughness_window * p.lattice.mean_radius;
+    e_.thickness = p.scale.thickness, e_.rayleigh_speed = p.rayleigh_speed,
+    e_.mean_radius = p.lattice.mean_radius;
+    lay_points(p);
+    results::create_run_folder(folder / "run", true);
+    const Recorded recorded = record_run(p, folder / "run", build, marching("measured crack"), options());
+    take(recorded.result, "measured crack");
+    const double width = e_.width;
+    specimens_.push_back(rates_at(p, recorded.result, 0, e_.along, width));
+    for (const double other : {0.5 * width, 2.0 * width})
+      widths_.push_back(rates_at(p, recorded.result, 0, e_.along, other));
+    e_.specimens = 1;
+  }
+
+  void lay_points(const Prepared& p) {
+    const double start = preset_.scene.crack.start + p.lane[0].scenario.law.zone_length + 0.5 * e_.width,
+                 end = p.lane[0].crack_end - 0.5 * e_.width;
+    if (!(end > start))
+      throw InputError({issue_at(preset_, "crack.toughness_window",
+                                 "is longer than the history: the release rate is read over it")});
+    for (int k = 0; k < points; ++k) {
+      CriticalPoint point;
+      point.position = start + k * (end - start) / (points - 1);
+      const double since = time_of_arrival(e_.course.history, point.position);
+      point.time = e_.course.first_time + since;
+      point.over_cr = speed_at(e_.course.history, since) / p.rayleigh_speed;
+      e_.along.push_back(point);
+    }
+  }
+
+  /// The same crack along histories that might as well have been measured, as lanes.
+  void draw_histories() {
+    const auto histories = resampled(preset_.scene, e_.course, wishes_.resamples,
+                                     static_cast<std::uint64_t>(preset_.scene.specimen.seed));
+    std::vector<Scene> scenes;
+    for (const auto& rows : histories) {
+      scenes.push_back(preset_.scene);
+      scenes.back().crack.history = rows, scenes.back().output.frames = 0;
+      // A drawn history may end before the measured one, or be too fast to be a crack's.
+      if (highest_velocity(scenes.back()) > 2.0)
+        scenes.pop_back();
+      else
+        scenes.back().crack.end = std::min(crack_end(preset_.scene), measured_course(scenes.back()).end);
+    }
+    std::vector<std::vector<double>> speeds;
+    for (const Scene& scene : scenes) {
+      const CrackHistory course = measured_course(scene).history;
+      speeds.emplace_back();
+      for (const CriticalPoint& point : e_.along)
+        speeds.back().push_back(speed_at(course, time_of_arrival(course, point.position)));
+    }
+    for (std::size_t k = 0; k < e_.along.size(); ++k) e_.drawn_speed.push_back(at(speeds, k).deviation);
+    if (scenes.empty()) return;
+    const Prepared p = prepare(preset_, scenes, cache_, preparing("resampled histories"));
+    const RunResult run = march(p, marching("resampled histories"), options());
+    take(run, "resampled histories");
+    for (int lane = 0; lane < static_cast<int>(scenes.size()); ++lane)
+      if (run.lane[lane].outcome == Outcome::finished)
+        drawn_.push_back(rates_at(p, run, lane, e_.along, e_.width));
+    e_.resamples = static_cast<int>(drawn_.size());
+  }
+
+  /// The same crack through other packings.
+  void draw_specimens() {
+    for (int k = 1; k < wishes_.specimens; ++k) {
+      const std::string stage = "specimen " + std::to_string(k + 1);
+      Preset other = preset_;
+      other.scene.specimen.seed += k, other.scene.output.frames = 0;
+      const Prepared p = prepare(other, cache_, preparing(stage));
+      const RunResult run = march(p, marching(stage), options());
+      take(run, stage.c_str());
+      if (run.outcome != Outcome::finished) continue;
+      specimens_.push_back(rates_at(p, run, 0, e_.along, e_.width));
+      ++e_.specimens;
+    }
+  }
+
+  /// What a crack that is slow enough for no waves would release, between a few positions.
+  void read_statics() {
+    const Prepared p = prepare(preset_, cache_, preparing("quasi-static"));
+    std::vector<double> at;
+    const double from = e_.along.front().position, to = e_.along.back().position;
+    for (int k = 0; k <= static_parts; ++k) at.push_back(from + k * (to - from) / static_parts);
+    std::vector<double> rates;
+    for (int k = 0; k < static_parts; ++k) {
+      if (!progress_("quasi-static", static_cast<double>(k) / static_parts))
+        throw Interrupted("quasi-static");
+      rates.push_back(quasi_static_rates(p, {at[k], at[k + 1]}).front());
+    }
+    for (CriticalPoint& point : e_.along) {  // straight between the parts' middles
+      const double place = (point.position - from) / (to - from) * static_parts - 0.5;
+      const int low = std::clamp(static_cast<int>(std::floor(place)), 0, static_parts - 2);
+      const double part = std::clamp(place - low, 0.0, 1.0);
+      point.quasi_static = rates[low] + part * (rates[low + 1] - rates[low]);
+    }
+  }
+
+  static Spread at(const std::vector<std::vector<double>>& curves, std::size_t k) {
+    std::vector<double> values;
+    for (const std::vector<double>& curve : curves) values.push_back(curve[k]);
+    return spread_of(values);
+  }
+
+  void conclude() {
+    for (std::size_t k = 0; k < e_.along.size(); ++k) {
+      CriticalPoint& point = e_.along[k];
+      const Spread packing = at(specimens_, k);
+      point.as_paper = packing.mean, point.of_packing = packing.deviation;
+      point.of_noise = drawn_.empty() ? 0.0 : at(drawn_, k).deviation;
+      std::vector<double> by_width{specimens_.front()[k]};
+      for (const auto& curve : widths_)
+        if (std::isfinite(curve[k])) by_width.push_back(curve[k]);
+      const auto [least, most] = std::minmax_element(by_width.begin(), by_width.end());
+      point.of_window = 0.5 * (*most - *least);
+      point.uncertainty = std::hypot(point.of_noise, point.of_packing, point.of_window);
+      point.efficiency = efficiency_at(e_.efficiency, point.over_cr);
+      point.corrected = point.as_paper / point.efficiency;
+      point.corrected_uncertainty = point.uncertainty / point.efficiency;
+    }
+    std::erase_if(e_.along, [](const CriticalPoint& point) { return !std::isfinite(point.as_paper); });
+    find_law();
+  }
+
+  void find_law() {
+    struct Pool {
+      double over_cr = 0, rate = 0, uncertainty = 0, count = 0;
+      double mean() const { return rate / count; }
+    };
+    std::vector<CriticalPoint> sorted = e_.along;
+    std::stable_sort(sorted.begin(), sorted.end(), by_velocity);
+    std::vector<Pool> pools;
+    double from = -1.0;
+    for (const CriticalPoint& p : sorted) {
+      if (pools.empty() || p.over_cr > from + bin) pools.emplace_back(), from = p.over_cr;
+      Pool& pool = pools.back();
+      pool.over_cr += p.over_cr, pool.rate += p.as_paper, pool.uncertainty += p.uncertainty,
+          pool.count += 1.0;
+    }
+    for (std::size_t k = 1; k < pools.size();) {
+      if (pools[k].mean() >= pools[k - 1].mean()) {
+        ++k;
+        continue;
+      }
+      Pool& into = pools[k - 1];
+      into.over_cr += pools[k].over_cr, into.rate += pools[k].rate;
+      into.uncertainty += pools[k].uncertainty, into.count += pools[k].count;
+      pools.erase(pools.begin() + static_cast<std::ptrdiff_t>(k));
+      k = std::max<std::size_t>(1, k - 1);
+    }
+    for (const Pool& p : pools) e_.law.push_back({p.over_cr / p.count, p.mean(), p.uncertainty / p.count});
+    go_on_beyond();
+  }
+
+  /// Beyond the velocities that were measured the law goes on with its mean slope, down to rest and up to
+  /// c_R.
+  void go_on_beyond() {
+    const auto [slow, low, of_low] = e_.law.front();
+    const auto [fast, high, of_high] = e_.law.back();
+    const double slope = fast > slow ? (high - low) / (fast - slow) : 0.0;
+    constexpr double least = 0.05;  // of the lowest rate: nothing breaks for nothing
+    if (slow > 0.0) e_.law.insert(e_.law.begin(), {0.0, std::max(least * low, low - slope * slow), of_low});
+    if (fast < 1.0) e_.law.push_back({1.0, high + slope * (1.0 - fast), of_high});
+  }
+
+  const Preset& preset_;
+  const ExperimentWishes& wishes_;
+  Cache& cache_;
+  const ExperimentProgress& progress_;
+  Experiment e_;
+  std::vector<std::vector<double>> specimens_, drawn_, widths_;  // rates at the points
+};
+
+}  // namespace
+
+Experiment run_experiment(const Preset& preset, const ExperimentWishes& wishes,
+                          const std::filesystem::path& folder, Cache& cache, const BuildInfo& build,
+                          const ExperimentProgress& progress) {
+  return Laboratory(preset, wishes, cache, progress).run(folder, build);
+}
+
+}  // namespace rift
