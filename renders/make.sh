@@ -23,6 +23,8 @@ draw runs/gallery/teach_node_release --at 0.6 --picture renders/release_at_once_
 draw runs/gallery/teach_node_release --size 960x540 --frames 80 --film renders/release_at_once_and_progressive.mp4
 run teach_damage_zone
 draw runs/gallery/teach_damage_zone --at 0.6 --picture renders/damage_zone.png
+run path_curved
+draw runs/gallery/path_curved --at 0.9 --picture renders/path_curved.png
 run teach_velocity
 draw runs/gallery/teach_velocity --at 0.35 --picture renders/four_velocities.png
 "$rift" reproduce fig16 --out runs/gallery/reproduction --quiet >/dev/null

@@ -68,6 +68,14 @@ std::string command_text(const ExperimentCommand& command) {
          fmt::format(" --resamples {} --specimens {}", command.wishes.resamples, command.wishes.specimens);
 }
 
+/// What an interrupted experiment has recorded is of no use without the rest; a former report stays.
+void forget(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::exists(folder / "summary.json", ignored)) return;
+  fs::remove_all(folder / "run", ignored);
+  if (fs::is_empty(folder, ignored)) fs::remove(folder, ignored);
+}
+
 ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report, const fs::path& folder) {
   ExitCode code = report.experiment.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
   try {
@@ -123,8 +131,8 @@ ExitCode experiment(ExperimentCommand& command) {
   } catch (const Interrupted& interrupted) {
     (void)command.film->finish(line, [] { return false; });
     line.clear();
-    fmt::print(stderr, "rift experiment: {}; {} holds what was recorded so far\n", interrupted.what(),
-               folder.string());
+    forget(folder);
+    fmt::print(stderr, "rift experiment: {}; nothing was kept\n", interrupted.what());
     return stopped_by(stop);
   }
   const FilmOfRun::Result film = command.film->finish(line, [&] { return stop.received() == 0; });

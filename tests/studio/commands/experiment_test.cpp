@@ -1,0 +1,90 @@
+#include "studio/commands/common.hpp"
+#include "tests/studio/run_rift.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace rift::studio {
+namespace {
+
+/// A small plate whose crack was measured, every 2 us at about 0.4 c_r.
+class MeasuredPlate {
+ public:
+  MeasuredPlate() {
+    write_text(folder_.path() / "small.toml", R"(# A small measured plate
+[specimen]
+length = "60 mm"
+height = "12 mm"
+elements = 900
+coordination = 5.7
+[loading]
+displacement = "0.6 mm"
+[crack]
+history = "measured.csv"
+damage_zone_ratio = 2
+toughness_window = 6
+[output]
+samples = 80
+frames = 4
+)");
+    std::string rows = "time [us];position [mm];uncertainty [mm]\n";
+    for (int k = 0; k <= 18; ++k)
+      rows += std::to_string(2 * k) + ";" + std::to_string(5.0 + 1.76 * k + 0.05 * (k % 3 - 1) * (k > 0)) +
+              ";0.06\n";
+    write_text(folder_.path() / "measured.csv", rows);
+    write_text(folder_.path() / "law.csv", "velocity [c_r];release_rate [kJ/m2]\n0;100\n1;900\n");
+  }
+
+  std::filesystem::path path() const { return folder_.path(); }
+  Ran experiment(const std::string& arguments) const {
+    return run_rift("experiment '" + (path() / "small.toml").string() + "' --out '" +
+                        (path() / "out").string() + "' " + arguments,
+                    "XDG_CACHE_HOME='" + path().string() + "/cache'");
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST(ExperimentCommand, LeavesWhatWasFoundAsTablesChartsAndALawThatACrackTakes) {
+  const MeasuredPlate plate;
+  const Ran ran = plate.experiment("--resamples 2 --specimens 2 --quiet --json --against '" +
+                                   (plate.path() / "law.csv").string() + "'");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(json.at("resamples"), 2);
+  EXPECT_EQ(json.at("specimens"), 2);
+  EXPECT_LT(json.at("ledger_residual").get<double>(), 1e-10);
+  EXPECT_GT(json.at("along").size(), 30U);
+  EXPECT_TRUE(json.contains("truth"));
+  EXPECT_TRUE(json.contains("application"));
+  for (const char* file : {"report.html", "table.csv", "summary.json", "run/summary.json",
+                           "charts/rate_velocity.svg", "charts/application.svg", "charts/history.png"})
+    EXPECT_TRUE(std::filesystem::exists(plate.path() / "out" / file)) << file;
+  for (const char* law : {"toughness_velocity.csv", "toughness_position.csv"}) {
+    const Ran taken = run_rift("check quickstart --print-config --set crack.toughness='" +
+                               (plate.path() / "out" / law).string() + "'");
+    EXPECT_EQ(taken.exit_code, 0) << law << taken.err;
+  }
+  EXPECT_EQ(plate.experiment("--quiet").exit_code, 2);  // never replaced without --force
+}
+
+TEST(ExperimentCommand, SaysWhatItNeeds) {
+  const Ran none = run_rift("experiment quickstart");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("has no crack.history"), std::string::npos) << none.err;
+  const MeasuredPlate plate;
+  const Ran gone = plate.experiment("--against '" + (plate.path() / "gone.csv").string() + "'");
+  EXPECT_EQ(gone.exit_code, 2);
+  EXPECT_NE(gone.err.find("gone.csv: no such file"), std::string::npos) << gone.err;
+  write_text(plate.path() / "measured.csv", "time [us];position [mm]\n0;5\n2;4\n");
+  const Ran bad = plate.experiment("");
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_NE(bad.err.find("measured.csv:3: position falls from 5 mm to 4 mm"), std::string::npos) << bad.err;
+  EXPECT_FALSE(std::filesystem::exists(plate.path() / "out"));
+}
+
+}  // namespace
+}  // namespace rift::studio
