@@ -209,7 +209,11 @@ TEST(Child, ThatDiesHangsThrowsOrEatsMemoryIsOutlived) {
   EXPECT_EQ(told_by_child([]() -> std::string { throw std::runtime_error("no"); }, 10).death, "no");
   const Told greedy = told_by_child([] { return std::string(std::size_t{6} << 30, 'x'); }, 20);
   EXPECT_FALSE(greedy.text);
+#ifdef __SANITIZE_ADDRESS__
+  EXPECT_FALSE(greedy.death.empty());  // the sanitizer's allocator ends the child by itself
+#else
   EXPECT_EQ(greedy.death, "std::bad_alloc");
+#endif
 }
 
 }  // namespace
