@@ -294,10 +294,10 @@ Json lane_summary(const Prepared& prepared, const RunResult& result, int k, cons
   add_step(scenario, prepared, lane, result, result.lane[k], build);
   add_rates(scenario, prepared, lane, rates);
   add_books(scenario, prepared, lane, result.lane[k]);
-  if (lane.scene.crack.toughness.row.empty() && !result.lane[k].changes.empty())
-    scenario["steering"] = changes_of(result.lane[k]);
-  scenario["arrest_m"] =
-      std::isfinite(result.lane[k].arrested_m) ? Json(result.lane[k].arrested_m) : Json(nullptr);
+  const bool by_itself = !lane.scene.crack.toughness.row.empty();
+  const double arrested = result.lane[k].arrested_m;
+  if (by_itself) scenario["arrest_m"] = std::isfinite(arrested) ? Json(arrested) : Json(nullptr);
+  if (!by_itself && !result.lane[k].changes.empty()) scenario["steering"] = changes_of(result.lane[k]);
   add_wake(scenario, result.lane[k].wake);
   add_costs(scenario, prepared, result, result.lane[k], wall_total_s);
   return scenario;
