@@ -22,7 +22,7 @@ double response_to_velocity(double over_cr);
 /// What the tip would release at rest [J/m2]: the released energies, each over the response to its velocity,
 /// in a window behind the tip with weights 6 x (1 - x) that are 0 at its ends.
 /// @param[in] released   those within the window
-/// @param[in] thickness  b [m]
+/// @param[in] thickness  b [m], of all tips that advance together
 double driving_force(const std::vector<ReleasedBeam>& released, double tip, double window, double thickness);
 
 /// G_c [J/m2] at a velocity and a position [m].

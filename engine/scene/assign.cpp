@@ -352,12 +352,12 @@ struct Write {
     });
   }
   std::string operator()(const CriticalRate* rate) const {
-    return list_of(rate->row, [&](const std::array<double, 2>& row) {
+    return list_of(rate->row, [&](const std::array<double, 2>& r) {
       const std::string at =
-          rate->against == CriticalRate::Against::velocity_over_cr ? fmt::format("{} c_r", row[0])
-          : rate->against == CriticalRate::Against::velocity       ? quantity_text(row[0], Dimension::speed)
-                                                                   : quantity_text(row[0], Dimension::length);
-      return fmt::format("[\"{}\", \"{}\"]", at, quantity_text(row[1], Dimension::release_rate));
+          rate->against == CriticalRate::Against::velocity_over_cr ? fmt::format("{} c_r", r[0])
+          : rate->against == CriticalRate::Against::velocity       ? quantity_text(r[0], Dimension::speed)
+                                                                   : quantity_text(r[0], Dimension::length);
+      return fmt::format("[\"{}\", \"{}\"]", at, quantity_text(r[1], Dimension::release_rate));
     });
   }
   std::string operator()(const std::vector<std::string>* words) const {

@@ -29,7 +29,8 @@ void Run<Real>::find_velocity(Seat& seat) {
     return std::floor((at - crack.start) * decisions_in_window / window);
   };
   if (tip < crack.start + window || decision(tip) == decision(tip - moved)) return;
-  const double driving = driving_force(released(seat, tip - window), tip, window, prepared_.scale.thickness);
+  const double driving = driving_force(released(seat, tip - window), tip, window,
+                                       prepared_.scale.thickness * prepared_.path.tips);
   const double velocity =
       velocity_over_cr(driving, in_window(crack.toughness, tip, window), prepared_.rayleigh_speed, tip,
                        std::max(fastest_by_itself, slowest));

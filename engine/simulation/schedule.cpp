@@ -63,7 +63,9 @@ Schedule make_schedule(const Scene& scene, const CrackHistory& history, double d
     add_regular(s.samples, s.crack_start(), s.total(), scene.output.samples);
   for (int k = 0; k <= sub_windows; ++k) {
     const double tip = window[0] + k * (window[1] - window[0]) / sub_windows;
-    const auto step = static_cast<std::int64_t>(std::llround(time_of_arrival(history, tip) / dt));
+    const double arrival = time_of_arrival(history, tip) / dt;
+    if (!(arrival <= static_cast<double>(s.fracture) + 1.0)) continue;
+    const auto step = static_cast<std::int64_t>(std::llround(arrival));
     if (step >= 0 && step <= s.fracture) s.samples.push_back(s.crack_start() + step);
   }
   sort_unique(s.samples);
