@@ -215,6 +215,13 @@ TEST(CrackPathPoints, OfASplineGoThroughTheGivenOnesWithoutALoop) {
   for (const auto& given : preset.scene.crack.path.point)
     EXPECT_NE(std::find(points.begin(), points.end(), given), points.end());
   for (std::size_t k = 1; k < points.size(); ++k) EXPECT_GT(points[k][0], points[k - 1][0]) << k;
+  for (std::size_t k = 1; k < points.size(); ++k) {  // no piece is much longer than the others of its stretch
+    const std::size_t from = (k - 1) / 32 * 32, to = from + 32;
+    const auto apart = [&](std::size_t a, std::size_t b) {
+      return std::hypot(points[b][0] - points[a][0], points[b][1] - points[a][1]);
+    };
+    EXPECT_LT(apart(k - 1, k), 3.0 * apart(from, to) / 32.0) << k;
+  }
   EXPECT_GT(path_length_m(preset.scene), 0.2);
   EXPECT_LT(path_length_m(preset.scene), 0.21);
 }
