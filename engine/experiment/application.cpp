@@ -12,7 +12,7 @@ namespace {
 
 using results::Sample;
 
-CriticalRate law_of(const Experiment& found) {
+CriticalRate given_law(const Experiment& found) {
   CriticalRate law{.against = CriticalRate::Against::velocity_over_cr};
   for (const auto& [over_cr, rate, uncertainty] : found.law) law.row.push_back({over_cr, rate});
   return law;
@@ -27,7 +27,7 @@ Scene by_itself(const Preset& preset, const Experiment& found) {
   scene.crack.history.clear();
   scene.crack.velocity = {{{began, false}, {}}};
   scene.crack.end = found.along.back().position + 0.5 * found.width;
-  scene.crack.toughness = law_of(found);
+  scene.crack.toughness = given_law(found);
   return scene;
 }
 
@@ -67,7 +67,7 @@ std::vector<Application::Point> compared(const Experiment& found, const std::vec
     p.lag = tip_at(course, measured_zero + passed) - point.position;
     p.over_cr = found.width / (time_at(rows, point.position + half) - time_at(rows, point.position - half)) /
                 found.rayleigh_speed;
-    p.given = critical_rate(law_of(found), p.over_cr, found.rayleigh_speed, point.position);
+    p.given = critical_rate(given_law(found), p.over_cr, found.rayleigh_speed, point.position);
     p.rate = rate_around(rows, point.position, found.width, scale).ratio_with_damping *
              mean_g_i0(scale, point.position - half, point.position + half);
     along.push_back(p);

@@ -2,6 +2,7 @@
 
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
+#include "engine/experiment/law.hpp"
 #include "engine/experiment/resampling.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/results/run_folder.hpp"
@@ -21,7 +22,6 @@ namespace {
 using results::Sample;
 
 constexpr int points = 60, static_parts = 8;
-constexpr double bin = 0.02;  // of the velocity [c_R], for the mean against it
 
 std::vector<Sample> crack_rows(const LaneResult& lane) {
   std::vector<Sample> rows;
@@ -49,6 +49,7 @@ std::vector<double> rates_at(const Prepared& p, const RunResult& run, int lane,
   const std::vector<Sample> rows = crack_rows(run.lane[lane]);
   const RateScale scale = scale_of(p, p.lane[lane]);
   std::vector<double> rates;
+  rates.reserve(along.size());
   for (const CriticalPoint& point : along)
     rates.push_back(rate_around(rows, point.position, width, scale).ratio_with_damping *
                     mean_g_i0(scale, point.position - 0.5 * width, point.position + 0.5 * width));
@@ -199,6 +200,7 @@ class Laboratory {
 
   static Spread at(const std::vector<std::vector<double>>& curves, std::size_t k) {
     std::vector<double> values;
+    values.reserve(curves.size());
     for (const std::vector<double>& curve : curves) values.push_back(curve[k]);
     return spread_of(values);
   }
@@ -220,48 +222,7 @@ class Laboratory {
       point.corrected_uncertainty = point.uncertainty / point.efficiency;
     }
     std::erase_if(e_.along, [](const CriticalPoint& point) { return !std::isfinite(point.as_paper); });
-    find_law();
-  }
-
-  void find_law() {
-    struct Pool {
-      double over_cr = 0, rate = 0, uncertainty = 0, count = 0;
-      double mean() const { return rate / count; }
-    };
-    std::vector<CriticalPoint> sorted = e_.along;
-    std::stable_sort(sorted.begin(), sorted.end(), by_velocity);
-    std::vector<Pool> pools;
-    double from = -1.0;
-    for (const CriticalPoint& p : sorted) {
-      if (pools.empty() || p.over_cr > from + bin) pools.emplace_back(), from = p.over_cr;
-      Pool& pool = pools.back();
-      pool.over_cr += p.over_cr, pool.rate += p.as_paper, pool.uncertainty += p.uncertainty,
-          pool.count += 1.0;
-    }
-    for (std::size_t k = 1; k < pools.size();) {
-      if (pools[k].mean() >= pools[k - 1].mean()) {
-        ++k;
-        continue;
-      }
-      Pool& into = pools[k - 1];
-      into.over_cr += pools[k].over_cr, into.rate += pools[k].rate;
-      into.uncertainty += pools[k].uncertainty, into.count += pools[k].count;
-      pools.erase(pools.begin() + static_cast<std::ptrdiff_t>(k));
-      k = std::max<std::size_t>(1, k - 1);
-    }
-    for (const Pool& p : pools) e_.law.push_back({p.over_cr / p.count, p.mean(), p.uncertainty / p.count});
-    go_on_beyond();
-  }
-
-  /// Beyond the velocities that were measured the law goes on with its mean slope, down to rest and up to
-  /// c_R.
-  void go_on_beyond() {
-    const auto [slow, low, of_low] = e_.law.front();
-    const auto [fast, high, of_high] = e_.law.back();
-    const double slope = fast > slow ? (high - low) / (fast - slow) : 0.0;
-    constexpr double least = 0.05;  // of the lowest rate: nothing breaks for nothing
-    if (slow > 0.0) e_.law.insert(e_.law.begin(), {0.0, std::max(least * low, low - slope * slow), of_low});
-    if (fast < 1.0) e_.law.push_back({1.0, high + slope * (1.0 - fast), of_high});
+    e_.law = law_of(e_.along);
   }
 
   const Preset& preset_;

@@ -92,6 +92,7 @@ std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, cons
         if (system.number[i] < 0) scale += force[i].head<3>().squaredNorm();
     if (unbalance <= balanced * std::sqrt(scale)) {
       std::vector<Vector6> q;
+      q.reserve(pose.size());
       for (const Pose& p : pose) q.push_back(motion_of(p));
       return q;
     }

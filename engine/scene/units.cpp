@@ -131,7 +131,7 @@ std::string quantity_text(double si, Dimension dimension) {
   for (const Unit& unit : row.units) {
     if (!unit.written || std::abs(si) < std::pow(10.0, unit.exponent)) continue;
     // 15 digits name every short decimal; whether they name this very double is what the reading back asks.
-    const std::string text = fmt::format("{:.15g} {}", si * std::pow(10.0, -unit.exponent), unit.name);
+    std::string text = fmt::format("{:.15g} {}", si * std::pow(10.0, -unit.exponent), unit.name);
     if (read_quantity(text, dimension).value == si) return text;
     break;
   }
