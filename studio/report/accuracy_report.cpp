@@ -210,7 +210,7 @@ void write_accuracy_report(const AccuracyReport& report, const std::filesystem::
   body += html_section("What is compared with what", compared);
   results::write_whole_file(folder / "report.html",
                             html_page("Error against run time: " + report.preset, body));
-  if (failure) throw *failure;
+  if (failure) throw results::WorldError(*failure);
 }
 
 }  // namespace rift::studio

@@ -214,7 +214,7 @@ void write_experiment_report(const ExperimentReport& report, const std::filesyst
           html_section("Along the crack", html_table(experiment_table(report)));
   results::write_whole_file(folder / "report.html",
                             html_page("From the experiment to G_IDc: " + report.preset, body));
-  if (failure) throw *failure;
+  if (failure) throw results::WorldError(*failure);
 }
 
 }  // namespace rift::studio

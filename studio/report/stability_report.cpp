@@ -153,7 +153,7 @@ void write_stability_report(const StabilityReport& report, const std::filesystem
   body += html_section("Charts", figures) + html_section("Cases", html_table(stability_table(report.rows)));
   body += html_section("What was said", html_table(said));
   results::write_whole_file(folder / "report.html", html_page("Stiff and extreme cases", body));
-  if (failure) throw *failure;
+  if (failure) throw results::WorldError(*failure);
 }
 
 }  // namespace rift::studio

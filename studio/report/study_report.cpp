@@ -63,7 +63,7 @@ void write_study_report(const Preset& preset, const BuildInfo& build, const Stud
       html_paragraph(fmt::format("Preset {}, rift {} ({}).", preset.name, build.version, build.compiler));
   body += timings(result) + tables(result) + html_section("Charts", figures);
   results::write_whole_file(folder / "report.html", html_page("Study " + name, body));
-  if (failure) throw *failure;
+  if (failure) throw results::WorldError(*failure);
 }
 
 }  // namespace rift::studio
