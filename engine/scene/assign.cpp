@@ -141,7 +141,10 @@ struct Cell {
 /// A number in SI, or text with its unit.
 Parsed<double> read_cell(const Value& value, const Cell& cell) {
   Parsed<double> number;
-  if (const auto* text = std::get_if<std::string>(&value.held))
+  const auto* text = std::get_if<std::string>(&value.held);
+  if (text && cell.dimension == Dimension::none)
+    number.problem = fmt::format("{} must be in c_r, as in the first row", shown(value));
+  else if (text)
     number = read_quantity(*text, cell.dimension);
   else if (const auto bare = number_in(value))
     number.value = bare;

@@ -203,6 +203,20 @@ TEST(ToughnessFile, IsAgainstVelocityOrPosition) {
             "x.csv:3: velocity 0.1 does not lie above the 0.2 of the row before\n");
 }
 
+TEST(ToughnessRows, AreAllOfTheFirstOnesKind) {
+  const auto said = [](const std::string& rows) {
+    const Preset preset = read_preset_text("[crack]\ntoughness = " + rows + "\n", "x.toml");
+    return preset.issues.empty() ? std::string() : preset.issues.front().text;
+  };
+  EXPECT_EQ(said(R"([["0.1 c_r", "5 J/m2"], ["0.5 c_r", 9]])"), "");
+  EXPECT_EQ(said(R"([["0.1 c_r", "5 J/m2"], ["10 mm", "5 J/m2"]])"),
+            "row 2, velocity: \"10 mm\" must be in c_r, as in the first row");
+  EXPECT_EQ(said(R"([["10 mm", "5 J/m2"], ["0.1 c_r", "5 J/m2"]])"),
+            "row 2, position: unknown unit 'c_r' for a length: use m, mm, um or nm");
+  EXPECT_EQ(said("[[0.1, 5]]"),
+            "expected rows such as [\"0.1 c_r\", \"900 J/m2\"] or [\"10 mm\", \"900 J/m2\"]");
+}
+
 TEST(CrackPathPoints, OfASplineGoThroughTheGivenOnesWithoutALoop) {
   const Preset preset = read_preset_text(
       "[crack]\npath_shape = \"spline\"\n"
