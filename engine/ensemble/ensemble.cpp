@@ -25,12 +25,15 @@ Ensemble<Real>::Ensemble(const Lattice& lattice, const CrackPath& path, double n
       ledger_(scenario_.size()),
       energy_(scenario_.size()),
       spent_(scenario_.size()),
-      pending_(scenario_.size()) {
+      pending_(scenario_.size()),
+      held_(scenario_.size(), 0.0),
+      inherited_(scenario_.size(), 0.0) {
   assert(!scenario_.empty() && static_cast<int>(scenario_.size()) <= lanes_);
   for (const Crossing& c : met_) notched_.push_back(c.position <= notch_end);
   booked_.assign(met_.size() * lanes_, 0.0);
   factor_.resize(booked_.size());
   softening_.reserve(booked_.size());
+  if (marching_.contact) slip_.resize(3 * booked_.size()), slip_after_ = slip_;
   crew_ = std::make_unique<Crew>(static_cast<int>(cut_.size()) - 1, static_cast<int>(cut_.size()) - 1);
   for (std::size_t i = 0; i < lattice.mass.size(); ++i) {
     const bool free = lattice.grip[i] == Grip::none;
@@ -44,24 +47,32 @@ Ensemble<Real>::Ensemble(const Lattice& lattice, const CrackPath& path, double n
 template <class Real>
 void Ensemble<Real>::start_from(const std::vector<Vector6>& base) {
   base_ = base;
-  base_pull_ = 0.0;
-  std::vector<char> absent(lattice_->beam.size(), 0);
-  for (std::size_t k = 0; k < met_.size(); ++k) absent[met_[k].beam] = notched_[k];
-  for (std::size_t b = 0; b < absent.size(); ++b) {
-    const auto& [i, j] = lattice_->ends[b];
-    if (absent[b] || top_[i] == top_[j]) continue;
-    const bool linear = marching_.kinematics == Kinematics::linear;
-    const Beam& beam = lattice_->beam[b];
-    const BeamLoads loads =
-        linear ? loads_of(beam, base[i], base[j]) : loads_of(beam, pose_of(base[i]), pose_of(base[j]));
-    base_pull_ += top_[i] ? loads.force_i.y() : -loads.force_i.y();
-  }
+  find_beams_at_top();
   steps_done_ = 0;
   std::fill(born_.begin(), born_.end(), 0);
   build_parts();
   for (int lane = 0; lane < lanes_; ++lane) put_to_rest(lane);
   weighed_at_ = velocities_at_ = -1;
   for (int lane = 0; lane < scenarios(); ++lane) ledger_[lane].energy_start = energy(lane).total();
+}
+
+/// And their pull in the base state, in which the notch's beams are absent.
+template <class Real>
+void Ensemble<Real>::find_beams_at_top() {
+  at_top_.clear();
+  base_pull_ = 0.0;
+  std::vector<int> crossing(lattice_->beam.size(), -1);
+  for (std::size_t k = 0; k < met_.size(); ++k) crossing[met_[k].beam] = static_cast<int>(k);
+  for (std::size_t b = 0; b < crossing.size(); ++b) {
+    const auto& [i, j] = lattice_->ends[b];
+    if ((crossing[b] >= 0 && notched_[crossing[b]]) || top_[i] == top_[j]) continue;
+    at_top_.push_back({static_cast<int>(b), crossing[b]});
+    const bool linear = marching_.kinematics == Kinematics::linear;
+    const Beam& beam = lattice_->beam[b];
+    const BeamLoads loads =
+        linear ? loads_of(beam, base_[i], base_[j]) : loads_of(beam, pose_of(base_[i]), pose_of(base_[j]));
+    base_pull_ += top_[i] ? loads.force_i.y() : -loads.force_i.y();
+  }
 }
 
 template <class Real>
@@ -113,15 +124,17 @@ void Ensemble<Real>::put_to_rest(int lane) {
     factor_[at_crossing(static_cast<int>(k), lane)] = notched_[k] ? Real(0) : Real(1);
     booked_[at_crossing(static_cast<int>(k), lane)] = 0.0;
   }
+  for (std::size_t k = lane; k < slip_.size(); k += lanes_) slip_[k] = slip_after_[k] = 0;
   if (lane >= scenarios()) return;
   first_standing_[lane] = 0;
   spent_[lane] = pending_[lane] = {};
+  held_[lane] = inherited_[lane] = 0.0;
   ledger_[lane] = Ledger{};
 }
 
 template <class Real>
 void Ensemble<Real>::build_parts() {
-  const RowSource source{*lattice_, marching_.kinematics, base_, met_, notched_, damped_};
+  const RowSource source{*lattice_, marching_.kinematics, base_, met_, notched_, damped_, marching_.contact};
   part_.clear();
   int ghost_row = static_cast<int>(base_.size());
   for (std::size_t p = 0; p + 1 < cut_.size(); ++p) {
@@ -137,11 +150,9 @@ void Ensemble<Real>::build_parts() {
     for (int c = 0; c < 6; ++c) base_rows_[6UL * row + c] = base_[element][c];
   };
   for (int i = 0; i < static_cast<int>(base_.size()); ++i) set_base(i, i);
-  alpha_at_surface_.assign(lanes_, 0), alpha_elsewhere_.assign(lanes_, 0);
-  for (int lane = 0; lane < scenarios(); ++lane) {
-    alpha_at_surface_[lane] = static_cast<Real>(scenario_[lane].alpha_at_surface);
-    alpha_elsewhere_[lane] = static_cast<Real>(scenario_[lane].alpha_elsewhere);
-  }
+  for (AlignedVector<Real>* numbers : {&alpha_at_surface_, &alpha_elsewhere_, &touches_, &friction_})
+    numbers->assign(lanes_, 0);
+  for (int lane = 0; lane < scenarios(); ++lane) set_lane_numbers(lane);
   for (std::size_t p = 0; p < part_.size(); ++p) {
     PartRows<Real>& rows = part_[p];
     for (std::size_t g = 0; g < rows.ghost.size(); ++g)
@@ -168,11 +179,34 @@ void Ensemble<Real>::build_parts() {
     view.crossing =
         linear ? static_cast<const void*>(rows.linear_crossing.data()) : rows.corotational_crossing.data();
     view.factor = factor_.data();
+    view.contacts =
+        static_cast<std::int32_t>(linear ? rows.linear_contact.size() : rows.corotational_contact.size());
+    view.contact =
+        linear ? static_cast<const void*>(rows.linear_contact.data()) : rows.corotational_contact.data();
+    view.contact_force = marching_.contact ? rows.contact.data() : nullptr;
+    view.contact_before = marching_.contact ? rows.contact_before.data() : nullptr;
+    view.touches = touches_.data(), view.friction = friction_.data();
     view.damped = static_cast<std::int32_t>(rows.damped.size()), view.damped_row = rows.damped.data();
     view.alpha_at_surface = alpha_at_surface_.data(), view.alpha_elsewhere = alpha_elsewhere_.data();
     view.account = rows.account.data();
     view.speed = nullptr;
   }
+  set_slips();
+}
+
+template <class Real>
+void Ensemble<Real>::set_slips() {
+  for (PartRows<Real>& rows : part_) rows.view.slip = slip_.data(), rows.view.slip_after = slip_after_.data();
+}
+
+template <class Real>
+void Ensemble<Real>::set_lane_numbers(int lane) {
+  const LaneScenario& scenario = scenario_[lane];
+  assert(marching_.contact || !scenario.friction);
+  alpha_at_surface_[lane] = static_cast<Real>(scenario.alpha_at_surface);
+  alpha_elsewhere_[lane] = static_cast<Real>(scenario.alpha_elsewhere);
+  touches_[lane] = scenario.friction ? Real(1) : Real(0);
+  friction_[lane] = static_cast<Real>(scenario.friction.value_or(0.0));
 }
 
 template <class Real>
@@ -186,16 +220,17 @@ template <class Real>
 void Ensemble<Real>::damp(const std::vector<DampedBeam>& damped) {
   if (damped.empty()) return;
   add_up_spent();
+  const std::vector<double> contact = by_element(&PartRows<Real>::contact_before);
   damped_ = damped;
   build_parts();
+  set_by_element(&PartRows<Real>::contact_before, contact);
   weighed_at_ = velocities_at_ = -1;
 }
 
 template <class Real>
 void Ensemble<Real>::steer(int lane, const LaneScenario& scenario) {
   scenario_[lane] = scenario;
-  alpha_at_surface_[lane] = static_cast<Real>(scenario.alpha_at_surface);
-  alpha_elsewhere_[lane] = static_cast<Real>(scenario.alpha_elsewhere);
+  set_lane_numbers(lane);
 }
 
 template <class Real>
@@ -203,7 +238,8 @@ void Ensemble<Real>::refill(int lane, const LaneScenario& scenario) {
   steer(lane, scenario);
   put_to_rest(lane);
   for (PartRows<Real>& rows : part_) {  // a lane that diverged has left no numbers there
-    for (std::size_t k = lane; k < rows.damping_before.size(); k += lanes_) rows.damping_before[k] = 0;
+    for (AlignedVector<Real>* before : {&rows.damping_before, &rows.contact_before})
+      for (std::size_t k = lane; k < before->size(); k += lanes_) (*before)[k] = 0;
     for (std::size_t k = lane; k < rows.account.size(); k += lanes_) rows.account[k] = 0.0;
   }
   born_[lane] = crack_start_[lane] = steps_done_;
@@ -221,10 +257,11 @@ void Ensemble<Real>::add_up_spent() {
         const auto take = [&](Account which) {
           return std::exchange(rows.account[chunk + which * lanes_ + lane], 0.0);
         };
-        const Spent part{take(spent_damping), take(spent_numerical), take(spent_grip)};
+        const Spent part{take(spent_damping), take(spent_numerical), take(spent_contact), take(spent_grip)};
         if (lane >= scenarios()) continue;
         spent_[lane].damping += part.damping;
         spent_[lane].numerical += part.numerical;
+        spent_[lane].contact += part.contact;
         spent_[lane].grip += part.grip;
       }
 }
@@ -250,10 +287,12 @@ void Ensemble<Real>::step() {
   foresee_softening();
   copy_ghosts();
   const StepConstants k = constants();
-  const bool booked = !damped_.empty() || !rate_.empty() || grip_before_ != 0.0 || grip_after_ != 0.0;
+  const bool booked =
+      !damped_.empty() || !rate_.empty() || marching_.contact || grip_before_ != 0.0 || grip_after_ != 0.0;
   crew_->run(threads(),
              [&](int p) { (booked ? kernel_.advance_booked : kernel_.advance)(part_[p].view, k); });
   for (Spent& spent : spent_) spent.grip -= 0.5 * (grip_before_ + grip_after_) * dt_ * base_pull_;
+  std::swap(slip_, slip_after_), set_slips();
   soften();
   beta_before_ = beta_after_;
   grip_before_ = grip_after_;
@@ -283,14 +322,32 @@ void Ensemble<Real>::foresee_softening() {
 }
 
 /// A factor that falls from s to s' takes (s - s') 1/2 q_before^T k q_after: with it the books close exactly.
+/// What of it the faces go on holding is theirs.
 template <class Real>
 void Ensemble<Real>::soften() {
   for (const Softening& c : softening_) {
     const std::size_t at = at_crossing(c.crossing, c.lane);
-    booked_[at] += (c.before - c.after) * bilinear_energy(lattice_->beam[met_[c.crossing].beam], c.strain,
-                                                          strain(met_[c.crossing].beam, c.lane));
+    const Beam& beam = lattice_->beam[met_[c.crossing].beam];
+    const BeamStrain now = strain(met_[c.crossing].beam, c.lane);
+    double left_over = bilinear_energy(beam, c.strain, now);
+    if (const auto& friction = scenario_[c.lane].friction) {
+      const Eigen::Vector3d slipped = slip(c.crossing, c.lane);
+      const double held = bilinear_energy(beam, face_contact(beam, c.strain, slipped, *friction),
+                                          face_contact(beam, now, slipped, *friction));
+      left_over -= held;
+      inherited_[c.lane] += (c.before - c.after) * held;
+    }
+    booked_[at] += (c.before - c.after) * left_over;
     factor_[at] = static_cast<Real>(c.after);
   }
+}
+
+template <class Real>
+Eigen::Vector3d Ensemble<Real>::slip(int crossing, int lane) const {
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();
+  for (int c = 0; c < 3 && marching_.contact; ++c)
+    slip[c] = static_cast<double>(slip_[(3UL * crossing + c) * lanes_ + lane]);
+  return slip;
 }
 
 template <class Real>
@@ -317,6 +374,7 @@ void Ensemble<Real>::weigh(double* velocities) {
   crew_->run(threads(), [&](int p) {
     PartView<Real> view = part_[p].view;
     view.speed = velocities;
+    view.slip_after = nullptr;
     kernel_.weigh(view, k);
   });
   for (int lane = 0; lane < scenarios(); ++lane) {
@@ -325,9 +383,12 @@ void Ensemble<Real>::weigh(double* velocities) {
       for (std::size_t chunk = 0; chunk < rows.account.size();
            chunk += static_cast<std::size_t>(accounts) * lanes_)
         for (int a = 0; a < accounts; ++a) sum[a] += rows.account[chunk + a * lanes_ + lane];
-    energy_[lane] = {sum[elastic], sum[kinetic_translation], sum[kinetic_rotation], sum[step_correction]};
+    held_[lane] = sum[contact_elastic];
+    energy_[lane] = {sum[elastic] + held_[lane], sum[kinetic_translation], sum[kinetic_rotation],
+                     sum[step_correction]};
     pending_[lane] = {sum[pending_damping] + sum[spent_damping],
                       sum[pending_numerical] + sum[spent_numerical],
+                      sum[pending_contact] + sum[spent_contact],
                       sum[pending_grip] + sum[spent_grip] - 0.5 * grip_before_ * dt_ * base_pull_};
   }
   weighed_at_ = steps_done_;
@@ -341,6 +402,21 @@ LatticeEnergy Ensemble<Real>::energy(int lane) {
 }
 
 template <class Real>
+double Ensemble<Real>::grip_force(int lane) const {
+  double force = 0.0;
+  for (const auto& [b, crossing] : at_top_) {
+    const auto& [i, j] = lattice_->ends[b];
+    const Beam& beam = lattice_->beam[b];
+    const BeamLoads loads = marching_.kinematics == Kinematics::linear
+                                ? loads_of(beam, motion(i, lane), motion(j, lane))
+                                : loads_of(beam, pose(i, lane), pose(j, lane));
+    const double left = crossing < 0 ? 1.0 : factor(crossing, lane);
+    force -= left * (top_[i] ? loads.force_i.y() : -loads.force_i.y());
+  }
+  return force;
+}
+
+template <class Real>
 results::Sample Ensemble<Real>::sample(int lane, results::Phase phase) {
   const LatticeEnergy now = energy(lane);
   Ledger& books = ledger_[lane];
@@ -348,12 +424,14 @@ results::Sample Ensemble<Real>::sample(int lane, results::Phase phase) {
   for (int c = 0; c < static_cast<int>(met_.size()); ++c) books.fracture += booked(c, lane);
   books.damping = spent_[lane].damping + pending_[lane].damping;
   books.numerical_damping = spent_[lane].numerical + pending_[lane].numerical;
+  books.contact = spent_[lane].contact + pending_[lane].contact + inherited_[lane] - held_[lane];
   books.work_external = spent_[lane].grip + pending_[lane].grip;
   results::Sample s = balance(books, now);
   s.step = steps_done(lane);
   s.time_s = time(lane);
   s.phase = phase;
   s.lane = lane;
+  s.grip_force_n = grip_force(lane);
   const CrackHistory& history = scenario_[lane].history;
   s.tip_m = cracking_ ? tip(lane) : history.stretch.front().position;
   s.velocity_m_s = cracking_ ? speed_at(history, crack_time(lane, steps_done_)) : 0.0;

@@ -2,6 +2,7 @@
 
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/ensemble/part_rows.hpp"
+#include "engine/fracture/face_contact.hpp"
 #include "engine/fracture/ledger.hpp"
 #include "engine/fracture/scenario.hpp"
 #include "engine/lattice/crew.hpp"
@@ -28,7 +29,8 @@ struct Marching {
   Kinematics kinematics = Kinematics::linear;
   int threads = 1;
   InstructionSet instructions = instruction_set();
-  int lanes = 0;  // of the kernel; 0 for the fewest that hold the scenarios
+  int lanes = 0;         // of the kernel; 0 for the fewest that hold the scenarios
+  bool contact = false;  // whether any scenario's faces touch, now or later
 };
 
 /// Scenarios that march in lock-step over one lattice with one step; a scenario is a lane, and what it does
@@ -91,6 +93,9 @@ class Ensemble {
   /// Energies of a lane now. Cost: two looks at every beam, for all lanes at once.
   LatticeEnergy energy(int lane);
 
+  /// With which the upper grip pulls along y [N]; below 0 it presses.
+  double grip_force(int lane) const;
+
   /// The books of a lane now; step, time, tip and speed included.
   results::Sample sample(int lane, results::Phase phase);
 
@@ -112,6 +117,8 @@ class Ensemble {
   }
   double booked(int crossing, int lane) const { return booked_[at_crossing(crossing, lane)]; }
   double& booked(int crossing, int lane) { return booked_[at_crossing(crossing, lane)]; }
+  /// The slip of the faces at a crossing, as alpha_i + alpha_j of the beam that was there [rad].
+  Eigen::Vector3d slip(int crossing, int lane) const;
   double largest_energy(int lane) const { return ledger_[lane].largest; }
 
   const Lattice& lattice() const { return *lattice_; }
@@ -131,8 +138,13 @@ class Ensemble {
   std::size_t at_crossing(int k, int lane) const { return static_cast<std::size_t>(k) * lanes_ + lane; }
   Pose pose(int element, int lane) const;
   BeamStrain strain(int beam, int lane) const;
+  void find_beams_at_top();
   void put_to_rest(int lane);
+  void set_lane_numbers(int lane);
   void build_parts();
+  void set_slips();
+  std::vector<double> by_element(AlignedVector<Real> PartRows<Real>::*special_rows) const;
+  void set_by_element(AlignedVector<Real> PartRows<Real>::*special_rows, const std::vector<double>& rows);
   void add_up_spent();
   void copy_ghosts();
   void foresee_softening();
@@ -150,12 +162,18 @@ class Ensemble {
   std::vector<char> notched_;
   std::vector<Vector6> base_;
   std::vector<DampedBeam> damped_;
-  double base_pull_ = 0;  // of the lattice on the top grip along y in the base state [N]
+  struct AtTop {
+    int beam, crossing;  // the latter -1 where the path does not cross it
+  };
+  std::vector<AtTop> at_top_;  // from the top grip to other elements
+  double base_pull_ = 0;     // of the lattice on the top grip along y in the base state [N]
 
   std::vector<int> cut_;
   std::vector<PartRows<Real>> part_;
   std::unique_ptr<Crew> crew_;
   AlignedVector<Real> q_, v_, rate_, per_mass_, factor_, alpha_at_surface_, alpha_elsewhere_;
+  AlignedVector<Real> touches_, friction_;  // [lane]
+  AlignedVector<Real> slip_, slip_after_;   // [crossing][3][lane]; empty where no faces touch
   AlignedVector<double> mass_, base_rows_, velocity_;
   std::vector<std::uint8_t> top_;
 
@@ -170,9 +188,11 @@ class Ensemble {
   std::vector<Ledger> ledger_;
   std::vector<LatticeEnergy> energy_;
   struct Spent {
-    double damping = 0, numerical = 0, grip = 0;
+    double damping = 0, numerical = 0, contact = 0, grip = 0;
   };
   std::vector<Spent> spent_, pending_;  // by steps done; by the step that ends
+  std::vector<double> held_,
+      inherited_;  // [lane] by the faces now; of it from the beams as they softened [J]
 };
 
 }  // namespace rift

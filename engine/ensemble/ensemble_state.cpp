@@ -69,20 +69,43 @@ NamedNumbers Ensemble<Real>::state() const {
   for (std::size_t lane = 0; lane < ledger_.size(); ++lane) {
     const Ledger& l = ledger_[lane];
     const Spent& s = spent_[lane];
-    for (const double x : {l.energy_start, l.fracture, l.damping, l.numerical_damping, l.work_external,
-                           l.largest, s.damping, s.numerical, s.grip})
+    for (const double x :
+         {l.energy_start, l.fracture, l.damping, l.numerical_damping, l.contact, l.work_external, l.largest,
+          s.damping, s.numerical, s.contact, s.grip, inherited_[lane]})
       state["ledger"].push_back(x);
   }
   // By chunks and by elements, which do not depend on how many threads march.
-  std::vector<double>& before = state["damping_before"];
-  before.assign(damped_.empty() ? 0 : rows * 6, 0.0);
-  for (const PartRows<Real>& part : part_) {
-    put(state, "account", part.account, part.account.size());
-    for (std::size_t k = 0; k < part.damping_before.size(); ++k)
-      before[static_cast<std::size_t>(part.special[k / (6UL * lanes_)]) * 6 * lanes_ + k % (6UL * lanes_)] =
-          static_cast<double>(part.damping_before[k]);
-  }
+  for (const PartRows<Real>& part : part_) put(state, "account", part.account, part.account.size());
+  state["damping_before"] = by_element(&PartRows<Real>::damping_before);
+  if (!marching_.contact) return state;
+  state["contact_before"] = by_element(&PartRows<Real>::contact_before);
+  put(state, "slip", slip_, slip_.size());
   return state;
+}
+
+/// Rows of special elements as rows of all, 0 elsewhere; none where no part has any.
+template <class Real>
+std::vector<double> Ensemble<Real>::by_element(AlignedVector<Real> PartRows<Real>::*special_rows) const {
+  std::vector<double> rows;
+  const std::size_t row = 6UL * lanes_;
+  for (const PartRows<Real>& part : part_) {
+    const AlignedVector<Real>& numbers = part.*special_rows;
+    if (!numbers.empty()) rows.resize(base_.size() * row);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      rows[static_cast<std::size_t>(part.special[k / row]) * row + k % row] = static_cast<double>(numbers[k]);
+  }
+  return rows;
+}
+
+template <class Real>
+void Ensemble<Real>::set_by_element(AlignedVector<Real> PartRows<Real>::*special_rows,
+                                    const std::vector<double>& rows) {
+  const std::size_t row = 6UL * lanes_;
+  for (PartRows<Real>& part : part_) {
+    AlignedVector<Real>& numbers = part.*special_rows;
+    for (std::size_t k = 0; k < numbers.size() && !rows.empty(); ++k)
+      numbers[k] = static_cast<Real>(rows[static_cast<std::size_t>(part.special[k / row]) * row + k % row]);
+  }
 }
 
 template <class Real>
@@ -107,27 +130,36 @@ void Ensemble<Real>::restore(const NamedNumbers& state) {
   take(state, "rate", rate_, rate_.empty() ? 0 : rows * 6);
   take(state, "factor", factor_, factor_.size());
   take(state, "booked", booked_, booked_.size());
-  const std::vector<double>& ledger = numbers_of(state, "ledger", 9 * ledger_.size());
+  const std::vector<double>& ledger = numbers_of(state, "ledger", 12 * ledger_.size());
   for (std::size_t lane = 0; lane < ledger_.size(); ++lane) {
-    const double* x = &ledger[9 * lane];
-    ledger_[lane] = {x[0], x[1], x[2], x[3], x[4], x[5]};
-    spent_[lane] = {x[6], x[7], x[8]};
+    const double* x = &ledger[12 * lane];
+    ledger_[lane] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6]};
+    spent_[lane] = {x[7], x[8], x[9], x[10]};
+    inherited_[lane] = x[11];
   }
-  const std::vector<double>& before = numbers_of(state, "damping_before", damped_.empty() ? 0 : rows * 6);
+  set_by_element(&PartRows<Real>::damping_before,
+                 numbers_of(state, "damping_before", damped_.empty() ? 0 : rows * 6));
+  if (marching_.contact) {
+    set_by_element(&PartRows<Real>::contact_before, numbers_of(state, "contact_before", rows * 6));
+    take(state, "slip", slip_, slip_.size());
+    slip_after_ = slip_;
+  }
   std::size_t accounts_of_all = 0;
   for (const PartRows<Real>& part : part_) accounts_of_all += part.account.size();
   auto account = numbers_of(state, "account", accounts_of_all).begin();
   for (PartRows<Real>& part : part_) {
     std::copy_n(account, part.account.size(), part.account.begin());
     account += static_cast<std::ptrdiff_t>(part.account.size());
-    for (std::size_t k = 0; k < part.damping_before.size(); ++k)
-      part.damping_before[k] =
-          static_cast<Real>(before[static_cast<std::size_t>(part.special[k / (6UL * lanes_)]) * 6 * lanes_ +
-                                   k % (6UL * lanes_)]);
   }
   weighed_at_ = velocities_at_ = -1;
 }
 
+template std::vector<double> Ensemble<double>::by_element(AlignedVector<double> PartRows<double>::*) const;
+template std::vector<double> Ensemble<float>::by_element(AlignedVector<float> PartRows<float>::*) const;
+template void Ensemble<double>::set_by_element(AlignedVector<double> PartRows<double>::*,
+                                               const std::vector<double>&);
+template void Ensemble<float>::set_by_element(AlignedVector<float> PartRows<float>::*,
+                                              const std::vector<double>&);
 template NamedNumbers Ensemble<double>::state() const;
 template NamedNumbers Ensemble<float>::state() const;
 template void Ensemble<double>::restore(const NamedNumbers&);

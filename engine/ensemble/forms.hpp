@@ -11,6 +11,13 @@ struct EndLoads {
   Space<V> force, moment_i, moment_j;
 };
 
+/// How the faces that a beam joined have moved: stretch and alpha_i + alpha_j, along and across n.
+template <class V>
+struct FaceStrain {
+  V stretch, two_per_length;
+  Space<V> bend, n;
+};
+
 /// Linear kinematics: axes fixed   [physics.md §2; paper eqs. (3)-(6)]. Written in the sum and the difference
 /// of the rotations, with d = u_j - u_i, across the axis:
 ///   S = 3/2 w (theta_i + theta_j - (2/l) n x d),   D = w/2 (theta_j - theta_i),   twist t = n.(theta_j -
@@ -40,11 +47,16 @@ struct Linear {
   }
   static Form form(const V* p) { return {{p[0], p[1], p[2]}, p[3], p[4], p[5], p[6]}; }
 
+  /// theta_i + theta_j - (2/l) n x d across the axis, which is alpha_i + alpha_j
+  static Space<V> bend(const Form& b, const Space<V>& d, const Space<V>& sum) {
+    const Space<V> s = plus(sum, -b.c, cross(b.n, d));
+    return plus(s, -dot(b.n, sum), b.n);
+  }
+
   static EndLoads<V> loads(const Form& b, const Position& i, const Position& j) {
     const Space<V> d = j.u - i.u, sum = i.theta + j.theta, difference = j.theta - i.theta;
     const V t = dot(b.n, difference);
-    Space<V> s = plus(sum, -b.c, cross(b.n, d));
-    s = plus(s, -dot(b.n, sum), b.n);
+    const Space<V> s = bend(b, d, sum);
     const V half = V{} + Real(0.5) * b.bending;
     const Space<V> S = (Real(3) * half) * s;
     const Space<V> D = plus(half * difference, (b.twist - half) * t, b.n);
@@ -56,10 +68,14 @@ struct Linear {
   static V energy(const Form& b, const Position& i, const Position& j) {
     const Space<V> d = j.u - i.u, sum = i.theta + j.theta, difference = j.theta - i.theta;
     const V stretch = dot(b.n, d), t = dot(b.n, difference);
-    Space<V> s = plus(sum, -b.c, cross(b.n, d));
-    s = plus(s, -dot(b.n, sum), b.n);
-    const V bend = 0.75 * dot(s, s) + 0.25 * (dot(difference, difference) - t * t);
-    return 0.5 * b.axial * stretch * stretch + 0.5 * b.twist * t * t + b.bending * bend;
+    const Space<V> s = bend(b, d, sum);
+    const V bent = 0.75 * dot(s, s) + 0.25 * (dot(difference, difference) - t * t);
+    return 0.5 * b.axial * stretch * stretch + 0.5 * b.twist * t * t + b.bending * bent;
+  }
+
+  static FaceStrain<V> face_strain(const Form& b, const Position& i, const Position& j) {
+    const Space<V> d = j.u - i.u;
+    return {dot(b.n, d), b.c, bend(b, d, i.theta + j.theta), b.n};
   }
 
   /// q(t + dt) = q + dt q'   [eq. (1); q' at the middle of the step]
@@ -156,6 +172,12 @@ struct Corotational {
     const Strain e = strain(b, i, j);
     const V bend = dot(e.alpha_i, e.alpha_i) + dot(e.alpha_i, e.alpha_j) + dot(e.alpha_j, e.alpha_j);
     return 0.5 * b.axial * e.stretch * e.stretch + 0.5 * b.twist * e.twist * e.twist + b.bending * bend;
+  }
+
+  /// Along the chord alone: faces without friction.
+  static FaceStrain<V> face_strain(const Form& b, const Position& i, const Position& j) {
+    const Strain e = strain(b, i, j);
+    return {e.stretch, e.per_length + e.per_length, Space<V>{}, e.n};
   }
 
   /// Displacements as in linear kinematics; the rotation by dt omega about omega, as (1, dt omega / 2)

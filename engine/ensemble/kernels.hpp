@@ -11,28 +11,33 @@ inline void add_extra(const PartView<Real>& p, int place, Pack<Real, Width> (&f)
   for (int c = 0; c < 6; ++c) {
     const long at = (6L * place + c) * Width;
     f[c] = f[c] + load<Width>(p.extra + at);
+    if (p.contact_force) f[c] = f[c] + load<Width>(p.contact_force + at);
     if (p.damping) f[c] = f[c] + load<Width>(p.damping + at);
   }
 }
 
-/// What the books of a step take of one element [J], in double: viscous damping 1/2 (F_n + F_{n+1}) . dq,
-/// numerical damping 1/2 M (v^2 at beta = 1 - v^2 at beta), work of the moving grip - 1/2 F . dq [physics.md
-/// §7].
+/// What the books of a step take of one element [J], in double: viscous damping and work against the contact
+/// of the faces - 1/2 (F_n + F_{n+1}) . dq, numerical damping 1/2 M (v^2 at beta = 1 - v^2 at beta), work of
+/// the moving grip - 1/2 F . dq   [physics.md §7].
 template <class Real, int Width>
 struct StepBooks {
   using D = Pack<double, Width>;
-  D damping{}, numerical{}, grip{};
+  D damping{}, contact{}, numerical{}, grip{};
 
   void take(const PartView<Real>& p, const StepConstants& k, int i, int place,
             const Pack<Real, Width> (&f)[6], double grip_way) {
     const Real* rates = (p.rate ? p.rate : p.v) + 6L * Width * i;
-    if (p.damping && place >= 0)
+    const auto taken_by = [&](const Real* force, const Real* before, D& taken) {
+      if (!force || place < 0) return;
       for (int c = 0; c < 6; ++c) {
         const long at = (6L * place + c) * Width;
-        const D force = widened<Real, Width>(load<Width>(p.damping + at)) +
-                        widened<Real, Width>(load<Width>(p.damping_before + at));
-        damping -= 0.5 * k.dt * force * widened<Real, Width>(load<Width>(rates + c * Width));
+        const D both =
+            widened<Real, Width>(load<Width>(force + at)) + widened<Real, Width>(load<Width>(before + at));
+        taken -= 0.5 * k.dt * both * widened<Real, Width>(load<Width>(rates + c * Width));
       }
+    };
+    taken_by(p.damping, p.damping_before, damping);
+    taken_by(p.contact_force, p.contact_before, contact);
     if (p.rate && p.per_mass[2L * i] != 0)
       for (int c = 0; c < 6; ++c) {
         const D kick =
@@ -84,13 +89,15 @@ void advance(const PartView<Real>& p, const StepConstants& k) {
       books.take(p, k, i, place, f, (k.grip_before + k.grip_after) * k.dt);
       double* chunk = chunk_of<Real, Width>(p, i);
       add_to_account<Width>(chunk, spent_damping, books.damping);
+      add_to_account<Width>(chunk, spent_contact, books.contact);
       add_to_account<Width>(chunk, spent_numerical, books.numerical);
       add_to_account<Width>(chunk, spent_grip, books.grip);
-      if (p.damping && place >= 0)
-        for (int c = 0; c < 6; ++c) {
-          const long at = (6L * place + c) * Width;
-          store<Width>(p.damping_before + at, load<Width>(p.damping + at));
-        }
+      const auto keep = [&](const Real* force, Real* before) {
+        if (!force || place < 0) return;
+        for (long at = 6L * place * Width; at < 6L * (place + 1) * Width; ++at) before[at] = force[at];
+      };
+      keep(p.damping, p.damping_before);
+      keep(p.contact_force, p.contact_before);
       for (int c = 0; c < 6; ++c) {
         const V a = yield[c / 3] * f[c];
         v[c] = fma(splat<V>(both), a, v[c]);
@@ -120,15 +127,45 @@ inline typename Form<double, Width>::Position wide_position(const PartView<Real>
 }
 
 template <template <class, int> class Form, class Real, int Width>
-inline Pack<double, Width> wide_energy(const PartView<Real>& p, const typename Form<Real, 1>::Row& beam,
-                                       long i, long j) {
-  using D = Form<double, Width>;
+inline typename Form<double, Width>::Form wide_form(const typename Form<Real, 1>::Row& beam) {
   constexpr int numbers = sizeof(beam) / sizeof(Real);
   const Real* narrow = reinterpret_cast<const Real*>(&beam);
   Pack<double, Width> number[numbers];
   for (int k = 0; k < numbers; ++k) number[k] = splat<Pack<double, Width>>(static_cast<double>(narrow[k]));
-  return D::energy(D::form(number), wide_position<Form, Real, Width>(p, i),
-                   wide_position<Form, Real, Width>(p, j));
+  return Form<double, Width>::form(number);
+}
+
+template <template <class, int> class Form, class Real, int Width>
+inline Pack<double, Width> wide_energy(const PartView<Real>& p, const typename Form<Real, 1>::Row& beam,
+                                       long i, long j) {
+  return Form<double, Width>::energy(wide_form<Form, Real, Width>(beam),
+                                     wide_position<Form, Real, Width>(p, i),
+                                     wide_position<Form, Real, Width>(p, j));
+}
+
+/// What the faces have stored.
+template <template <class, int> class Form, class Real, int Width>
+inline void weigh_contacts(const PartView<Real>& p) {
+  using D = Form<double, Width>;
+  using V = Pack<double, Width>;
+  const auto* contact = static_cast<const ContactRow<Real, typename Form<Real, 1>::Row>*>(p.contact);
+  const auto wide = [](const Real* at) { return widened<Real, Width>(load<Width>(at)); };
+  for (int b = 0; b < p.contacts; ++b) {
+    const auto& row = contact[b];
+    if (row.extra_i < 0) continue;  // the other part's
+    const V parted = wide(p.touches) * (1.0 - wide(p.factor + static_cast<long>(row.k) * Width));
+    if (!any(parted)) continue;
+    const auto form = wide_form<Form, Real, Width>(row.form);
+    const auto strain = D::face_strain(form, wide_position<Form, Real, Width>(p, row.i),
+                                       wide_position<Form, Real, Width>(p, row.j));
+    const Real* slip = p.slip + 3L * Width * row.k;
+    const Touch<V> t =
+        touch<double>(strain, form.axial, form.bending,
+                      {wide(slip), wide(slip + Width), wide(slip + 2 * Width)}, wide(p.friction));
+    add_to_account<Width>(chunk_of<Real, Width>(p, row.i), contact_elastic,
+                          parted * (0.5 * form.axial * t.shortening * t.shortening +
+                                    0.75 * form.bending * dot(t.sliding, t.sliding)));
+  }
 }
 
 template <template <class, int> class Form, class Real, int Width>
@@ -158,6 +195,7 @@ void weigh(const PartView<Real>& p, const StepConstants& k) {
   using D = Pack<double, Width>;
   for (int i = p.begin; i < p.end; i += chunk_size) clear(chunk_of<Real, Width>(p, i), spent_damping * Width);
   weigh_beams<Form, Real, Width>(p);
+  if (p.contact_force) weigh_contacts<Form, Real, Width>(p);
   walk<Form, Real, Width>(p, [&](int i, V(&f)[6], int place) {
     add_extra<Real, Width>(p, place, f);
     StepBooks<Real, Width> books;
@@ -178,6 +216,7 @@ void weigh(const PartView<Real>& p, const StepConstants& k) {
     add_to_account<Width>(chunk, kinetic_rotation, rotation);
     add_to_account<Width>(chunk, step_correction, correction);
     add_to_account<Width>(chunk, pending_damping, books.damping);
+    add_to_account<Width>(chunk, pending_contact, books.contact);
     add_to_account<Width>(chunk, pending_numerical, books.numerical);
     add_to_account<Width>(chunk, pending_grip, books.grip);
   });

@@ -61,6 +61,15 @@ struct CrossingRow {
                  // of the change
 };
 
+/// A crossing beam whose faces press on each other once it is gone   [fracture/face_contact.hpp].
+template <class Real, class Form>
+struct ContactRow {
+  std::int32_t k, i, j, extra_i, extra_j;  // as of CrossingRow
+  Form form;
+  Real stretch,
+      bend[3];  // its stretch and alpha_i + alpha_j in the base state, 0 where the form's are of all
+};
+
 /// A beam with viscous damping   [paper eq. (8)].
 template <class Real>
 struct DampedRow {
@@ -76,12 +85,15 @@ enum Account : int {
   elastic,
   kinetic_translation,
   kinetic_rotation,
-  step_correction,  // at a moment
+  step_correction,
+  contact_elastic,  // at a moment
   pending_damping,
   pending_numerical,
+  pending_contact,
   pending_grip,  // of the step under way, at a moment
   spent_damping,
   spent_numerical,
+  spent_contact,
   spent_grip,  // so far
   accounts
 };
@@ -115,6 +127,12 @@ struct PartView {
   std::int32_t crossings;
   const void* crossing;  // CrossingRow
   const Real* factor;    // [crossing][lane]
+  std::int32_t contacts;
+  const void* contact;                   // ContactRow
+  Real *contact_force, *contact_before;  // [special][6][lane], null without contact
+  const Real* slip;                      // [crossing][3][lane] as the forces of the step before left it
+  Real* slip_after;                      // where this step's leave it; null where they are only weighed
+  const Real *touches, *friction;        // [lane]: 1 where the lane's faces touch; mu
   std::int32_t damped;
   const DampedRow<Real>* damped_row;
   const Real *alpha_at_surface, *alpha_elsewhere;  // [lane]

@@ -57,9 +57,11 @@ class Maker {
     find_ghosts_and_specials();
     if (s_.kinematics == Kinematics::linear) {
       make_rows(rows_.linear, rows_.linear_crossing);
+      make_contacts(rows_.linear_contact);
       if (lanes_ == 1) make_groups(rows_.linear, rows_.linear_group);
     } else {
       make_rows(rows_.corotational, rows_.corotational_crossing);
+      make_contacts(rows_.corotational_contact);
       if (lanes_ == 1) make_groups(rows_.corotational, rows_.corotational_group);
     }
     make_damped();
@@ -172,6 +174,23 @@ class Maker {
     }
   }
 
+  /// A notch is a cut of some width: its faces do not touch.
+  template <class ContactRows>
+  void make_contacts(ContactRows& contacts) {
+    for (int k = 0; s_.contact && k < static_cast<int>(s_.met.size()); ++k) {
+      const int beam = s_.met[k].beam;
+      const auto& [i, j] = ends(beam);
+      if (s_.notched[k] || (!owns(i) && !owns(j))) continue;
+      auto& c = contacts.emplace_back();
+      c.k = k, c.i = row(i), c.j = row(j), c.extra_i = extra(i), c.extra_j = extra(j);
+      set_form(c.form, s_, beam);
+      if (s_.kinematics == Kinematics::corotational) continue;
+      const BeamStrain base = strain_of(s_.lattice.beam[beam], s_.base[i], s_.base[j]);
+      c.stretch = static_cast<Real>(base.stretch);
+      for (int a = 0; a < 3; ++a) c.bend[a] = static_cast<Real>(base.bend_i[a] + base.bend_j[a]);
+    }
+  }
+
   template <class Rows, class Groups>
   void make_groups(const Rows& rows, Groups& groups) {
     using Group = typename Groups::value_type;
@@ -220,6 +239,7 @@ class Maker {
     rows_.ring.assign((rows_.view.mask + 2) * row, 0);
     rows_.extra.assign(specials * row, 0);
     if (!s_.damped.empty()) rows_.damping = rows_.damping_before = rows_.extra;
+    if (s_.contact) rows_.contact = rows_.contact_before = rows_.extra;
     const std::size_t chunks = (end_ - begin_ + chunk_size - 1) / chunk_size;
     rows_.account.assign(chunks * accounts * lanes_, 0.0);
   }

@@ -20,6 +20,7 @@ struct RowSource {
   const std::vector<Crossing>& met;
   const std::vector<char>& notched;  // [crossing] absent from the base state on
   const std::vector<DampedBeam>& damped;
+  bool contact;  // whether the crack's faces may touch
 };
 
 /// First elements of `parts` ranges with about equally many beams, and N; all but the last multiples of
@@ -38,8 +39,10 @@ struct PartRows {
   AlignedVector<BeamGroup<Real, 10>> corotational_group;
   std::vector<CrossingRow<Real, LinearBeam<Real>>> linear_crossing;
   std::vector<CrossingRow<Real, CorotationalBeam<Real>>> corotational_crossing;
+  std::vector<ContactRow<Real, LinearBeam<Real>>> linear_contact;
+  std::vector<ContactRow<Real, CorotationalBeam<Real>>> corotational_contact;
   std::vector<DampedRow<Real>> damped;
-  AlignedVector<Real> ring, extra, damping, damping_before;
+  AlignedVector<Real> ring, extra, damping, damping_before, contact, contact_before;
   AlignedVector<double> account;
   PartView<Real> view{};  // of the vectors above; state and lanes' arrays are the ensemble's
 };

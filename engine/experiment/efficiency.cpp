@@ -21,7 +21,9 @@ Scene steady(const Scene& scene, double over_cr) {
   s.crack.velocity = {{{over_cr, true}, {}}};
   s.crack.path = {}, s.crack.path_shape = PathShape::polyline;
   s.crack.start = 0.0, s.crack.end.reset(), s.crack.tips = 1;
-  s.loading.method = LoadingMethod::static_solve, s.loading.tilt = 0.0;
+  s.loading.method = LoadingMethod::static_solve, s.loading.tilt = s.loading.shear = 0.0;
+  s.loading.displacement = std::abs(s.loading.displacement);
+  s.crack.friction.reset();
   s.output.window.reset(), s.output.frames = 0, s.output.g_i0_reference = ReleaseRateReference::strip;
   return s;
 }

@@ -5,7 +5,7 @@
 namespace rift {
 
 double residual_of(const Ledger& ledger, const LatticeEnergy& energy) {
-  const double lost = ledger.fracture + ledger.damping + ledger.numerical_damping;
+  const double lost = ledger.fracture + ledger.damping + ledger.numerical_damping + ledger.contact;
   const double missing = energy.total() - ledger.energy_start - ledger.work_external + lost;
   if (missing == 0.0) return 0.0;  // books just opened on an unloaded lattice
   return missing / ledger.largest;
@@ -21,6 +21,7 @@ results::Sample balance(Ledger& ledger, const LatticeEnergy& energy) {
   sample.fracture_j = ledger.fracture;
   sample.damping_j = ledger.damping;
   sample.numerical_damping_j = ledger.numerical_damping;
+  sample.contact_j = ledger.contact;
   sample.work_external_j = ledger.work_external;
   sample.residual = residual_of(ledger, energy);
   return sample;

@@ -10,10 +10,10 @@ namespace {
 using results::RatePoint;
 using results::Sample;
 
-/// Energy that has left the lattice other than by damping [J].
+/// Energy that has left the lattice other than by damping and between the faces [J].
 double released(const Sample& s) {
   return s.work_external_j - s.elastic_j - s.kinetic_translation_j - s.kinetic_rotation_j +
-         s.step_correction_j - s.damping_j - s.numerical_damping_j;
+         s.step_correction_j - s.damping_j - s.numerical_damping_j - s.contact_j;
 }
 
 /// The books at a tip position between two rows, each column interpolated.
@@ -24,9 +24,10 @@ Sample books_at(const std::vector<Sample>& lane, double tip) {
   const double t = (tip - p.tip_m) / (q.tip_m - p.tip_m);
   Sample s = p;
   s.tip_m = tip;
-  for (double Sample::*column : {&Sample::elastic_j, &Sample::kinetic_translation_j,
-                                 &Sample::kinetic_rotation_j, &Sample::step_correction_j, &Sample::fracture_j,
-                                 &Sample::damping_j, &Sample::numerical_damping_j, &Sample::work_external_j})
+  for (double Sample::*column :
+       {&Sample::elastic_j, &Sample::kinetic_translation_j, &Sample::kinetic_rotation_j,
+        &Sample::step_correction_j, &Sample::fracture_j, &Sample::damping_j, &Sample::numerical_damping_j,
+        &Sample::contact_j, &Sample::work_external_j})
     s.*column += t * (q.*column - p.*column);
   return s;
 }

@@ -22,7 +22,8 @@ struct RateScale {
 double mean_g_i0(const RateScale& scale, double from, double to);
 
 /// Release rates over G_I0 between two rows of the books   [physics.md §7; paper eq. (7)]:
-///   ratio = (dW_ext - dW_elas - dK + dC - dW_damping - dW_numerical) / (b da G_I0), K with rotation
+///   ratio = (dW_ext - dW_elas - dK + dC - dW_damping - dW_numerical - dW_contact) / (b da G_I0),
+///     K with rotation
 ///   ratio_release = fracture energy / (b da G_I0);  with damping: ratio + damping;  translation only: K
 ///   without rotation
 /// where b da G_I0 is b times the integral of G_I0(a) da, summed over the tips.

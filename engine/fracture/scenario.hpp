@@ -3,6 +3,7 @@
 #include "engine/fracture/release.hpp"
 #include "engine/history/crack_history.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace rift {
@@ -19,6 +20,7 @@ struct LaneScenario {
   ReleaseLaw law;
   std::vector<LawBeyond> later = {};                 // by position: laws that took over while the crack ran
   double alpha_at_surface = 0, alpha_elsewhere = 0;  // fractions of critical damping
+  std::optional<double> friction = {};               // mu of the faces; without it they do not touch
 };
 
 /// The law of the beams that cross the path at `position`.

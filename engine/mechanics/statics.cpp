@@ -44,7 +44,10 @@ std::vector<Vector6> forces_on(const Lattice& lattice, const std::vector<char>& 
 std::vector<Vector6> gripped(const Lattice& lattice, const Pull& pull) {
   std::vector<Vector6> q(lattice.centre.size(), Vector6::Zero());
   for (std::size_t i = 0; i < q.size(); ++i)
-    if (lattice.grip[i] == Grip::top) q[i][1] = pull.at(lattice.centre[i].x() / lattice.box.length);
+    if (lattice.grip[i] == Grip::top) {
+      q[i][0] = pull.middle * pull.shear;
+      q[i][1] = pull.at(lattice.centre[i].x() / lattice.box.length);
+    }
   return q;
 }
 
@@ -71,7 +74,7 @@ std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, cons
   constexpr double inner_tolerance = 1e-5;
   constexpr int most_rounds = 20;
   // A beam's stretch is the difference of two lengths, rounded to some 1e-16 of them.
-  const double strain = std::abs(pull.middle) / lattice.box.height;
+  const double strain = std::abs(pull.middle) * std::hypot(1.0, pull.shear) / lattice.box.height;
   const double balanced = std::max(1e-11, 1e-15 / strain);
   std::vector<Pose> pose;
   for (const Vector6& q : stretched_at_rest(lattice, present, pull)) pose.push_back(pose_of(q));

@@ -217,6 +217,16 @@ void write_events(Group& root, const JournalScan& scan) {
   write_columns(events, scan.events, event_columns);
 }
 
+void write_gauges(Group& root, const JournalScan& scan) {
+  if (scan.gauges.empty()) return;
+  auto gauges = root.group("gauges");
+  write_member(gauges, "step", scan.gauges, [](const GaugeRow& row) { return row.step; });
+  write_member(gauges, "time_s", scan.gauges, [](const GaugeRow& row) { return row.time_s; });
+  write_member(gauges, "lane", scan.gauges, [](const GaugeRow& row) { return row.lane; });
+  write_member(gauges, "gauge", scan.gauges, [](const GaugeRow& row) { return row.gauge; });
+  write_columns(gauges, scan.gauges, gauge_columns);
+}
+
 /// Each entry of the header as a text of its own, numbers and nested entries as JSON.
 void write_scene(Group& root, const JournalScan& scan) {
   auto scene = root.group("scene");
@@ -249,6 +259,7 @@ void assemble_archive(const std::filesystem::path& run_folder, const std::filesy
     write_series(root, scan);
     write_crack(root, scan);
     write_events(root, scan);
+    write_gauges(root, scan);
     write_scene(root, scan);
   }
   file.close();

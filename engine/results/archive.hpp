@@ -8,6 +8,7 @@ namespace rift::results {
 inline constexpr const char* journal_name = "journal.rift";
 inline constexpr const char* archive_name = "run.vtkhdf";
 inline constexpr const char* series_name = "series.csv";
+inline constexpr const char* gauges_name = "gauges.csv";  // where there are gauges
 inline constexpr const char* summary_name = "summary.json";
 /// The effective preset of a run that was steered, with its changes: `rift run --replay` takes it.
 inline constexpr const char* steering_name = "steering.toml";

@@ -29,6 +29,7 @@ class Inspection {
     look_at("the series", [&] { check_.samples = table("series", series_columns()); });
     look_at("the events", [&] { events(); });
     look_at("the rates", [&] { rates(); });
+    look_at("the gauges", [&] { gauges(); });
     require(contents_.count("scene/header") != 0, "scene/header is missing");
     return std::move(check_);
   }
@@ -130,9 +131,13 @@ class Inspection {
     expect_within(offsets, all - per_frame + 1);
   }
 
-  static std::vector<std::string> series_columns() {
+  /// Older archives lack the columns that came last.
+  std::vector<std::string> series_columns() const {
     std::vector<std::string> names{"step", "time_s", "phase", "lane"};
-    for (const auto& column : sample_columns) names.emplace_back(column.name);
+    for (const auto& column : sample_columns)
+      if ((column.value != &Sample::contact_j && column.value != &Sample::grip_force_n) ||
+          contents_.contains(std::string("series/") + column.name))
+        names.emplace_back(column.name);
     for (const auto& column : rate_columns) names.emplace_back(column.name);
     return names;
   }
@@ -160,6 +165,14 @@ class Inspection {
       const std::string lane = name.substr(0, name.rfind('/'));
       if (lane != std::exchange(last, lane)) table(lane, columns);
     }
+  }
+
+  /// Only where the scene has any.
+  void gauges() {
+    if (!contents_.contains("gauges/step")) return;
+    std::vector<std::string> columns{"step", "time_s", "lane", "gauge"};
+    for (const auto& column : gauge_columns) columns.emplace_back(column.name);
+    table("gauges", columns);
   }
 
   const InputFile& file_;

@@ -26,6 +26,23 @@ inline constexpr std::array sample_columns{
     Column<Sample>{"energy_numerical_damping_j", &Sample::numerical_damping_j},
     Column<Sample>{"work_external_j", &Sample::work_external_j},
     Column<Sample>{"ledger_residual", &Sample::residual},
+    Column<Sample>{"energy_contact_j", &Sample::contact_j},
+    Column<Sample>{"grip_force_n", &Sample::grip_force_n},
+};
+
+/// What follows step, time_s, lane and gauge.
+inline constexpr std::array gauge_columns{
+    Column<GaugeRow>{"x_m", &GaugeRow::x_m},
+    Column<GaugeRow>{"y_m", &GaugeRow::y_m},
+    Column<GaugeRow>{"ux_m", &GaugeRow::ux_m},
+    Column<GaugeRow>{"uy_m", &GaugeRow::uy_m},
+    Column<GaugeRow>{"uz_m", &GaugeRow::uz_m},
+    Column<GaugeRow>{"vx_m_s", &GaugeRow::vx_m_s},
+    Column<GaugeRow>{"vy_m_s", &GaugeRow::vy_m_s},
+    Column<GaugeRow>{"vz_m_s", &GaugeRow::vz_m_s},
+    Column<GaugeRow>{"strain_xx", &GaugeRow::strain_xx},
+    Column<GaugeRow>{"strain_yy", &GaugeRow::strain_yy},
+    Column<GaugeRow>{"strain_xy", &GaugeRow::strain_xy},
 };
 
 /// What follows a tip position.

@@ -35,6 +35,7 @@ struct Collector {
   }
   void operator()(ReleaseEvent&& event) { scan.events.push_back(event); }
   void operator()(RateCurve&& curve) { scan.rates.push_back(std::move(curve)); }
+  void operator()(GaugeRow&& row) { scan.gauges.push_back(row); }
   void operator()(RunEnd&& end) { scan.summary_json = std::move(end.summary_json); }
 };
 

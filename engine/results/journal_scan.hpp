@@ -19,6 +19,7 @@ struct JournalScan {
   std::vector<Sample> samples;
   std::vector<ReleaseEvent> events;
   std::vector<RateCurve> rates;
+  std::vector<GaugeRow> gauges;
   std::optional<std::string> summary_json;  // only where the run ended by itself
   std::int32_t lanes = 0;                   // "lanes" of the header, or more where records name more
   std::int64_t frames = 0;                  // over all lanes

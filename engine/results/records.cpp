@@ -29,11 +29,12 @@ struct Encoder {
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
   void operator()(const std::string& text) { bytes.append(text); }
-  /// An array that older journals do not have, at the end of its record.
+  /// What older journals do not have, at the end of its record.
   template <typename T>
   void where_any(const std::vector<T>& values) {
     if (!values.empty()) (*this)(values);
   }
+  void where_any(double value) { (*this)(value); }
 };
 
 /// Takes numbers and arrays off a payload; `good` falls where it holds less than they need.
@@ -64,8 +65,8 @@ struct Decoder {
     take(values.data(), count * sizeof(T));
   }
   template <typename T>
-  void where_any(std::vector<T>& values) {
-    if (!bytes.empty()) (*this)(values);
+  void where_any(T& value) {
+    if (!bytes.empty()) (*this)(value);
   }
   void operator()(std::string& text) {
     text = bytes;
@@ -88,6 +89,8 @@ void fields(Codec& code, R& record) {
         record.elastic_j, record.kinetic_translation_j, record.kinetic_rotation_j, record.step_correction_j,
         record.fracture_j, record.damping_j, record.numerical_damping_j, record.work_external_j,
         record.residual);
+    code.where_any(record.contact_j);
+    code.where_any(record.grip_force_n);
   } else if constexpr (std::is_same_v<T, Frame>) {
     all(record.step, record.time_s, record.lane, record.tip_m, record.displacement, record.velocity,
         record.damage_factor);
@@ -96,6 +99,10 @@ void fields(Codec& code, R& record) {
     all(record.beam, record.lane, record.time_s, record.position_m, record.energy_j);
   } else if constexpr (std::is_same_v<T, RateCurve>) {
     all(record.lane, record.points);
+  } else if constexpr (std::is_same_v<T, GaugeRow>) {
+    all(record.step, record.time_s, record.lane, record.gauge, record.x_m, record.y_m, record.ux_m,
+        record.uy_m, record.uz_m, record.vx_m_s, record.vy_m_s, record.vz_m_s, record.strain_xx,
+        record.strain_yy, record.strain_xy);
   } else {
     static_assert(std::is_same_v<T, RunEnd>);
     all(record.summary_json);
@@ -120,6 +127,7 @@ bool is_sound(const Sample& sample) { return sample.phase <= Phase::fracture && 
 bool is_sound(const Frame& frame) { return frame.lane >= 0; }
 bool is_sound(const ReleaseEvent& event) { return event.lane >= 0 && event.beam >= 0; }
 bool is_sound(const RateCurve& curve) { return curve.lane >= 0; }
+bool is_sound(const GaugeRow& row) { return row.lane >= 0 && row.gauge >= 0; }
 bool is_sound(const RunHeader&) { return true; }
 bool is_sound(const RunEnd&) { return true; }
 

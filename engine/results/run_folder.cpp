@@ -29,7 +29,8 @@ bool is_picture(std::string_view name) {
 
 /// What `rift verify` has put aside: "journal_damaged.rift", "series_damaged2.csv".
 bool is_put_aside(std::string_view name) {
-  for (const char* stem : {"journal_damaged", "run_damaged", "series_damaged", "summary_damaged"})
+  for (const char* stem :
+       {"journal_damaged", "run_damaged", "series_damaged", "gauges_damaged", "summary_damaged"})
     if (name.starts_with(stem)) return true;
   return false;
 }
@@ -37,8 +38,8 @@ bool is_put_aside(std::string_view name) {
 bool is_run_file(std::string_view name) {
   if (name.ends_with(".part")) name.remove_suffix(5);  // left by a kill
   return name == journal_name || name == archive_name || name == series_name || name == summary_name ||
-         name == steering_name || has_affixes(name, "checkpoint", ".h5") || is_picture(name) ||
-         is_put_aside(name);
+         name == gauges_name || name == steering_name || has_affixes(name, "checkpoint", ".h5") ||
+         is_picture(name) || is_put_aside(name);
 }
 
 bool is_export_folder(std::string_view name) {

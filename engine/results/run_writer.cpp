@@ -31,7 +31,8 @@ namespace {
 
 /// Removes what the end of a run had made, and what is made anew.
 const std::filesystem::path& without_end(const std::filesystem::path& folder) {
-  for (const char* name : {archive_name, summary_name, series_name}) std::filesystem::remove(folder / name);
+  for (const char* name : {archive_name, summary_name, series_name, gauges_name})
+    std::filesystem::remove(folder / name);
   return folder;
 }
 
@@ -55,6 +56,8 @@ void RunWriter::frame(const Frame& frame) { journal_.write(frame); }
 
 void RunWriter::event(const ReleaseEvent& event) { journal_.write(event); }
 
+void RunWriter::gauge(const GaugeRow& row) { journal_.write(row); }
+
 void RunWriter::flush() {
   journal_.flush();
   series_.flush();
@@ -70,6 +73,7 @@ void RunWriter::finish(const nlohmann::ordered_json& summary,
 
   const auto scan = scan_journal(folder_ / journal_name);
   write_whole_file(folder_ / series_name, series_csv(scan.samples, scan.rates));
+  if (!scan.gauges.empty()) write_whole_file(folder_ / gauges_name, gauges_csv(scan.gauges));
   assemble_archive(folder_);
   write_whole_file(folder_ / summary_name, json_text(summary, 2) + "\n");
 }

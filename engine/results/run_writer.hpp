@@ -29,13 +29,15 @@ class RunWriter {
   void sample(const Sample& sample);
   void frame(const Frame& frame);
   void event(const ReleaseEvent& event);
+  void gauge(const GaugeRow& row);
   /// After each batch: what was given so far is then seen by `watch` and survives a kill.
   void flush();
   /// After flush(): how long the journal is.
   [[nodiscard]] std::uint64_t journal_bytes() const;
 
   /// The run has ended by itself: the rates and the summary go into the journal, then the final series.csv,
-  /// run.vtkhdf and, last, summary.json (undefined values null). Each appears whole or not at all.
+  /// gauges.csv where there are gauges, run.vtkhdf and, last, summary.json (undefined values null). Each
+  /// appears whole or not at all.
   /// @param rate_per_lane  points of lane 0, 1, ...
   void finish(const nlohmann::ordered_json& summary,
               const std::vector<std::vector<RatePoint>>& rate_per_lane);

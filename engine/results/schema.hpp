@@ -26,7 +26,21 @@ struct Sample {
   double damping_j = 0;
   double numerical_damping_j = 0;
   double work_external_j = 0;
-  double residual = 0;  // relative to the largest lattice energy so far
+  double residual = 0;      // relative to the largest lattice energy so far
+  double contact_j = 0;     // by friction of the crack's faces, and as they meet and part between two steps
+  double grip_force_n = 0;  // with which the upper grip pulls along y
+};
+
+/// What a virtual gauge shows at one step of one lane; displacements and strains since the unloaded plate.
+struct GaugeRow {
+  std::int64_t step = 0;
+  double time_s = 0;
+  std::int32_t lane = 0;
+  std::int32_t gauge = 0;  // by the order of output.gauges
+  double x_m = 0, y_m = 0;
+  double ux_m = 0, uy_m = 0, uz_m = 0;
+  double vx_m_s = 0, vy_m_s = 0, vz_m_s = 0;
+  double strain_xx = 0, strain_yy = 0, strain_xy = 0;
 };
 
 /// Release rate at one tip position, by a centred difference; ratios of G_I0 [-].

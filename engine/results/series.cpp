@@ -63,6 +63,18 @@ std::string series_csv(std::span<const Sample> samples, std::span<const RateCurv
   return text;
 }
 
+std::string gauges_csv(std::span<const GaugeRow> rows) {
+  std::string text = "step,time_s,lane,gauge";
+  for (const auto& column : gauge_columns) text += fmt::format(",{}", column.name);
+  text += '\n';
+  for (const GaugeRow& row : rows) {
+    text += fmt::format("{},{},{},{}", row.step, csv_number(row.time_s), row.lane, row.gauge);
+    for (const auto& column : gauge_columns) text += "," + csv_number(row.*column.value);
+    text += '\n';
+  }
+  return text;
+}
+
 SeriesWriter::SeriesWriter(const std::filesystem::path& path) : file_(path) {
   file_.append(series_header() + "\n");
   file_.flush();

@@ -13,6 +13,9 @@
 /// what is not defined (NaN, a release rate where none is known) is an empty field.
 namespace rift::results {
 
+/// gauges.csv: one row per gauge, lane and moment, in the journal's order.
+std::string gauges_csv(std::span<const GaugeRow> rows);
+
 /// Names of the columns, in their order, without a line end.
 [[nodiscard]] std::string series_header();
 

@@ -186,6 +186,11 @@ class Verifier {
         result_.run.condition == RunCondition::unfinished && !mend_ && rows.starts_with(there_are);
     table(series_name, rows, there_are == rows || behind);
     if (!scan_->summary_json) return;
+    if (!scan_->gauges.empty()) {
+      const fs::path gauges = folder_ / gauges_name;
+      const std::string readings = gauges_csv(scan_->gauges);
+      table(gauges_name, readings, fs::exists(gauges) && read_whole_file(gauges) == readings);
+    }
     const auto expected = nlohmann::ordered_json::parse(*scan_->summary_json, nullptr, false);
     const auto there = fs::exists(summary)
                            ? nlohmann::ordered_json::parse(read_whole_file(summary), nullptr, false)

@@ -177,6 +177,12 @@ std::string read_rows(const Value& value, const std::array<Cell, Cells>& cells, 
   return {};
 }
 
+/// Points of the plate.
+std::string read_points(const Value& value, std::vector<std::array<double, 2>>& out) {
+  constexpr std::array cells{Cell{"x", Dimension::length}, Cell{"y", Dimension::length}};
+  return read_rows(value, cells, 2, "points such as [\"10 mm\", \"20 mm\"]", out);
+}
+
 /// What the rows of a critical rate are against, by the first of them.
 std::optional<CriticalRate::Against> against(const Value& value) {
   const auto* list = std::get_if<std::vector<Value>>(&value.held);
@@ -265,8 +271,7 @@ struct Assign {
     if (const auto* text = std::get_if<std::string>(&value.held)) return take(read_path(*text), *out);
     if (std::holds_alternative<std::vector<Value>>(value.held)) {
       CrackLine line;
-      constexpr std::array cells{Cell{"x", Dimension::length}, Cell{"y", Dimension::length}};
-      std::string problem = read_rows(value, cells, 2, "points such as [\"10 mm\", \"20 mm\"]", line.point);
+      std::string problem = read_points(value, line.point);
       if (problem.empty()) *out = std::move(line);
       return problem;
     }
@@ -288,6 +293,7 @@ struct Assign {
     for (const auto& [time, position, uncertainty] : rows) out->push_back({time, position, uncertainty});
     return {};
   }
+  std::string operator()(std::vector<std::array<double, 2>>* out) const { return read_points(value, *out); }
   std::string operator()(CriticalRate* out) const { return read_critical_rate(value, *out); }
   template <class Enum>
   requires std::is_enum_v<Enum> std::string operator()(Enum* out) const {
@@ -342,16 +348,19 @@ struct Write {
   std::string operator()(const std::vector<VelocityPiece>* v) const { return '"' + velocity_text(*v) + '"'; }
   std::string operator()(const CrackLine* path) const {
     if (path->point.empty()) return '"' + path_text(*path) + '"';
-    return list_of(path->point, [](const std::array<double, 2>& p) {
-      return fmt::format("[\"{}\", \"{}\"]", quantity_text(p[0], Dimension::length),
-                         quantity_text(p[1], Dimension::length));
-    });
+    return (*this)(&path->point);
   }
   std::string operator()(const std::vector<HistoryPoint>* rows) const {
     const bool known = !rows->empty() && rows->front().uncertainty > 0.0;
     return list_of(*rows, [&](const HistoryPoint& p) {
       return known ? fmt::format("[{}, {}, {}]", p.time, p.position, p.uncertainty)
                    : fmt::format("[{}, {}]", p.time, p.position);
+    });
+  }
+  std::string operator()(const std::vector<std::array<double, 2>>* points) const {
+    return list_of(*points, [](const std::array<double, 2>& p) {
+      return fmt::format("[\"{}\", \"{}\"]", quantity_text(p[0], Dimension::length),
+                         quantity_text(p[1], Dimension::length));
     });
   }
   std::string operator()(const CriticalRate* rate) const {
@@ -393,6 +402,7 @@ struct Allowed {
   std::string operator()(const std::vector<HistoryPoint>*) const {
     return "rows of time and position, in time and never backward";
   }
+  std::string operator()(const std::vector<std::array<double, 2>>*) const { return "points in the plate"; }
   std::string operator()(const CriticalRate*) const {
     return "rows of velocity (or position) and release rate, both at least 0 and the first rising";
   }

@@ -13,13 +13,14 @@ namespace rift {
 namespace {
 
 // Per lane is what changes neither the lattice nor the critical step.
-constexpr std::array<Axis, 19> table{{
+constexpr std::array<Axis, 20> table{{
     {"technique", "crack.technique", true},
     {"relaxation", "crack.relaxation", true},
     {"damage_zone_ratio", "crack.damage_zone_ratio", true},
     {"damping_alpha", "damping.alpha", true},
     {"damping_region", "damping.region", true},
     {"crack_velocity", "crack.velocity", true},
+    {"friction", "crack.friction", true},
     {"elements", "specimen.elements", false},
     {"layers", "specimen.layers", false},
     {"seed", "specimen.seed", false},

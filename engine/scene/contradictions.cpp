@@ -144,9 +144,25 @@ void check_path(Checks& c) {
   }
 }
 
-void check_tilt(Checks& c) {
-  if (c.scene.loading.tilt != 0.0 && c.scene.loading.method == LoadingMethod::ramp)
-    c.say("loading.tilt", "goes with loading.method = \"static\" only");
+void check_loading(Checks& c) {
+  const Scene::Loading& loading = c.scene.loading;
+  const bool ramp = loading.method == LoadingMethod::ramp;
+  if (loading.tilt != 0.0 && ramp) c.say("loading.tilt", "goes with loading.method = \"static\" only");
+  if (loading.shear != 0.0 && ramp) c.say("loading.shear", "goes with loading.method = \"static\" only");
+  if (!c.sound({"loading.displacement", "crack.friction"})) return;
+  if (loading.displacement == 0.0) c.say("loading.displacement", "0 strains nothing");
+  if (loading.displacement < 0.0 && !c.scene.crack.friction)
+    c.say("loading.displacement",
+          "below 0 needs crack.friction: the faces of the crack would pass through each other");
+}
+
+void check_gauges(Checks& c) {
+  if (!c.sound({"output.gauges", "specimen.length", "specimen.height"})) return;
+  const double length = c.scene.specimen.length, height = c.scene.specimen.height;
+  for (const auto& [x, y] : c.scene.output.gauges)
+    if (!(x >= 0.0 && x <= length && y >= 0.0 && y <= height))
+      c.say("output.gauges", fmt::format("({}, {}) lies outside the plate of {} by {}", millimetres(x),
+                                         millimetres(y), millimetres(length), millimetres(height)));
 }
 
 /// Rows which are wrong say nothing further of the crack's way.
@@ -299,6 +315,14 @@ void check_crack_way(Checks& c) {
   if (check_window_of_two(c) && check_window(c)) check_pieces(c);
 }
 
+void check_friction(Checks& c) {
+  if (!c.sound({"crack.friction", "solver.kinematics"})) return;
+  if (c.scene.crack.friction.value_or(0.0) > 0.0 && c.scene.solver.kinematics == Kinematics::corotational)
+    c.say("crack.friction",
+          "is for linear kinematics; with \"corotational\" the faces press on each other "
+          "without friction, crack.friction = 0");
+}
+
 void check_reference(Checks& c) {
   if (!c.sound({"crack.tips", "output.g_i0_reference"})) return;
   if (c.scene.output.g_i0_reference == ReleaseRateReference::griffith && c.scene.crack.tips != 2)
@@ -315,11 +339,13 @@ std::vector<Issue> contradictions(const Preset& preset, const std::set<std::stri
   check_micro(checks);
   if (!checks.sound({"specimen.shape"}) || !can_crack(preset.scene)) return std::move(checks.issues);
   check_damping(checks);
-  check_tilt(checks);
+  check_loading(checks);
+  check_gauges(checks);
   check_rows(checks);
   check_path(checks);
   check_speeds(checks);
   check_crack_way(checks);
+  check_friction(checks);
   check_reference(checks);
   return std::move(checks.issues);
 }

@@ -9,8 +9,10 @@ Needs needs_of(const Scene& scene) {
   needs.damage_zone = scene.crack.technique == Technique::progressive;
   needs.ramp = scene.loading.method == LoadingMethod::ramp;
   needs.corotation = scene.solver.kinematics == Kinematics::corotational;
-  needs.step_books = needs.damping || needs.numerical_damping || needs.ramp;
+  needs.contact = scene.crack.friction.has_value();
+  needs.step_books = needs.damping || needs.numerical_damping || needs.ramp || needs.contact;
   needs.frames = scene.output.frames > 0 && !scene.output.fields.empty();
+  needs.gauges = !scene.output.gauges.empty();
   return needs;
 }
 
@@ -32,12 +34,14 @@ std::vector<std::string> left_out(const Scene& scene) {
   if (!needs.corotation)
     lines.emplace_back(
         "corotation: kinematics = linear, beam axes and elements' quaternions stay as they are");
+  if (!needs.contact) lines.emplace_back("contact: no friction, the crack's faces do not touch");
   if (!needs.step_books)
     lines.emplace_back("books of every step: nothing is dissipated or pulled, energies are read at samples");
   if (!needs.frames) {
     lines.emplace_back(scene.output.frames == 0 ? "frames: frames = 0, no fields are written"
                                                 : "frames: fields = [], no fields are written");
   }
+  if (!needs.gauges) lines.emplace_back("gauges: output.gauges has no points");
   return lines;
 }
 

@@ -14,8 +14,10 @@ struct Needs {
   bool damage_zone = false;        // P-NRT
   bool ramp = false;               // pre-stress marched in time
   bool corotation = false;         // beam axes that turn with the elements
+  bool contact = false;            // of the crack's faces
   bool step_books = false;         // something is booked at every step: damping of either kind, a moving grip
   bool frames = false;             // fields are written
+  bool gauges = false;
 };
 
 Needs needs_of(const Scene& scene);

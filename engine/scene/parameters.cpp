@@ -107,11 +107,14 @@ std::vector<Parameter> material_rows() {
 std::vector<Parameter> loading_rows() {
   return {
       {"loading.displacement", "2 mm", [](Scene& s) -> Slot { return &s.loading.displacement; },
-       "Displacement of the top face along y, held while the crack runs.", length, above(0, 10)},
+       "Displacement of the top face along y, held while the crack runs; below 0 the plate is pressed, which "
+       "needs `crack.friction`.",
+       length, closed(-10, 10)},
+      {"loading.shear", "0", [](Scene& s) -> Slot { return &s.loading.shear; },
+       "The top face moves along x too, by this many times the displacement.", none, closed(-1000, 1000)},
       {"loading.tilt", "0", [](Scene& s) -> Slot { return &s.loading.tilt; },
        "The top face opens unevenly: by this fraction of the displacement more at the right end and less at "
-       "the "
-       "left one. A crack then finds more, or less, on its way.",
+       "the left one. A crack then finds more, or less, on its way.",
        none, inside(-1, 1)},
       {"loading.method",
        "static",
@@ -188,6 +191,11 @@ std::vector<Parameter> crack_rows() {
        none, above(0, 16)},
       {"crack.damage_zone_ratio", "1", [](Scene& s) -> Slot { return &s.crack.damage_zone_ratio; },
        "Length of the damage zone r_l, in mean radii.", none, above(0, 1000)},
+      {"crack.friction", "", [](Scene& s) -> Slot { return &s.crack.friction; },
+       "Coulomb friction of the crack's faces, which press on each other where they meet; 0 for none. "
+       "Without "
+       "it they do not touch, as in the paper, and pass through each other.",
+       none, closed(0, 100)},
   };
 }
 
@@ -261,6 +269,14 @@ std::vector<Parameter> output_rows() {
        none,
        {},
        {"strip", "griffith"}},
+      {"output.gauges", "", [](Scene& s) -> Slot { return &s.output.gauges; },
+       "Points of the plate, as [\"x\", \"y\"], at which a virtual gauge shows displacement, velocity and "
+       "strain "
+       "at "
+       "every sample."},
+      {"output.gauge_length", "8", [](Scene& s) -> Slot { return &s.output.gauge_length; },
+       "Diameter of a gauge, in mean radii: what it shows is the best plane through the elements under it.",
+       none, closed(4, 1000)},
   };
 }
 

@@ -36,7 +36,7 @@ using Slot =
                  StiffnessChoice*, LoadingMethod*, Technique*, DampingRegion*, Kinematics*, Precision*,
                  ReleaseRateReference*, std::vector<VelocityPiece>*, CrackLine*, std::vector<HistoryPoint>*,
                  CriticalRate*, Smoothing*, PathShape*, std::vector<std::string>*, std::vector<double>*,
-                 std::optional<std::array<double, 2>>*>;
+                 std::vector<std::array<double, 2>>*, std::optional<std::array<double, 2>>*>;
 
 /// One row of the table: all that is known of one member of Scene.
 struct Parameter {

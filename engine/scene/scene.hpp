@@ -84,7 +84,8 @@ struct Scene {
     std::optional<double> micro_poisson_ratio, micro_radius_ratio;
   } material;
   struct Loading {
-    double displacement;  // [m] of the top face along y, in its middle
+    double displacement;  // [m] of the top face along y, in its middle; below 0 it is pressed
+    double shear;         // of the displacement, along x beside it
     double tilt;          // of the displacement, more at the right end and less at the left one
     LoadingMethod method;
     int ramp_steps, hold_steps;
@@ -103,8 +104,9 @@ struct Scene {
     std::optional<double> end;  // [m]; the end of the window where absent
     int tips;
     Technique technique;
-    double relaxation;         // the exponent p of Y1/Y2 = (1 - b/l)^p
-    double damage_zone_ratio;  // r_l = L_CZM / R_mean
+    double relaxation;               // the exponent p of Y1/Y2 = (1 - b/l)^p
+    double damage_zone_ratio;        // r_l = L_CZM / R_mean
+    std::optional<double> friction;  // mu of the faces; without it they do not touch
   } crack;
   struct Damping {
     double alpha;  // fraction of critical
@@ -123,6 +125,8 @@ struct Scene {
     std::vector<std::string> fields;              // of "displacement", "velocity", "damage", "energy"
     std::optional<std::array<double, 2>> window;  // fractions of the length
     ReleaseRateReference g_i0_reference;
+    std::vector<std::array<double, 2>> gauges;  // (x, y) [m]
+    double gauge_length;                        // [mean radii], its diameter
   } output;
   /// What `rift calibrate` does with cylinders of this specimen's proportions.
   struct Calibration {

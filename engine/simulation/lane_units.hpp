@@ -19,7 +19,7 @@ struct LaneUnits {
          {&results::Sample::elastic_j, &results::Sample::kinetic_translation_j,
           &results::Sample::kinetic_rotation_j, &results::Sample::step_correction_j,
           &results::Sample::fracture_j, &results::Sample::damping_j, &results::Sample::numerical_damping_j,
-          &results::Sample::work_external_j})
+          &results::Sample::contact_j, &results::Sample::work_external_j, &results::Sample::grip_force_n})
       row.*column *= energy;
     return row;
   }

@@ -51,10 +51,13 @@ Ensemble<Real> Run<Real>::make_ensemble(const Prepared& p, const MarchOptions& o
   std::vector<LaneScenario> first;
   for (const LanePlan& lane : p.lane)
     if (static_cast<int>(first.size()) < most) first.push_back(lane.scenario);
+  const bool touching = std::any_of(p.lane.begin(), p.lane.end(),
+                                    [](const LanePlan& lane) { return lane.scenario.friction.has_value(); });
   return Ensemble<Real>(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, first,
                         {.kinematics = p.preset.scene.solver.kinematics,
                          .threads = std::max(1, threads),
-                         .lanes = options.lanes > 0 ? lanes_for<Real>(options.lanes) : 0});
+                         .lanes = options.lanes > 0 ? lanes_for<Real>(options.lanes) : 0,
+                         .contact = touching});
 }
 
 template <class Real>
@@ -114,10 +117,41 @@ void Run<Real>::observe(Seat& seat) {
   if (seat.next_sample < schedule.samples.size() && n == schedule.samples[seat.next_sample]) {
     ++seat.next_sample;
     read_books(seat);
+    read_gauges(seat);
   }
   if (seat.next_frame < schedule.frames.size() && n == schedule.frames[seat.next_frame]) {
     ++seat.next_frame;
     tell_frame(seat);
+  }
+}
+
+template <class Real>
+void Run<Real>::read_gauges(const Seat& seat) {
+  if (!observer_.gauge) return;
+  const int lane = index(seat);
+  const LaneUnits& units = plan(seat).units;
+  for (std::size_t g = 0; g < prepared_.gauge.size(); ++g) {
+    const auto& [point, plane] = prepared_.gauge[g];
+    const PlaneMotion moved = motion_in(
+        plane, [&](int i) -> Eigen::Vector3d { return ensemble_.motion(i, lane).template head<3>(); });
+    const PlaneMotion rate = motion_in(plane, [&](int i) -> Eigen::Vector3d {
+      return ensemble_.velocity(i, lane).template head<3>() / units.time;
+    });
+    observer_.gauge({.step = steps(seat),
+                     .time_s = ensemble_.time(lane) * units.time,
+                     .lane = seat.scenario,
+                     .gauge = static_cast<std::int32_t>(g),
+                     .x_m = point[0],
+                     .y_m = point[1],
+                     .ux_m = moved.u.x(),
+                     .uy_m = moved.u.y(),
+                     .uz_m = moved.u.z(),
+                     .vx_m_s = rate.u.x(),
+                     .vy_m_s = rate.u.y(),
+                     .vz_m_s = rate.u.z(),
+                     .strain_xx = moved.strain_xx(),
+                     .strain_yy = moved.strain_yy(),
+                     .strain_xy = moved.strain_xy()});
   }
 }
 

@@ -46,6 +46,7 @@ struct Observer {
   std::function<void(const results::Sample&)> sample = {};
   std::function<void(const results::Frame&)> frame = {};
   std::function<void(const results::ReleaseEvent&)> event = {};
+  std::function<void(const results::GaugeRow&)> gauge = {};  // of each gauge, with every sample
   std::function<bool(const Progress&)> go_on = {};  // asked a few times a second; false stops the run
   /// A scenario has come to its end, or a stop; the result holds it and, so far, the times of the run.
   std::function<void(int scenario, const RunResult& so_far)> ended = {};

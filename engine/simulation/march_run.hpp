@@ -97,6 +97,7 @@ class Run {
   void tell_frame(Seat& seat);
   void report_released();
   void read_books(Seat& seat);
+  void read_gauges(const Seat& seat);
   /// Why a row cannot be of a plate that cracks; empty where it can.
   std::string what_is_wrong(const LaneResult& lane, const results::Sample& row);
   /// Ends the lane as diverged where something is wrong.

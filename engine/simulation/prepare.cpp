@@ -120,22 +120,27 @@ struct Statics {
   bool& from_cache;
   std::string lattice_key;
 
-  std::vector<Vector6> unit(const std::vector<char>& present, const std::string& notch, double tilt = 0.0) {
-    const std::string uneven = tilt == 0.0 ? std::string{} : fmt::format(" tilt {:a}", tilt);
-    return cached_motions("statics 2 of " + lattice_key + notch + uneven, lattice.centre.size(), cache,
-                          from_cache, [&] {
-                            return stretched_at_rest(lattice, present, {1.0, tilt});
-                          });
+  std::vector<Vector6> unit(const std::vector<char>& present, const std::string& notch,
+                            const Pull& pull = {1.0}) {
+    return cached_motions("statics 2 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
+                          from_cache, [&] { return stretched_at_rest(lattice, present, pull); });
   }
   std::vector<Vector6> at_rest(const std::vector<char>& present, const std::string& notch) {
-    const double displacement = scene.loading.displacement, tilt = scene.loading.tilt;
+    const Scene::Loading& l = scene.loading;
     if (scene.solver.kinematics == Kinematics::linear)
-      return scaled(unit(present, notch, tilt), displacement);
-    std::string key = fmt::format("corotational statics 1 of {}{} by {:a}", lattice_key, notch, displacement);
-    if (tilt != 0.0) key += fmt::format(" tilt {:a}", tilt);
-    return cached_motions(key, lattice.centre.size(), cache, from_cache, [&] {
-      return stretched_at_rest_corotational(lattice, present, {displacement, tilt});
-    });
+      return scaled(unit(present, notch, {1.0, l.tilt, l.shear}), l.displacement);
+    const Pull pull(l.displacement, l.tilt, l.shear);
+    const std::string key = fmt::format("corotational statics 1 of {}{} by {:a}{}", lattice_key, notch,
+                                        pull.middle, key_of(pull));
+    return cached_motions(key, lattice.centre.size(), cache, from_cache,
+                          [&] { return stretched_at_rest_corotational(lattice, present, pull); });
+  }
+  /// What of a pull is not along y and even.
+  static std::string key_of(const Pull& pull) {
+    std::string key;
+    if (pull.tilt != 0.0) key += fmt::format(" tilt {:a}", pull.tilt);
+    if (pull.shear != 0.0) key += fmt::format(" shear {:a}", pull.shear);
+    return key;
   }
 };
 
@@ -206,6 +211,32 @@ CrackPath path_of(const Scene& scene) {
   return path;
 }
 
+/// A gauge that the crack would tear shows an opening, not a strain.
+std::vector<Gauge> gauges_of(const Prepared& p) {
+  const Scene::Output& output = p.preset.scene.output;
+  const double radius = 0.5 * output.gauge_length * p.lattice.mean_radius;
+  std::vector<Eigen::Vector2d> centre;
+  for (const Eigen::Vector3d& c : p.lattice.centre) centre.emplace_back(c.head<2>());
+  std::vector<Gauge> gauges;
+  for (const auto& [x, y] : output.gauges) {
+    const auto refuse = [&](const std::string& why) {
+      return InputError({issue_at(p.preset, "output.gauges",
+                                  fmt::format("at ({:g} mm, {:g} mm) {}", 1e3 * x, 1e3 * y, why))});
+    };
+    const double away = distance_to(p.path, {x, y});
+    if (away < radius)
+      throw refuse(
+          fmt::format("the crack runs {:g} mm away, through a gauge of {:g} mm (output.gauge_length)",
+                      1e3 * away, 2e3 * radius));
+    auto plane = local_plane(centre, {x, y}, radius);
+    if (!plane)
+      throw refuse(fmt::format("a gauge of {:g} mm (output.gauge_length) has too few elements under it",
+                               2e3 * radius));
+    gauges.push_back({{x, y}, std::move(*plane)});
+  }
+  return gauges;
+}
+
 LanePlan plan_lane(const Prepared& p, const Scene& scene) {
   LanePlan lane;
   lane.scene = scene;
@@ -219,6 +250,7 @@ LanePlan plan_lane(const Prepared& p, const Scene& scene) {
   auto [history, lead] = lane_history(scene, lane.scenario.law.zone_length, p.rayleigh_speed, lane.units);
   lane.scenario.history = std::move(history);
   lane.lead = lead;
+  lane.scenario.friction = scene.crack.friction;
   set_damping(lane.scenario, scene);
   return lane;
 }
@@ -337,6 +369,7 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
   } catch (const StaticsError& error) {
     throw InputError({issue_at(p.preset, "loading.displacement", error.what())});
   }
+  p.gauge = gauges_of(p);
   tell(progress, "critical step", 0.0);
   p.stable = stable_step(p.lattice);
   take_lanes(p, planned(p, lanes));

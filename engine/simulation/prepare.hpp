@@ -4,6 +4,7 @@
 #include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/release_rate.hpp"
 #include "engine/fracture/scenario.hpp"
+#include "engine/measurement/gauge.hpp"
 #include "engine/simulation/lane_units.hpp"
 #include "engine/simulation/schedule.hpp"
 #include "engine/simulation/time_step.hpp"
@@ -44,6 +45,7 @@ struct Prepared {
   RateScale scale;                    // b, G_I0, L, tips
   std::vector<Vector6> displacement;  // at the start of the run: at rest and pulled, or none for a ramp
   CrackPath path;
+  std::vector<Gauge> gauge;
   std::vector<LanePlan> lane;
   std::vector<DampedBeam> damped;  // those that any lane damps
   StableStep stable;               // of the lattice without damping

@@ -43,6 +43,7 @@ struct Recording {
                      writer.event(e);
                      if (beside.event) beside.event(e);
                    },
+               .gauge = [&](const results::GaugeRow& row) { writer.gauge(row); },
                .go_on =
                    [&](const Progress& p) {
                      writer.flush();

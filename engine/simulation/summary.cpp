@@ -153,6 +153,7 @@ void add_books(Json& j, const Prepared& p, const LanePlan& lane, const LaneResul
   j["energy_fracture_j"] = last.fracture_j;
   j["energy_damping_j"] = last.damping_j;
   j["energy_numerical_damping_j"] = last.numerical_damping_j;
+  j["energy_contact_j"] = last.contact_j;
   j["work_external_j"] = last.work_external_j;
   j["ledger_residual"] = r.worst_residual;
   j["ledger_closes"] =

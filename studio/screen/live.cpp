@@ -22,12 +22,14 @@ struct Entry {
   const char* name;
   Ink ink;
   double (*value)(const results::Sample&);
+  bool always = true;  // else only where there is any
 };
 constexpr Entry entries[] = {
     {"elastic", Ink::elastic, [](const results::Sample& s) { return s.elastic_j; }},
     {"kinetic", Ink::kinetic, kinetic_of},
     {"fracture", Ink::fracture, [](const results::Sample& s) { return s.fracture_j; }},
     {"damping", Ink::damping, [](const results::Sample& s) { return s.damping_j + s.numerical_damping_j; }},
+    {"contact", Ink::damping, [](const results::Sample& s) { return s.contact_j; }, false},
     {"external", Ink::reference, [](const results::Sample& s) { return s.work_external_j; }},
 };
 
@@ -70,6 +72,7 @@ void draw_budget(Canvas& canvas, const Area& area, const LiveLane& lane, double 
   for (const Entry& entry : entries) {
     if (y >= area.y + area.height) return;
     const double value = entry.value(last);
+    if (!entry.always && value == 0.0) continue;
     canvas.text(area.x, y, entry.name, {entry.ink, true}, area.width);
     canvas.text(area.x + names, y, fmt::format("{:>9.4g} J", value), {}, area.width - names);
     draw_bar(canvas, area.x + names + numbers + 1, y, area.width - names - numbers - 1,

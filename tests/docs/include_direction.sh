@@ -12,9 +12,10 @@ refuse() { # WHAT PATTERN FOLDERS...
   wrong=1
 }
 refuse 'engine reaches upwards' '#include "(viz|studio)/' engine
-refuse 'results reaches into the engine' '#include "engine/(history|scene|lattice|mechanics|fracture|theory|ensemble|calibration|study|simulation|stability|experiment)/' engine/results
-refuse 'viz knows more than results' '#include "(studio|engine/(history|scene|lattice|mechanics|fracture|theory|ensemble|calibration|study|simulation|stability|experiment))/' viz
-refuse 'history knows more than itself' '#include "engine/(results|scene|lattice|mechanics|fracture|theory|ensemble|calibration|study|simulation|stability|experiment)/' engine/history
+refuse 'results reaches into the engine' '#include "engine/(history|scene|lattice|mechanics|fracture|theory|measurement|ensemble|calibration|study|simulation|stability|experiment)/' engine/results
+refuse 'viz knows more than results' '#include "(studio|engine/(history|scene|lattice|mechanics|fracture|theory|measurement|ensemble|calibration|study|simulation|stability|experiment))/' viz
+refuse 'history knows more than itself' '#include "engine/(results|scene|lattice|mechanics|fracture|theory|measurement|ensemble|calibration|study|simulation|stability|experiment)/' engine/history
+refuse 'measurement reaches upwards' '#include "engine/(results|scene|fracture|ensemble|calibration|study|simulation|stability|experiment)/' engine/measurement
 refuse 'VTK outside viz' '#include <vtk' engine studio
 refuse 'ncurses outside studio/terminal' '#include <n?curses' engine viz studio/commands studio/report studio/screen studio/workbench
 refuse 'CLI11 outside studio' '#include <CLI/' engine viz studio/screen studio/workbench

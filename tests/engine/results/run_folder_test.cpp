@@ -2,6 +2,7 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/run_writer.hpp"
+#include "engine/results/verify.hpp"
 #include "engine/results/world_error.hpp"
 #include "tests/engine/results/full_disk.hpp"
 #include "tests/engine/results/small_run.hpp"
@@ -119,12 +120,12 @@ TEST(RunWriter, CompletesItsFolder) {
   {
     RunWriter writer(scratch.path(), header(), small_run::geometry());
     write_some(writer);
-    EXPECT_TRUE(bytes_of(scratch / "series.csv").ends_with(",5e-12,,,,\n"));
+    EXPECT_TRUE(bytes_of(scratch / "series.csv").ends_with(",5e-12,0,0,,,,\n"));
     writer.finish({{"scenarios", nlohmann::json::array()}}, {{{0.02, 0.5, 0.25, 0.625, 0.75}}});
   }
   const auto series = bytes_of(scratch / "series.csv");
-  EXPECT_TRUE(series.ends_with(",5e-12,0.5,0.25,0.625,0.75\n")) << series;
-  EXPECT_NE(series.find(",5e-12,,,,\n"), std::string::npos) << "the first sample has no rate";
+  EXPECT_TRUE(series.ends_with(",5e-12,0,0,0.5,0.25,0.625,0.75\n")) << series;
+  EXPECT_NE(series.find(",5e-12,0,0,,,,\n"), std::string::npos) << "the first sample has no rate";
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(scratch.path())) names.push_back(entry.path().filename());
   std::sort(names.begin(), names.end());
@@ -137,6 +138,25 @@ TEST(RunWriter, CompletesItsFolder) {
   EXPECT_EQ(state.last_step, 20);
   EXPECT_EQ(state.summary_json, R"({"scenarios":[]})");
   EXPECT_EQ(nlohmann::json::parse(state.header_json).at("preset"), "[crack]\nvelocity = \"0.5 c_r\"\n");
+}
+
+// Only where there are gauges; then beside the series, in the archive, and made anew where it is lost.
+TEST(RunWriter, LeavesTheGaugesAsATable) {
+  const small_run::Scratch scratch;
+  RunWriter writer(scratch.path(), header(), small_run::geometry());
+  write_some(writer);
+  writer.gauge(
+      {.step = 10, .time_s = 0.5, .lane = 1, .gauge = 2, .x_m = 0.25, .vy_m_s = -3, .strain_yy = 0.125});
+  writer.finish({{"scenarios", nlohmann::json::array()}}, {});
+  const std::string expected =
+      "step,time_s,lane,gauge,x_m,y_m,ux_m,uy_m,uz_m,vx_m_s,vy_m_s,vz_m_s,strain_xx,strain_yy,strain_xy\n"
+      "10,0.5,1,2,0.25,0,0,0,0,0,-3,0,0,0.125,0\n";
+  EXPECT_EQ(bytes_of(scratch / "gauges.csv"), expected);
+  EXPECT_TRUE(is_whole(verify_run(scratch.path(), false)));
+  fs::remove(scratch / "gauges.csv");
+  EXPECT_FALSE(is_whole(verify_run(scratch.path(), false)));
+  EXPECT_TRUE(is_whole(verify_run(scratch.path(), true)));
+  EXPECT_EQ(bytes_of(scratch / "gauges.csv"), expected);
 }
 
 TEST(RunWriter, UndefinedSummaryValuesAreNull) {

@@ -12,13 +12,14 @@ TEST(Axes, EachVaryARowOfTheParameterTable) {
     EXPECT_NE(find_parameter(axis.key), nullptr) << axis.name;
     EXPECT_EQ(find_axis(axis.name), &axis);
   }
-  EXPECT_EQ(axes().size(), 19u);
+  EXPECT_EQ(axes().size(), 20u);
   EXPECT_EQ(find_axis("crack.velocity"), nullptr);
 }
 
 TEST(Axes, DifferBetweenLanesOnlyWhereLatticeAndStepStay) {
-  EXPECT_EQ(lane_axes(),
-            "technique, relaxation, damage_zone_ratio, damping_alpha, damping_region and crack_velocity");
+  EXPECT_EQ(
+      lane_axes(),
+      "technique, relaxation, damage_zone_ratio, damping_alpha, damping_region, crack_velocity and friction");
 }
 
 TEST(AxisText, IsTheValueWithoutQuotes) {
@@ -44,10 +45,11 @@ TEST(UnknownAxis, PointsToTheNearestNameOrTheAxisOfAKey) {
   EXPECT_EQ(unknown_axis("velocity"), "unknown axis 'velocity', did you mean 'crack_velocity'?");
   EXPECT_EQ(unknown_axis("loading.method"),
             "unknown axis 'loading.method', did you mean 'prestress_method'?");
-  EXPECT_EQ(unknown_axis("young_modulus"),
-            "unknown axis 'young_modulus': the axes are technique, relaxation, damage_zone_ratio, "
-            "damping_alpha, damping_region, crack_velocity, elements, layers, seed, stiffness, plane, "
-            "dt_fraction, beta, precision, kinematics, length, path, prestress_method and samples");
+  EXPECT_EQ(
+      unknown_axis("young_modulus"),
+      "unknown axis 'young_modulus': the axes are technique, relaxation, damage_zone_ratio, "
+      "damping_alpha, damping_region, crack_velocity, friction, elements, layers, seed, stiffness, plane, "
+      "dt_fraction, beta, precision, kinematics, length, path, prestress_method and samples");
 }
 
 }  // namespace

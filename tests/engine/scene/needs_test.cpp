@@ -28,6 +28,8 @@ Scene scene_with_everything() {
   scene.solver.beta = 0.9;
   scene.loading.method = LoadingMethod::ramp;
   scene.solver.kinematics = Kinematics::corotational;
+  scene.crack.friction = 0.0;
+  scene.output.gauges = {{0.1, 0.03}};
   return scene;
 }
 
@@ -37,6 +39,8 @@ TEST(Needs, FollowTheScene) {
   EXPECT_TRUE(needs.numerical_damping);
   EXPECT_TRUE(needs.ramp);
   EXPECT_TRUE(needs.corotation);
+  EXPECT_TRUE(needs.contact);
+  EXPECT_TRUE(needs.gauges);
   EXPECT_TRUE(needs.step_books);
   Scene none = scene_with_everything();
   none.damping.region = DampingRegion::none;
@@ -55,9 +59,10 @@ TEST(LeftOut, SaysWhatAndWhy) {
                 "damage zone: technique = simple", "ramp: method = static, the pre-stress is one solve",
                 "corotation: kinematics = linear, beam axes and elements' quaternions stay "
                 "as they are",
+                "contact: no friction, the crack's faces do not touch",
                 "books of every step: nothing is dissipated or pulled, energies are read at "
                 "samples",
-                "frames: frames = 0, no fields are written"}));
+                "frames: frames = 0, no fields are written", "gauges: output.gauges has no points"}));
 }
 
 TEST(LeftOut, IsEmptyWhereAllIsNeeded) { EXPECT_TRUE(left_out(scene_with_everything()).empty()); }

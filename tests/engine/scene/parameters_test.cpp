@@ -109,7 +109,7 @@ TEST(Assign, RejectsAboveAndBelowEveryRangeAndKeepsTheScene) {
     if (row.range.lower == 0.0 && row.range.upper == 0.0) continue;  // no number
     Scene scene = default_scene();
     const std::string before = toml_value(scene, row);
-    for (const double x : {row.range.lower - 1e-3 * (1 + row.range.lower), 2 * row.range.upper + 1,
+    for (const double x : {row.range.lower - 1e-3 * (1 + std::abs(row.range.lower)), 2 * row.range.upper + 1,
                            std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                            -std::numeric_limits<double>::infinity()}) {
       EXPECT_NE(assign(scene, row, {x}), "") << row.key << " " << x;

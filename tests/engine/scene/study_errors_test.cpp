@@ -133,7 +133,8 @@ TEST(LaneErrors, NameWhatLanesShare) {
   EXPECT_EQ(
       complaints("[[lanes]]\nrelaxation = 2\nelements = 5000\n[[lanes]]\nbetta = 1\n"),
       "x.toml:3: lanes.elements = 5000: lanes share one lattice and one step: they may differ in "
-      "technique, relaxation, damage_zone_ratio, damping_alpha, damping_region and crack_velocity only\n"
+      "technique, relaxation, damage_zone_ratio, damping_alpha, damping_region, crack_velocity and friction "
+      "only\n"
       "x.toml:5: unknown axis 'betta', did you mean 'beta'?\n");
 }
 

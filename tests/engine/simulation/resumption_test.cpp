@@ -59,6 +59,8 @@ TEST(Resumption, GoesOnToTheSameBitsInEveryKindOfScene) {
       {"solver.beta=0.98"},
       {"solver.kinematics=corotational"},
       {"solver.precision=single"},
+      {"crack.friction=0.3", "loading.displacement=-0.6 mm", "loading.shear=-2"},
+      {"crack.friction=0.3", "loading.shear=3", "damping.alpha=0.02", "damping.region=surface"},
       {"loading.method=ramp", "loading.ramp_steps=300", "loading.hold_steps=100",
        "loading.displacement=0.1 mm"},
       {"loading.method=ramp", "loading.ramp_steps=300", "loading.hold_steps=100",

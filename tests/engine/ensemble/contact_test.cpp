@@ -1,0 +1,231 @@
+#include "tests/engine/mechanics/hand_made.hpp"
+#include "tests/engine/simulation/small_plate.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace rift {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Two elements above each other and the beam between them, which the path y = 1 crosses.
+Lattice pair() {
+  Lattice lattice;
+  lattice.centre = {{1.0, 0.5, 0.0}, {1.0, 1.5, 0.0}};
+  lattice.radius = {0.5, 0.5};
+  lattice.grip = {Grip::none, Grip::none};
+  lattice.mass = {1.0, 2.0};
+  lattice.inertia = {0.1, 0.2};
+  lattice.ends = {{0, 1}};
+  lattice.beam = {hand_made::Rod{}.between(lattice.centre[0], lattice.centre[1])};
+  lattice.mean_radius = 0.5;
+  lattice.box = {.length = 2.0, .height = 2.0, .thickness = 1.0};
+  return lattice;
+}
+
+/// The pair thrown, its beam gone after the first step.
+Ensemble<double> thrown(const Lattice& lattice, std::optional<double> friction,
+                        const std::vector<Vector6>& velocity, double dt, Kinematics kinematics) {
+  const LaneScenario lane{.history = history_of(1.0, {{1e-3, infinity}}),
+                          .law = {Technique::simple, 1.0, 0.0},
+                          .friction = friction};
+  Ensemble<double> s(lattice, straight_path(2.0, 1.0), -1.0, dt, {lane},
+                     {.kinematics = kinematics, .contact = friction.has_value()});
+  s.start_from(std::vector<Vector6>(2, Vector6::Zero()));
+  s.throw_lane(0, velocity);
+  s.start_crack({});
+  return s;
+}
+
+// A spring between two masses, pressed at the speed v, gives it back after pi (m / k)^1/2 with 1/m = 1/m_i +
+// 1/m_j, and pulls at nothing then.
+TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
+  const Lattice lattice = pair();
+  const double k = lattice.beam[0].axial, reduced = 2.0 / 3.0;
+  const double duration = std::numbers::pi * std::sqrt(reduced / k), speed = 1e-3;
+  std::vector<Vector6> velocity(2, Vector6::Zero());
+  velocity[0][1] = speed;
+  for (const Kinematics kinematics : {Kinematics::linear, Kinematics::corotational}) {
+    constexpr int steps = 2000;
+    Ensemble<double> s = thrown(lattice, 0.0, velocity, duration / steps, kinematics);
+    const auto apart = [&] { return s.velocity(1, 0)[1] - s.velocity(0, 0)[1]; };
+    for (int n = 0; n < steps / 2; ++n) s.step();
+    EXPECT_NEAR(apart(), 0.0, 1e-3 * speed);
+    EXPECT_NEAR(s.motion(0, 0)[1] - s.motion(1, 0)[1], speed * std::sqrt(reduced / k), 1e-5 * speed);
+    for (int n = 0; n < steps; ++n) s.step();
+    EXPECT_NEAR(apart(), speed, 1e-5 * speed);
+    EXPECT_NEAR(s.velocity(0, 0)[1], speed * (1.0 - 2.0 / 1.5), 1e-5 * speed);  // 1 : 2, by momentum
+    const results::Sample books = s.sample(0, results::Phase::fracture);
+    EXPECT_LT(std::abs(books.residual), kinematics == Kinematics::linear ? 1e-13 : 1e-6);
+    EXPECT_LT(std::abs(books.contact_j), 1e-5 * s.largest_energy(0));  // as they part between two steps
+    EXPECT_LT(books.elastic_j, 1e-20);
+  }
+}
+
+TEST(FaceContact, LetsFacesPassThroughEachOtherWithoutIt) {
+  const Lattice lattice = pair();
+  std::vector<Vector6> velocity(2, Vector6::Zero());
+  velocity[0][1] = 1e-3;
+  Ensemble<double> s = thrown(lattice, std::nullopt, velocity, 0.01, Kinematics::linear);
+  for (int n = 0; n < 1000; ++n) s.step();
+  EXPECT_NEAR(s.velocity(0, 0)[1], 1e-3, 1e-5);
+  EXPECT_GT(s.motion(0, 0)[1], 5e-3);
+}
+
+// mu N holds against sliding: impulses along and across are as mu to 1 while the faces slide, and turn both
+// elements.
+TEST(FaceContact, SlidesByCoulombsLaw) {
+  const Lattice lattice = pair();
+  std::vector<Vector6> velocity(2, Vector6::Zero());
+  velocity[0][1] = 1e-4;
+  velocity[0][0] = 1e-1;  // far faster than it can be held
+  constexpr double mu = 0.4;
+  Ensemble<double> s = thrown(lattice, mu, velocity, 0.002, Kinematics::linear);
+  for (int n = 0; n < 5000; ++n) s.step();
+  const Vector6 a = s.velocity(0, 0), b = s.velocity(1, 0);
+  const double across = b[0] * 2.0, along = b[1] * 2.0;  // impulses on the second, of mass 2
+  EXPECT_GT(along, 1e-4);
+  EXPECT_NEAR(across / along, mu, 0.01 * mu);
+  EXPECT_NEAR(a[0] + 2.0 * b[0], 1e-1, 1e-12);
+  EXPECT_NEAR(0.1 * a[5], 0.5 * across, 1e-3 * across);  // lever: half the beam
+  EXPECT_NEAR(0.2 * b[5], 0.5 * across, 1e-3 * across);
+  const results::Sample books = s.sample(0, results::Phase::fracture);
+  EXPECT_LT(std::abs(books.residual), 1e-13);
+  // What friction took is the kinetic energy that is missing; the beam's own share went as it broke.
+  EXPECT_NEAR(books.contact_j + books.fracture_j,
+              0.5e-2 + 0.5e-8 - books.kinetic_translation_j - books.kinetic_rotation_j, 1e-9 * 0.5e-2);
+  EXPECT_GT(books.contact_j, 0.9 * mu * along * 0.1 * 0.95);
+}
+
+/// Pressed together and sheared: friction holds some of the faces and lets others slide.
+const std::vector<std::string> pressed{"loading.displacement=-0.6 mm", "loading.shear=-2",
+                                       "crack.friction=0.3", "crack.end=24 mm"};
+
+std::vector<LaneScenario> four_frictions(const Prepared& p) {
+  std::vector<LaneScenario> lanes = four_laws(p);
+  lanes[0].friction = 0.3, lanes[1].friction = 0.0, lanes[2].friction = 5.0, lanes[3].friction = {};
+  return lanes;
+}
+
+std::vector<std::string> with(std::vector<std::string> some, const std::vector<std::string>& more) {
+  some.insert(some.end(), more.begin(), more.end());
+  return some;
+}
+
+TEST(FaceContact, ClosesTheBooks) {
+  for (const auto& damping :
+       std::vector<std::vector<std::string>>{{},
+                                             {"damping.alpha=0.001", "damping.region=surface"},
+                                             {"damping.alpha=0.01", "damping.region=all"}})
+    for (const double beta : {1.0, 0.9}) {
+      const Prepared p = small_plate(with(pressed, damping));
+      Ensemble<double> s = ready(p, four_frictions(p), p.step.dt, {.contact = true});
+      s.set_beta(beta);
+      if (beta < 1.0) s.set_grip_speed(-2.0);
+      std::vector<double> worst(4, 0.0);
+      for (int n = 0; s.tip(0) < p.lane[0].crack_end; ++n) {
+        s.step();
+        for (int lane = 0; lane < 4 && n % 20 == 0; ++lane)
+          worst[lane] = std::max(worst[lane], std::abs(s.sample(lane, results::Phase::fracture).residual));
+      }
+      for (int lane = 0; lane < 4; ++lane)
+        EXPECT_LT(worst[lane], 1e-13) << lane << ' ' << beta << ' ' << damping.size();
+      const double most = s.largest_energy(0);
+      EXPECT_GT(s.sample(0, results::Phase::fracture).contact_j, 1e-3 * most);
+      EXPECT_EQ(s.sample(3, results::Phase::fracture).contact_j, 0.0);
+    }
+}
+
+// Coulomb's law on every pair of faces, and what the books say friction took against the slip times the
+// force, (1 - s) 3/4 w (e_n + e_{n+1}).(slip_{n+1} - slip_n), summed here beam by beam.
+TEST(FaceContact, BooksTheWorkOfFriction) {
+  const Prepared p = small_plate(with(pressed, {"crack.technique=simple"}));
+  constexpr double mu = 0.3;
+  Ensemble<double> s = ready(p, {p.lane[0].scenario}, p.step.dt, {.contact = true});
+  const auto strain = [&](int k) {
+    const auto& [i, j] = p.lattice.ends[s.met()[k].beam];
+    return strain_of(p.lattice.beam[s.met()[k].beam], s.motion(i, 0), s.motion(j, 0));
+  };
+  const int count = static_cast<int>(s.met().size());
+  std::vector<Eigen::Vector3d> slip(count, Eigen::Vector3d::Zero()), held = slip;
+  double taken = 0.0, before = s.sample(0, results::Phase::fracture).contact_j, booked = 0.0;
+  int sliding = 0, sticking = 0;
+  for (int n = 0; n < 600; ++n) {
+    std::vector<BeamStrain> at;
+    std::vector<char> parted;
+    for (int k = 0; k < count; ++k) at.push_back(strain(k)), parted.push_back(s.factor(k, 0) == 0.0);
+    s.step();  // the slips are those at the strains above now
+    for (int k = 0; k < count; ++k) {
+      if (!parted[k]) {  // what the beam held beyond mu N slips as it breaks
+        slip[k] = at[k].bend_i + at[k].bend_j -
+                  face_contact(p.lattice.beam[s.met()[k].beam], at[k], Eigen::Vector3d::Zero(), mu).sliding;
+        continue;
+      }
+      const Beam& beam = p.lattice.beam[s.met()[k].beam];
+      const Eigen::Vector3d e = at[k].bend_i + at[k].bend_j - s.slip(k, 0);
+      const double across = 3.0 * beam.bending / beam.length * e.norm();
+      const double along = -beam.axial * std::min(at[k].stretch, 0.0);
+      ASSERT_LE(across, mu * along * (1.0 + 1e-12) + 1e-12);
+      (across > 0.999 * mu * along ? sliding : sticking) += along > 0.0;
+      taken += 0.75 * beam.bending * (e + held[k]).dot(s.slip(k, 0) - slip[k]);
+      slip[k] = s.slip(k, 0), held[k] = e;
+    }
+  }
+  booked = s.sample(0, results::Phase::fracture).contact_j - before;
+  EXPECT_GT(sliding, 1000);
+  EXPECT_GT(sticking, 1000);
+  EXPECT_GT(booked, 0.0);
+  EXPECT_NEAR(booked, taken, 0.02 * taken);  // what is left: faces that meet and part between two steps
+}
+
+// Pressed evenly and without friction the faces carry what the beams did along their axes: the crack releases
+// a small part of what it does where they pass through each other.
+TEST(FaceContact, LeavesAPressedPlateItsStiffness) {
+  const Prepared p = small_plate({"loading.displacement=-0.6 mm", "crack.friction=0"});
+  std::vector<LaneScenario> lanes(3, p.lane[0].scenario);
+  lanes[1].friction = 5.0, lanes[2].friction = {};
+  Ensemble<double> s = ready(p, lanes, p.step.dt, {.contact = true});
+  while (s.tip(0) < p.lane[0].crack_end) s.step();
+  const auto released = [&](int lane) { return s.sample(lane, results::Phase::fracture).fracture_j; };
+  EXPECT_LT(released(0), 0.3 * released(2));
+  EXPECT_LT(released(1), 0.1 * released(2));
+  EXPECT_GT(s.grip_force(2), 0.9 * s.grip_force(0));  // less is carried where nothing is in between
+  EXPECT_LT(s.grip_force(0), 0.0);
+}
+
+TEST(FaceContact, IsTheSameBesideOthersAndForAnyThreads) {
+  const Prepared p = small_plate(pressed);
+  const std::vector<LaneScenario> lanes = four_frictions(p);
+  Ensemble<double> together = ready(p, lanes, p.step.dt, {.threads = 1, .contact = true});
+  Ensemble<double> threaded = ready(p, lanes, p.step.dt, {.threads = 3, .contact = true});
+  for (int n = 0; n < 400; ++n) together.step(), threaded.step();
+  for (int lane = 0; lane < 4; ++lane) {
+    Ensemble<double> alone = ready(p, {lanes[lane]}, p.step.dt, {.threads = 2, .contact = true});
+    for (int n = 0; n < 400; ++n) {
+      alone.step();
+      if (n % 50 == 0) alone.sample(0, results::Phase::fracture);  // looking changes nothing
+    }
+    for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
+      ASSERT_EQ(together.motion(i, lane), threaded.motion(i, lane));
+      ASSERT_EQ(together.motion(i, lane), alone.motion(i, 0)) << lane;
+    }
+  }
+}
+
+TEST(FaceContact, StartsAnewInARefilledLane) {
+  const Prepared p = small_plate(pressed);
+  Ensemble<double> s = ready(p, {p.lane[0].scenario, p.lane[0].scenario}, p.step.dt, {.contact = true});
+  for (int n = 0; n < 300; ++n) s.step();
+  std::vector<Vector6> first;
+  for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) first.push_back(s.motion(i, 1));
+  const double contact = s.sample(1, results::Phase::fracture).contact_j;
+  s.refill(1, p.lane[0].scenario);
+  for (int n = 0; n < 300; ++n) s.step();
+  for (int i = 0; i < static_cast<int>(first.size()); ++i) ASSERT_EQ(s.motion(i, 1), first[i]);
+  EXPECT_EQ(s.sample(1, results::Phase::fracture).contact_j, contact);
+}
+
+}  // namespace
+}  // namespace rift
