@@ -34,6 +34,11 @@ Ensemble<Real>::Ensemble(const Lattice& lattice, const CrackPath& path, double n
   factor_.resize(booked_.size());
   softening_.reserve(booked_.size());
   if (marching_.contact) slip_.resize(3 * booked_.size()), slip_after_ = slip_;
+  for (const Crossing& c : met_) {
+    if (!marching_.contact) break;
+    const auto& [i, j] = lattice.ends[c.beam];
+    normal_.push_back(normal_between(path, lattice.centre[i].head<2>(), lattice.centre[j].head<2>()));
+  }
   crew_ = std::make_unique<Crew>(static_cast<int>(cut_.size()) - 1, static_cast<int>(cut_.size()) - 1);
   for (std::size_t i = 0; i < lattice.mass.size(); ++i) {
     const bool free = lattice.grip[i] == Grip::none;
@@ -134,7 +139,7 @@ void Ensemble<Real>::put_to_rest(int lane) {
 
 template <class Real>
 void Ensemble<Real>::build_parts() {
-  const RowSource source{*lattice_, marching_.kinematics, base_, met_, notched_, damped_, marching_.contact};
+  const RowSource source{*lattice_, marching_.kinematics, base_, met_, notched_, damped_, normal_};
   part_.clear();
   int ghost_row = static_cast<int>(base_.size());
   for (std::size_t p = 0; p + 1 < cut_.size(); ++p) {
@@ -316,7 +321,9 @@ void Ensemble<Real>::foresee_softening() {
       const Real before = factor_[at_crossing(k, lane)];
       const ReleaseLaw& law = law_at(scenario, met_[k].position);
       const Real after = std::min(before, static_cast<Real>(stiffness_left(law, a, met_[k].position)));
-      if (after != before) softening_.push_back({k, lane, before, after, strain(met_[k].beam, lane)});
+      if (after == before) continue;
+      softening_.push_back({k, lane, before, after, strain(met_[k].beam, lane)});
+      if (scenario.friction) softening_.back().gap = gap(k, lane);
     }
   }
 }
@@ -331,15 +338,24 @@ void Ensemble<Real>::soften() {
     const BeamStrain now = strain(met_[c.crossing].beam, c.lane);
     double left_over = bilinear_energy(beam, c.strain, now);
     if (const auto& friction = scenario_[c.lane].friction) {
-      const Eigen::Vector3d slipped = slip(c.crossing, c.lane);
-      const double held = bilinear_energy(beam, face_contact(beam, c.strain, slipped, *friction),
-                                          face_contact(beam, now, slipped, *friction));
+      const Eigen::Vector3d m = normal(c.crossing), slipped = slip(c.crossing, c.lane);
+      const double held = bilinear_energy(face_stiffness(beam), face_contact(c.gap, m, slipped, *friction),
+                                          face_contact(gap(c.crossing, c.lane), m, slipped, *friction));
       left_over -= held;
       inherited_[c.lane] += (c.before - c.after) * held;
     }
     booked_[at] += (c.before - c.after) * left_over;
     factor_[at] = static_cast<Real>(c.after);
   }
+}
+
+template <class Real>
+Eigen::Vector3d Ensemble<Real>::gap(int crossing, int lane) const {
+  const int beam = met_[crossing].beam;
+  const auto& [i, j] = lattice_->ends[beam];
+  const Beam& form = lattice_->beam[beam];
+  if (marching_.kinematics == Kinematics::corotational) return face_gap(form, pose(i, lane), pose(j, lane));
+  return face_gap(form, motion(i, lane), motion(j, lane));
 }
 
 template <class Real>

@@ -22,6 +22,7 @@ struct Softening {
   int crossing = 0, lane = 0;
   double before = 1, after = 1;
   BeamStrain strain;
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();  // of its faces, where they may touch
 };
 
 /// How an ensemble marches; none of it changes what comes out, but for the kinematics and the last bits.
@@ -117,8 +118,11 @@ class Ensemble {
   }
   double booked(int crossing, int lane) const { return booked_[at_crossing(crossing, lane)]; }
   double& booked(int crossing, int lane) { return booked_[at_crossing(crossing, lane)]; }
-  /// The slip of the faces at a crossing, as alpha_i + alpha_j of the beam that was there [rad].
+  /// Of the faces at a crossing: how far they are apart, and the slip so far [m]; their normal, from the
+  /// beam's first element to its second.
+  Eigen::Vector3d gap(int crossing, int lane) const;
   Eigen::Vector3d slip(int crossing, int lane) const;
+  Eigen::Vector3d normal(int crossing) const { return {normal_[crossing].x(), normal_[crossing].y(), 0.0}; }
   double largest_energy(int lane) const { return ledger_[lane].largest; }
 
   const Lattice& lattice() const { return *lattice_; }
@@ -160,13 +164,14 @@ class Ensemble {
   std::vector<LaneScenario> scenario_;
   std::vector<Crossing> met_;
   std::vector<char> notched_;
+  std::vector<Eigen::Vector2d> normal_;  // [crossing], empty where no faces touch
   std::vector<Vector6> base_;
   std::vector<DampedBeam> damped_;
   struct AtTop {
     int beam, crossing;  // the latter -1 where the path does not cross it
   };
   std::vector<AtTop> at_top_;  // from the top grip to other elements
-  double base_pull_ = 0;     // of the lattice on the top grip along y in the base state [N]
+  double base_pull_ = 0;       // of the lattice on the top grip along y in the base state [N]
 
   std::vector<int> cut_;
   std::vector<PartRows<Real>> part_;

@@ -7,19 +7,25 @@ namespace rift::RIFT_INSTRUCTIONS {
 /// face_contact() of fracture/face_contact.hpp, pack by pack.
 template <class V>
 struct Touch {
-  V shortening;
+  V overlap;
   Space<V> sliding;
 };
 
 template <class Real, class V>
-inline Touch<V> touch(const FaceStrain<V>& f, V axial, V bending, const Space<V>& slip, V friction) {
+inline Touch<V> touch(const Space<V>& gap, const Space<V>& normal, const Space<V>& slip, V friction) {
   const V none{};
-  const V shortening = f.stretch < none ? f.stretch : none;
-  const Space<V> sliding = f.bend - slip;
-  const V most = -(friction * axial * shortening) / (Real(1.5) * bending * f.two_per_length);
+  const V open = dot(normal, gap);
+  const V overlap = open < none ? open : none;
+  const Space<V> sliding = plus(gap, -open, normal) - slip;
+  const V most = -(friction * overlap);
   const V held = root(dot(sliding, sliding));
   const V part = held > most ? most / held : none + Real(1);
-  return {shortening, part * sliding};
+  return {overlap, part * sliding};
+}
+
+template <class V, class Row>
+inline Space<V> normal_of(const Row& row) {
+  return {splat<V>(row.normal[0]), splat<V>(row.normal[1]), V{}};
 }
 
 template <class V>
@@ -44,24 +50,23 @@ inline void add_contact_forces(const PartView<Real>& p) {
     const auto& row = rows[b];
     const V parted = touches * (Real(1) - load<Width>(p.factor + static_cast<long>(row.k) * Width));
     if (!any(parted)) continue;
-    FaceStrain<V> f = F::face_strain(F::form(row.form), position_at<Form, Real, Width>(p.q, row.i),
-                                     position_at<Form, Real, Width>(p.q, row.j));
-    f.stretch = f.stretch + row.stretch;
-    f.bend = f.bend + Space<V>{splat<V>(row.bend[0]), splat<V>(row.bend[1]), splat<V>(row.bend[2])};
+    const FaceGap<V> face = F::face_gap(F::form(row.form), position_at<Form, Real, Width>(p.q, row.i),
+                                        position_at<Form, Real, Width>(p.q, row.j));
+    const Space<V> gap =
+        face.gap + Space<V>{splat<V>(row.gap[0]), splat<V>(row.gap[1]), splat<V>(row.gap[2])};
+    const Space<V> normal = normal_of<V>(row);
     const long at = 3L * Width * row.k;
     V slip[3];
     load_row<3, Width>(p.slip + at, slip);
-    const V axial = splat<V>(row.form.stiffness.axial), bending = splat<V>(row.form.stiffness.bending);
-    const Touch<V> t = touch<Real>(f, axial, bending, {slip[0], slip[1], slip[2]}, friction);
+    const Touch<V> t = touch<Real>(gap, normal, {slip[0], slip[1], slip[2]}, friction);
     if (p.slip_after && row.extra_i >= 0) {
-      const Space<V> now = f.bend - t.sliding;
+      const Space<V> now = plus(gap, -dot(normal, gap), normal) - t.sliding;
       const V kept[3] = {parted > V{} ? now.x : slip[0], parted > V{} ? now.y : slip[1],
                          parted > V{} ? now.z : slip[2]};
       store_row<3, Width>(p.slip_after + at, kept);
     }
-    const Space<V> S = (Real(1.5) * parted * bending) * t.sliding, opposite = Space<V>{} - S;
-    const EndLoads<V> e{plus((parted * axial * t.shortening) * f.n, -f.two_per_length, cross(S, f.n)),
-                        opposite, opposite};
+    const Space<V> pull = (parted * face.stiffness) * plus(t.sliding, t.overlap, normal);
+    const EndLoads<V> e{pull, cross(face.arm_i, pull), cross(face.arm_j, pull)};
     if (row.extra_i >= 0)
       add_to<Width>(p.contact_force + row.extra_i * 6L * Width, [&](V(&to)[6]) { put(to, e); });
     if (row.extra_j >= 0)

@@ -11,11 +11,12 @@ struct EndLoads {
   Space<V> force, moment_i, moment_j;
 };
 
-/// How the faces that a beam joined have moved: stretch and alpha_i + alpha_j, along and across n.
+/// How far the halves of a beam are apart in its middle, where that is from either end, and the stiffness of
+/// faces there   [fracture/face_contact.hpp].
 template <class V>
-struct FaceStrain {
-  V stretch, two_per_length;
-  Space<V> bend, n;
+struct FaceGap {
+  Space<V> gap, arm_i, arm_j;
+  V stiffness;
 };
 
 /// Linear kinematics: axes fixed   [physics.md §2; paper eqs. (3)-(6)]. Written in the sum and the difference
@@ -73,9 +74,10 @@ struct Linear {
     return 0.5 * b.axial * stretch * stretch + 0.5 * b.twist * t * t + b.bending * bent;
   }
 
-  static FaceStrain<V> face_strain(const Form& b, const Position& i, const Position& j) {
-    const Space<V> d = j.u - i.u;
-    return {dot(b.n, d), b.c, bend(b, d, i.theta + j.theta), b.n};
+  static FaceGap<V> face_gap(const Form& b, const Position& i, const Position& j) {
+    const V half = Real(1) / b.c;
+    const Space<V> arm = half * b.n;
+    return {(j.u - i.u) - cross(i.theta + j.theta, arm), arm, arm, Real(1.5) * b.bending * b.c * b.c};
   }
 
   /// q(t + dt) = q + dt q'   [eq. (1); q' at the middle of the step]
@@ -174,10 +176,11 @@ struct Corotational {
     return 0.5 * b.axial * e.stretch * e.stretch + 0.5 * b.twist * e.twist * e.twist + b.bending * bend;
   }
 
-  /// Along the chord alone: faces without friction.
-  static FaceStrain<V> face_strain(const Form& b, const Position& i, const Position& j) {
-    const Strain e = strain(b, i, j);
-    return {e.stretch, e.per_length + e.per_length, Space<V>{}, e.n};
+  static FaceGap<V> face_gap(const Form& b, const Position& i, const Position& j) {
+    const V half = Real(0.5) * b.length;
+    const Space<V> ti = turned(i, b.n0), tj = turned(j, b.n0);
+    return {plus(b.base + (j.u - i.u), -half, ti + tj), half * (b.n0 + ti), half * (b.n0 + tj),
+            Real(6) * b.bending / (b.length * b.length)};
   }
 
   /// Displacements as in linear kinematics; the rotation by dt omega about omega, as (1, dt omega / 2)

@@ -156,15 +156,15 @@ inline void weigh_contacts(const PartView<Real>& p) {
     const V parted = wide(p.touches) * (1.0 - wide(p.factor + static_cast<long>(row.k) * Width));
     if (!any(parted)) continue;
     const auto form = wide_form<Form, Real, Width>(row.form);
-    const auto strain = D::face_strain(form, wide_position<Form, Real, Width>(p, row.i),
-                                       wide_position<Form, Real, Width>(p, row.j));
+    const auto face = D::face_gap(form, wide_position<Form, Real, Width>(p, row.i),
+                                  wide_position<Form, Real, Width>(p, row.j));
     const Real* slip = p.slip + 3L * Width * row.k;
     const Touch<V> t =
-        touch<double>(strain, form.axial, form.bending,
-                      {wide(slip), wide(slip + Width), wide(slip + 2 * Width)}, wide(p.friction));
-    add_to_account<Width>(chunk_of<Real, Width>(p, row.i), contact_elastic,
-                          parted * (0.5 * form.axial * t.shortening * t.shortening +
-                                    0.75 * form.bending * dot(t.sliding, t.sliding)));
+        touch<double>(face.gap, normal_of<V>(row), {wide(slip), wide(slip + Width), wide(slip + 2 * Width)},
+                      wide(p.friction));
+    add_to_account<Width>(
+        chunk_of<Real, Width>(p, row.i), contact_elastic,
+        0.5 * parted * face.stiffness * (t.overlap * t.overlap + dot(t.sliding, t.sliding)));
   }
 }
 

@@ -66,8 +66,8 @@ template <class Real, class Form>
 struct ContactRow {
   std::int32_t k, i, j, extra_i, extra_j;  // as of CrossingRow
   Form form;
-  Real stretch,
-      bend[3];  // its stretch and alpha_i + alpha_j in the base state, 0 where the form's are of all
+  Real normal[2];  // of the faces, from i to j; none of it along z
+  Real gap[3];     // in the base state, 0 where the form's is of all
 };
 
 /// A beam with viscous damping   [paper eq. (8)].

@@ -1,5 +1,6 @@
 #include "engine/ensemble/part_rows.hpp"
 
+#include "engine/fracture/face_contact.hpp"
 #include "engine/scene/scene.hpp"
 
 #include <algorithm>
@@ -177,17 +178,17 @@ class Maker {
   /// A notch is a cut of some width: its faces do not touch.
   template <class ContactRows>
   void make_contacts(ContactRows& contacts) {
-    for (int k = 0; s_.contact && k < static_cast<int>(s_.met.size()); ++k) {
+    for (int k = 0; k < static_cast<int>(s_.normal.size()); ++k) {
       const int beam = s_.met[k].beam;
       const auto& [i, j] = ends(beam);
       if (s_.notched[k] || (!owns(i) && !owns(j))) continue;
       auto& c = contacts.emplace_back();
       c.k = k, c.i = row(i), c.j = row(j), c.extra_i = extra(i), c.extra_j = extra(j);
       set_form(c.form, s_, beam);
+      for (int a = 0; a < 2; ++a) c.normal[a] = static_cast<Real>(s_.normal[k][a]);
       if (s_.kinematics == Kinematics::corotational) continue;
-      const BeamStrain base = strain_of(s_.lattice.beam[beam], s_.base[i], s_.base[j]);
-      c.stretch = static_cast<Real>(base.stretch);
-      for (int a = 0; a < 3; ++a) c.bend[a] = static_cast<Real>(base.bend_i[a] + base.bend_j[a]);
+      const Eigen::Vector3d base = face_gap(s_.lattice.beam[beam], s_.base[i], s_.base[j]);
+      for (int a = 0; a < 3; ++a) c.gap[a] = static_cast<Real>(base[a]);
     }
   }
 
@@ -239,7 +240,7 @@ class Maker {
     rows_.ring.assign((rows_.view.mask + 2) * row, 0);
     rows_.extra.assign(specials * row, 0);
     if (!s_.damped.empty()) rows_.damping = rows_.damping_before = rows_.extra;
-    if (s_.contact) rows_.contact = rows_.contact_before = rows_.extra;
+    if (!s_.normal.empty()) rows_.contact = rows_.contact_before = rows_.extra;
     const std::size_t chunks = (end_ - begin_ + chunk_size - 1) / chunk_size;
     rows_.account.assign(chunks * accounts * lanes_, 0.0);
   }

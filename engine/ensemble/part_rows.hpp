@@ -20,7 +20,7 @@ struct RowSource {
   const std::vector<Crossing>& met;
   const std::vector<char>& notched;  // [crossing] absent from the base state on
   const std::vector<DampedBeam>& damped;
-  bool contact;  // whether the crack's faces may touch
+  const std::vector<Eigen::Vector2d>& normal;  // [crossing] of the faces, from i to j; empty without contact
 };
 
 /// First elements of `parts` ranges with about equally many beams, and N; all but the last multiples of

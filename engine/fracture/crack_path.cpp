@@ -53,6 +53,19 @@ std::optional<double> first_crossing(const CrackPath& path, const Eigen::Vector2
   return std::nullopt;
 }
 
+Eigen::Vector2d normal_between(const CrackPath& path, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  double arc = first_crossing(path, a, b).value();
+  std::size_t k = 0;
+  for (; k + 2 < path.point.size(); ++k) {
+    const double piece = (path.point[k + 1] - path.point[k]).norm();
+    if (arc <= piece) break;
+    arc -= piece;
+  }
+  const Eigen::Vector2d along = (path.point[k + 1] - path.point[k]).normalized();
+  const Eigen::Vector2d normal(-along.y(), along.x());
+  return normal.dot(b - a) < 0.0 ? Eigen::Vector2d(-normal) : normal;
+}
+
 double distance_to(const CrackPath& path, const Eigen::Vector2d& p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < path.point.size(); ++k) {

@@ -28,6 +28,10 @@ CrackPath straight_path(double length, double height, int tips = 1);
 std::optional<double> first_crossing(const CrackPath& path, const Eigen::Vector2d& a,
                                      const Eigen::Vector2d& b);
 
+/// The unit normal of the path where it first crosses the segment from a to b, on the side of b; it must
+/// cross it.
+Eigen::Vector2d normal_between(const CrackPath& path, const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+
 /// Distance of a point from the path [m].
 double distance_to(const CrackPath& path, const Eigen::Vector2d& p);
 

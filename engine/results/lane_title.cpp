@@ -45,8 +45,8 @@ std::string distinction(const Scenario& s, const std::string& name) {
 }
 
 constexpr const char* distinctions[] = {
-    "relaxation_name", "damage_zone_ratio", "damping_alpha", "stiffness", "plane",
-    "kinematics",      "precision",         "beta",          "seed"};
+    "relaxation_name", "damage_zone_ratio", "friction",  "damping_alpha", "stiffness",
+    "plane",           "kinematics",        "precision", "beta",          "seed"};
 
 bool differs(const std::vector<Scenario>& scenarios, const char* name) {
   return std::any_of(scenarios.begin(), scenarios.end(),

@@ -315,14 +315,6 @@ void check_crack_way(Checks& c) {
   if (check_window_of_two(c) && check_window(c)) check_pieces(c);
 }
 
-void check_friction(Checks& c) {
-  if (!c.sound({"crack.friction", "solver.kinematics"})) return;
-  if (c.scene.crack.friction.value_or(0.0) > 0.0 && c.scene.solver.kinematics == Kinematics::corotational)
-    c.say("crack.friction",
-          "is for linear kinematics; with \"corotational\" the faces press on each other "
-          "without friction, crack.friction = 0");
-}
-
 void check_reference(Checks& c) {
   if (!c.sound({"crack.tips", "output.g_i0_reference"})) return;
   if (c.scene.output.g_i0_reference == ReleaseRateReference::griffith && c.scene.crack.tips != 2)
@@ -345,7 +337,6 @@ std::vector<Issue> contradictions(const Preset& preset, const std::set<std::stri
   check_path(checks);
   check_speeds(checks);
   check_crack_way(checks);
-  check_friction(checks);
   check_reference(checks);
   return std::move(checks.issues);
 }

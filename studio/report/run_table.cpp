@@ -42,13 +42,16 @@ std::string title(const Json& s) {
       text(s, "damping_region") == "none"
           ? ""
           : fmt::format(", damping {:g} ({})", value(s, "damping_alpha"), text(s, "damping_region"));
+  const std::string faces = s.contains("friction") && s["friction"].is_number()
+                                ? fmt::format(", friction {:g}", value(s, "friction"))
+                                : "";
   const std::string speed = s.at("crack_velocity_over_cr").is_number()
                                 ? fmt::format("{:g} c_r", value(s, "crack_velocity_over_cr"))
                             : text(s, "crack_course") == "measured"  ? "measured history"
                             : text(s, "crack_course") == "by itself" ? by_itself(s)
                                                                      : "piecewise velocity";
   const char* tips = value(s, "tips") == 2 ? ", two tips" : "";
-  return fmt::format("{}{}, {}{}, {} stiffness", speed, tips, how, damping, text(s, "stiffness"));
+  return fmt::format("{}{}, {}{}{}, {} stiffness", speed, tips, how, damping, faces, text(s, "stiffness"));
 }
 
 std::string ratios(const Json& s) {
@@ -79,7 +82,10 @@ std::string books(const Json& s, bool color) {
                       value(s, "energy_initial_j"), value(s, "energy_elastic_j"),
                       value(s, "energy_kinetic_translation_j") + value(s, "energy_kinetic_rotation_j"),
                       value(s, "energy_fracture_j"),
-                      value(s, "energy_damping_j") + value(s, "energy_numerical_damping_j")));
+                      value(s, "energy_damping_j") + value(s, "energy_numerical_damping_j")) +
+              (s.contains("friction") && !s["friction"].is_null()
+                   ? fmt::format(", {:.2f} between the faces", value(s, "energy_contact_j"))
+                   : ""));
   out += row("books", fmt::format("{}{} to {} of the energy{}", red, closes ? "close" : "DO NOT CLOSE:",
                                   shown(s, "ledger_residual", "{:.1e}"), plain));
   if (text(s, "prestress_method") == "ramp")

@@ -43,7 +43,7 @@ Ensemble<double> thrown(const Lattice& lattice, std::optional<double> friction,
 // 1/m_j, and pulls at nothing then.
 TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
   const Lattice lattice = pair();
-  const double k = lattice.beam[0].axial, reduced = 2.0 / 3.0;
+  const double k = face_stiffness(lattice.beam[0]), reduced = 2.0 / 3.0;
   const double duration = std::numbers::pi * std::sqrt(reduced / k), speed = 1e-3;
   std::vector<Vector6> velocity(2, Vector6::Zero());
   velocity[0][1] = speed;
@@ -83,7 +83,7 @@ TEST(FaceContact, SlidesByCoulombsLaw) {
   velocity[0][0] = 1e-1;  // far faster than it can be held
   constexpr double mu = 0.4;
   Ensemble<double> s = thrown(lattice, mu, velocity, 0.002, Kinematics::linear);
-  for (int n = 0; n < 5000; ++n) s.step();
+  for (int n = 0; n < 10000; ++n) s.step();
   const Vector6 a = s.velocity(0, 0), b = s.velocity(1, 0);
   const double across = b[0] * 2.0, along = b[1] * 2.0;  // impulses on the second, of mass 2
   EXPECT_GT(along, 1e-4);
@@ -139,37 +139,33 @@ TEST(FaceContact, ClosesTheBooks) {
 }
 
 // Coulomb's law on every pair of faces, and what the books say friction took against the slip times the
-// force, (1 - s) 3/4 w (e_n + e_{n+1}).(slip_{n+1} - slip_n), summed here beam by beam.
+// force, (1 - s) k/2 (e_n + e_{n+1}).(slip_{n+1} - slip_n), summed here beam by beam.
 TEST(FaceContact, BooksTheWorkOfFriction) {
   const Prepared p = small_plate(with(pressed, {"crack.technique=simple"}));
   constexpr double mu = 0.3;
   Ensemble<double> s = ready(p, {p.lane[0].scenario}, p.step.dt, {.contact = true});
-  const auto strain = [&](int k) {
-    const auto& [i, j] = p.lattice.ends[s.met()[k].beam];
-    return strain_of(p.lattice.beam[s.met()[k].beam], s.motion(i, 0), s.motion(j, 0));
-  };
   const int count = static_cast<int>(s.met().size());
   std::vector<Eigen::Vector3d> slip(count, Eigen::Vector3d::Zero()), held = slip;
   double taken = 0.0, before = s.sample(0, results::Phase::fracture).contact_j, booked = 0.0;
   int sliding = 0, sticking = 0;
   for (int n = 0; n < 600; ++n) {
-    std::vector<BeamStrain> at;
+    std::vector<Eigen::Vector3d> at;
     std::vector<char> parted;
-    for (int k = 0; k < count; ++k) at.push_back(strain(k)), parted.push_back(s.factor(k, 0) == 0.0);
+    for (int k = 0; k < count; ++k) at.push_back(s.gap(k, 0)), parted.push_back(s.factor(k, 0) == 0.0);
     s.step();  // the slips are those at the strains above now
     for (int k = 0; k < count; ++k) {
+      const Eigen::Vector3d m = s.normal(k);
+      const double open = m.dot(at[k]), stiffness = face_stiffness(p.lattice.beam[s.met()[k].beam]);
+      const Eigen::Vector3d along_face = at[k] - open * m;
       if (!parted[k]) {  // what the beam held beyond mu N slips as it breaks
-        slip[k] = at[k].bend_i + at[k].bend_j -
-                  face_contact(p.lattice.beam[s.met()[k].beam], at[k], Eigen::Vector3d::Zero(), mu).sliding;
+        slip[k] = along_face - face_contact(at[k], m, Eigen::Vector3d::Zero(), mu).sliding;
         continue;
       }
-      const Beam& beam = p.lattice.beam[s.met()[k].beam];
-      const Eigen::Vector3d e = at[k].bend_i + at[k].bend_j - s.slip(k, 0);
-      const double across = 3.0 * beam.bending / beam.length * e.norm();
-      const double along = -beam.axial * std::min(at[k].stretch, 0.0);
+      const Eigen::Vector3d e = along_face - s.slip(k, 0);
+      const double across = stiffness * e.norm(), along = -stiffness * std::min(open, 0.0);
       ASSERT_LE(across, mu * along * (1.0 + 1e-12) + 1e-12);
       (across > 0.999 * mu * along ? sliding : sticking) += along > 0.0;
-      taken += 0.75 * beam.bending * (e + held[k]).dot(s.slip(k, 0) - slip[k]);
+      taken += 0.5 * stiffness * (e + held[k]).dot(s.slip(k, 0) - slip[k]);
       slip[k] = s.slip(k, 0), held[k] = e;
     }
   }
@@ -180,19 +176,27 @@ TEST(FaceContact, BooksTheWorkOfFriction) {
   EXPECT_NEAR(booked, taken, 0.02 * taken);  // what is left: faces that meet and part between two steps
 }
 
-// Pressed evenly and without friction the faces carry what the beams did along their axes: the crack releases
-// a small part of what it does where they pass through each other.
-TEST(FaceContact, LeavesAPressedPlateItsStiffness) {
+// A plate that is pressed stays a plate where its faces touch.
+TEST(FaceContact, CarriesAPressedPlate) {
   const Prepared p = small_plate({"loading.displacement=-0.6 mm", "crack.friction=0"});
   std::vector<LaneScenario> lanes(3, p.lane[0].scenario);
   lanes[1].friction = 5.0, lanes[2].friction = {};
   Ensemble<double> s = ready(p, lanes, p.step.dt, {.contact = true});
+  const double start = s.grip_force(0);
   while (s.tip(0) < p.lane[0].crack_end) s.step();
-  const auto released = [&](int lane) { return s.sample(lane, results::Phase::fracture).fracture_j; };
-  EXPECT_LT(released(0), 0.3 * released(2));
-  EXPECT_LT(released(1), 0.1 * released(2));
-  EXPECT_GT(s.grip_force(2), 0.9 * s.grip_force(0));  // less is carried where nothing is in between
-  EXPECT_LT(s.grip_force(0), 0.0);
+  const auto mean_gap = [&](int lane) {
+    double sum = 0.0;
+    int count = 0;
+    for (int k = 0; k < static_cast<int>(s.met().size()); ++k)
+      if (s.factor(k, lane) == 0.0) sum += s.normal(k).dot(s.gap(k, lane)), ++count;
+    return sum / count;
+  };
+  // Cut to its half the plate keeps 0.80 of its force where the faces touch, 0.47 where they do not.
+  EXPECT_GT(s.grip_force(0) / start, 0.75);
+  EXPECT_GT(s.grip_force(1) / start, 0.75);
+  EXPECT_LT(s.grip_force(2) / start, 0.5);
+  EXPECT_LT(mean_gap(2), 2.0 * mean_gap(0));
+  EXPECT_LT(mean_gap(0), 0.0);
 }
 
 TEST(FaceContact, IsTheSameBesideOthersAndForAnyThreads) {

@@ -197,5 +197,14 @@ TEST(Crossings, OfTwoTipsAreCountedFromTheMiddleRoundAKink) {
   EXPECT_DOUBLE_EQ(met[1].position, 2.5);
 }
 
+TEST(CrackPath, HasTheNormalOfThePieceThatIsCrossed) {
+  const CrackPath path{{{0, 0}, {1, 0}, {2, 1}}, 1};
+  EXPECT_NEAR((normal_between(path, {0.5, -1}, {0.5, 1}) - Eigen::Vector2d(0, 1)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((normal_between(path, {0.5, 1}, {0.6, -1}) - Eigen::Vector2d(0, -1)).norm(), 0.0, 1e-15);
+  const Eigen::Vector2d slanted = Eigen::Vector2d(-1, 1).normalized();
+  EXPECT_NEAR((normal_between(path, {1.5, 0.2}, {1.5, 0.9}) - slanted).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((normal_between(path, {1.2, 0.6}, {1.9, 0.5}) + slanted).norm(), 0.0, 1e-15);
+}
+
 }  // namespace
 }  // namespace rift

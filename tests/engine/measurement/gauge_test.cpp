@@ -40,11 +40,11 @@ TEST(LocalPlane, RefusesTooFewPointsAndALineOfThem) {
   EXPECT_FALSE(local_plane(line, {0.5, 0.5}, 0.3));
 }
 
-// Far ahead of the crack a pulled strip strains by delta / H and not along x, from the first row on; and the
-// grip's force is that of the modulus: work of the grip over displacement.
+// Far ahead of the crack a pulled strip strains along y alone, from the first row on; and the grip's force is
+// that of the energy it has put in.
 TEST(Gauges, ShowTheStrainOfThePulledPlate) {
   Prepared p =
-      small_plate({"output.gauges=[[\"36 mm\", \"9 mm\"], [\"36 mm\", \"3 mm\"]]", "output.gauge_length=9"});
+      small_plate({"output.gauges=[[\"36 mm\", \"9 mm\"], [\"36 mm\", \"3 mm\"]]", "output.gauge_length=8"});
   ASSERT_EQ(p.gauge.size(), 2U);
   std::vector<results::GaugeRow> rows;
   std::vector<results::Sample> samples;
@@ -56,9 +56,13 @@ TEST(Gauges, ShowTheStrainOfThePulledPlate) {
   EXPECT_EQ(rows[1].gauge, 1);
   EXPECT_EQ(rows[3].step, samples[1].step);
   EXPECT_EQ(rows[3].time_s, samples[1].time_s);
-  EXPECT_NEAR(0.5 * (rows[0].strain_yy + rows[1].strain_yy), 0.05, 0.004);
+  // Two gauges one above the other: their mean strain is what the displacement between their middles says.
+  const double between = (rows[0].uy_m - rows[1].uy_m) / 6e-3;
+  // Some 16 elements of a random packing lie under each: single gauges scatter by a tenth.
+  EXPECT_NEAR(0.5 * (rows[0].strain_yy + rows[1].strain_yy), between, 0.15 * between);
+  EXPECT_GT(between, 0.05);  // the gripped elements do not strain: more is left for the others
+  EXPECT_NEAR(rows[0].uy_m + rows[1].uy_m, 0.6e-3, 0.03e-3);
   EXPECT_NEAR(rows[0].strain_xx, 0.0, 0.01);
-  EXPECT_NEAR(rows[0].uy_m, 0.05 * 9e-3, 0.05e-3);
   EXPECT_EQ(rows[0].vy_m_s, 0.0);
   const double energy = p.static_energy, force = samples.front().grip_force_n;
   EXPECT_NEAR(0.5 * force * 0.6e-3, energy, 1e-6 * energy);  // linear: U = F delta / 2
