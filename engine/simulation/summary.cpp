@@ -61,7 +61,7 @@ void add_scenario(Json& j, const LanePlan& lane) {
   j["relaxation"] = progressive ? Json(scene.crack.relaxation) : Json(nullptr);
   j["relaxation_name"] = progressive ? Json(relaxation_name(scene.crack.relaxation)) : Json(nullptr);
   j["damage_zone_ratio"] = progressive ? Json(scene.crack.damage_zone_ratio) : Json(nullptr);
-  j["friction"] = scene.crack.friction ? Json(*scene.crack.friction) : Json(nullptr);
+  if (scene.crack.friction) j["friction"] = *scene.crack.friction;
   j["damping_alpha"] = scene.damping.alpha;
   j["damping_region"] = name_of(scene.damping.region);
   j["stiffness"] = name_of(scene.material.stiffness);

@@ -42,9 +42,8 @@ std::string title(const Json& s) {
       text(s, "damping_region") == "none"
           ? ""
           : fmt::format(", damping {:g} ({})", value(s, "damping_alpha"), text(s, "damping_region"));
-  const std::string faces = s.contains("friction") && s["friction"].is_number()
-                                ? fmt::format(", friction {:g}", value(s, "friction"))
-                                : "";
+  const std::string faces =
+      s.contains("friction") ? fmt::format(", friction {:g}", value(s, "friction")) : "";
   const std::string speed = s.at("crack_velocity_over_cr").is_number()
                                 ? fmt::format("{:g} c_r", value(s, "crack_velocity_over_cr"))
                             : text(s, "crack_course") == "measured"  ? "measured history"
@@ -76,16 +75,15 @@ std::string ratios(const Json& s) {
 std::string books(const Json& s, bool color) {
   const bool closes = s.at("ledger_closes").get<bool>();
   const char *red = color && !closes ? "\x1b[31m" : "", *plain = color && !closes ? "\x1b[0m" : "";
-  std::string out =
-      row("energy [J]",
-          fmt::format("{:.2f} stored, now {:.2f} elastic + {:.2f} kinetic; {:.2f} fracture, {:.2f} damping",
-                      value(s, "energy_initial_j"), value(s, "energy_elastic_j"),
-                      value(s, "energy_kinetic_translation_j") + value(s, "energy_kinetic_rotation_j"),
-                      value(s, "energy_fracture_j"),
-                      value(s, "energy_damping_j") + value(s, "energy_numerical_damping_j")) +
-              (s.contains("friction") && !s["friction"].is_null()
-                   ? fmt::format(", {:.2f} between the faces", value(s, "energy_contact_j"))
-                   : ""));
+  std::string out = row(
+      "energy [J]",
+      fmt::format("{:.2f} stored, now {:.2f} elastic + {:.2f} kinetic; {:.2f} fracture, {:.2f} damping",
+                  value(s, "energy_initial_j"), value(s, "energy_elastic_j"),
+                  value(s, "energy_kinetic_translation_j") + value(s, "energy_kinetic_rotation_j"),
+                  value(s, "energy_fracture_j"),
+                  value(s, "energy_damping_j") + value(s, "energy_numerical_damping_j")) +
+          (s.contains("friction") ? fmt::format(", {:.2f} between the faces", value(s, "energy_contact_j"))
+                                  : ""));
   out += row("books", fmt::format("{}{} to {} of the energy{}", red, closes ? "close" : "DO NOT CLOSE:",
                                   shown(s, "ledger_residual", "{:.1e}"), plain));
   if (text(s, "prestress_method") == "ramp")
