@@ -64,6 +64,23 @@ TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
   }
 }
 
+// So the critical step of the sound lattice holds: a beam less its contact, stuck, resists every motion.
+TEST(FaceContact, IsNowhereStifferThanTheBeam) {
+  hand_made::Draw draw(5);
+  for (int n = 0; n < 20; ++n) {
+    const Beam beam = make_beam(draw.vector(), draw.between(0.05, 0.5) * 0.1, 3.0, 0.25);
+    Eigen::Matrix<double, 3, 12> gap;
+    for (int c = 0; c < 12; ++c) {
+      Vector6 q[2] = {Vector6::Zero(), Vector6::Zero()};
+      q[c / 6][c % 6] = 1.0;
+      gap.col(c) = face_gap(beam, q[0], q[1]);
+    }
+    const Matrix12 beyond = stiffness_of(beam) - face_stiffness(beam) * gap.transpose() * gap;
+    const Eigen::SelfAdjointEigenSolver<Matrix12> modes(beyond);
+    EXPECT_GT(modes.eigenvalues()[0], -1e-12 * modes.eigenvalues()[11]);
+  }
+}
+
 TEST(FaceContact, LetsFacesPassThroughEachOtherWithoutIt) {
   const Lattice lattice = pair();
   std::vector<Vector6> velocity(2, Vector6::Zero());
@@ -136,6 +153,25 @@ TEST(FaceContact, ClosesTheBooks) {
       EXPECT_GT(s.sample(0, results::Phase::fracture).contact_j, 1e-3 * most);
       EXPECT_EQ(s.sample(3, results::Phase::fracture).contact_j, 0.0);
     }
+}
+
+// Corotational beams: the forces are the energy's gradient, so that faces without friction take nothing in
+// the mean; the limit is that of all corotational books.
+TEST(FaceContact, ClosesTheBooksOfCorotationalBeams) {
+  const Prepared p =
+      small_plate(with(pressed, {"solver.kinematics=corotational", "loading.displacement=-0.06 mm"}));
+  Ensemble<double> s =
+      ready(p, four_frictions(p), p.step.dt, {.kinematics = Kinematics::corotational, .contact = true});
+  std::vector<double> worst(4, 0.0);
+  for (int n = 0; s.tip(0) < p.lane[0].crack_end; ++n) {
+    s.step();
+    for (int lane = 0; lane < 4 && n % 20 == 0; ++lane)
+      worst[lane] = std::max(worst[lane], std::abs(s.sample(lane, results::Phase::fracture).residual));
+  }
+  for (int lane = 0; lane < 4; ++lane) EXPECT_LT(worst[lane], 1e-4) << lane;
+  const double taken = s.sample(0, results::Phase::fracture).contact_j;
+  EXPECT_GT(taken, 1e-3 * s.largest_energy(0));
+  EXPECT_LT(std::abs(s.sample(1, results::Phase::fracture).contact_j), 0.05 * taken);
 }
 
 // Coulomb's law on every pair of faces, and what the books say friction took against the slip times the

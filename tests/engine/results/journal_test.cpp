@@ -356,5 +356,21 @@ TEST(JournalScan, NamesCarryTheirLaneOnlyAmongSeveral) {
   EXPECT_EQ(lane_name("displacement", 3, 4), "displacement_lane3");
 }
 
+// Journals from before the last two columns hold samples that are so much shorter.
+TEST(Records, OlderSamplesLackTheLastColumns) {
+  Sample sample = small_run::sample(1, 0, 0.05);
+  sample.contact_j = 2.5, sample.grip_force_n = -7.0;
+  const std::uint32_t kind = kind_of(sample);
+  const std::string bytes = encode(sample);
+  const auto now = std::get<Sample>(*decode(kind, bytes));
+  EXPECT_EQ(now.contact_j, 2.5);
+  EXPECT_EQ(now.grip_force_n, -7.0);
+  const auto former = std::get<Sample>(*decode(kind, bytes.substr(0, bytes.size() - 2 * sizeof(double))));
+  EXPECT_EQ(former.residual, sample.residual);
+  EXPECT_EQ(former.contact_j, 0.0);
+  EXPECT_EQ(former.grip_force_n, 0.0);
+  EXPECT_FALSE(decode(kind, bytes.substr(0, bytes.size() - 4)));
+}
+
 }  // namespace
 }  // namespace rift::results
