@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/theory/plane.hpp"
+
+#include <Eigen/Core>
+
+namespace rift {
+
+/// An isotropic plate as what is around a tip that runs through it sees it.
+struct ElasticPlate {
+  double young_modulus = 0, poisson_ratio = 0;  // [Pa]
+  double density = 0;                           // [kg/m3]
+  Plane plane = Plane::stress;
+};
+
+enum class Mode { opening, sliding };
+
+/// The n-th term of the displacement around a tip that runs steadily along x with free faces, u ~ r^(n/2)
+/// [Nishioka and Atluri 1983, from the potentials of Freund 1990, ch. 4]. With beta_1^2 = 1 - (v/c_d)^2,
+/// beta_2^2 = 1 - (v/c_s)^2, r_k e^(i theta_k) = x + i beta_k y and c_k, s_k = r_k^(n/2) (cos, sin)(n theta_k
+/// / 2):
+///   opening  u_x = B (c_1 - h c_2),  u_y = B (- beta_1 s_1 + (h / beta_2) s_2),  h_I for n odd, h_II for
+///   even sliding  u_x = B (s_1 - h s_2),  u_y = B (beta_1 c_1 - (h / beta_2) c_2),    h_II for n odd, h_I
+///   for even h_I = 2 beta_1 beta_2 / (1 + beta_2^2), h_II = (1 + beta_2^2) / 2
+/// scaled so that n = 1 is the displacement [m] per K_I or K_II = 1 Pa m^1/2. n = 0 is a shift, 2 in sliding
+/// a turn, 2 in opening the stress along the crack.
+class NearTip {
+ public:
+  /// @param[in] speed  of the tip [m/s], below the Rayleigh speed (asserted). Below 0.05 c_s the field is
+  /// that of 0.05 c_s, which differs by some 1e-3 of it: at rest the two potentials fall together.
+  NearTip(const ElasticPlate& plate, double speed);
+
+  Eigen::Vector2d displacement(Mode mode, int term, const Eigen::Vector2d& from_tip) const;
+
+  /// G of the stress intensities [J/m2, Pa m^1/2]: (A_I K_I^2 + A_II K_II^2) / E'   [Freund 1990, 5.3]
+  double release_rate(double k_opening, double k_sliding) const;
+
+ private:
+  double beta1_, beta2_, shear_modulus_, rayleigh_;  // the last: D = 4 beta1 beta2 - (1 + beta2^2)^2
+};
+
+}  // namespace rift
