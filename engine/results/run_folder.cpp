@@ -42,8 +42,12 @@ bool is_run_file(std::string_view name) {
          is_picture(name) || is_put_aside(name);
 }
 
+bool is_measured_folder(std::string_view name) {
+  return name == "measure" || name.starts_with("measure_lane");
+}
+
 bool is_export_folder(std::string_view name) {
-  return name == "csv" || name == "pvd" || name == "paraview" || name == "ovito";
+  return name == "csv" || name == "pvd" || name == "paraview" || name == "ovito" || is_measured_folder(name);
 }
 
 bool is_export(std::string_view folder, std::string_view name) {
@@ -52,6 +56,12 @@ bool is_export(std::string_view folder, std::string_view name) {
     return name == "series.csv" || name == "events.csv" || name == "rate.csv" || name == "crack.csv";
   if (folder == "paraview") return name == archive_name;
   if (folder == "ovito") return name.ends_with(".dump");
+  if (is_measured_folder(folder))
+    return name == "report.html" || name == "summary.json" || name == "field.csv" ||
+           name == "stress_intensity.csv";
+  if (folder == "charts")  // of what was measured
+    return name.ends_with(".csv") || name.ends_with(".gp") || name.ends_with(".svg") ||
+           name.ends_with(".png");
   return folder == "pvd" && (name == "run.pvd" || has_affixes(name, "frame_", ".vtp"));
 }
 
@@ -71,16 +81,25 @@ void remove_file(const fs::path& path) {
   if (error) throw WorldError("remove", path, error.message());
 }
 
+/// Removes what was exported into a folder, and the folder where nothing else is in it.
+void remove_export(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  for (const auto& path : entries(folder)) {
+    const std::string file = path.filename().string();
+    if (is_measured_folder(name) && file == "charts" && fs::is_directory(path) && !fs::is_symlink(path))
+      remove_export(path);
+    else if (is_export(name, file) && !fs::is_directory(path))
+      remove_file(path);
+  }
+  if (entries(folder).empty()) remove_file(folder);
+}
+
 /// Removes a former run and its exports, and nothing else.
 void remove_run(const fs::path& folder) {
   for (const auto& path : entries(folder)) {
     const auto name = path.filename().string();
     if (is_run_file(name) && !fs::is_directory(path)) remove_file(path);
-    if (is_export_folder(name) && fs::is_directory(path) && !fs::is_symlink(path)) {
-      for (const auto& file : entries(path))
-        if (is_export(name, file.filename().string()) && !fs::is_directory(file)) remove_file(file);
-      if (entries(path).empty()) remove_file(path);
-    }
+    if (is_export_folder(name) && fs::is_directory(path) && !fs::is_symlink(path)) remove_export(path);
   }
 }
 

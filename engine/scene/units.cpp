@@ -36,6 +36,10 @@ constexpr std::array densities{Unit{"g/cm3", 3, false}, Unit{"g/cm^3", 3, false}
 constexpr std::array release_rates{Unit{"kJ/m2", 3, true},  Unit{"kJ/m^2", 3, false}, Unit{"J/m2", 0, true},
                                    Unit{"J/m^2", 0, false}, Unit{"N/mm", 3, false},   Unit{"N/m", 0, false}};
 
+constexpr std::array forces{Unit{"kN", 3, true}, Unit{"N", 0, true}, Unit{"mN", -3, true}};
+constexpr std::array stress_intensities{Unit{"MPa m1/2", 6, true}, Unit{"MPa m^1/2", 6, false},
+                                        Unit{"Pa m1/2", 0, true}, Unit{"Pa m^1/2", 0, false}};
+
 struct DimensionRow {
   std::string_view name, si, example;
   std::span<const Unit> units;
@@ -57,6 +61,10 @@ DimensionRow row_of(Dimension dimension) {
       return {"a density", "kg/m3", "667 kg/m3", densities};
     case Dimension::release_rate:
       return {"a release rate", "J/m2", "900 J/m2", release_rates};
+    case Dimension::force:
+      return {"a force", "N", "200 N", forces};
+    case Dimension::stress_intensity:
+      return {"a stress intensity", "Pa m1/2", "1.5 MPa m1/2", stress_intensities};
   }
   std::abort();  // no such dimension
 }

@@ -6,7 +6,7 @@
 
 namespace rift {
 
-enum class Dimension { none, length, time, pressure, speed, density, release_rate };
+enum class Dimension { none, length, time, pressure, speed, density, release_rate, force, stress_intensity };
 
 /// What was read, or what is wrong with the text.
 template <class T>
@@ -18,7 +18,7 @@ struct Parsed {
 /// "a length", "a time", ... for messages.
 std::string_view dimension_name(Dimension dimension);
 
-/// The SI unit: "m", "s", "Pa", "m/s", "kg/m3"; empty for Dimension::none.
+/// The SI unit: "m", "s", "Pa", "m/s", "kg/m3", ...; empty for Dimension::none.
 std::string_view si_unit(Dimension dimension);
 
 /// Every unit that is understood, "m, cm, mm, ..."; the spellings with a Greek letter for micro among them.

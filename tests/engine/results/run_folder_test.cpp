@@ -72,19 +72,21 @@ TEST(RunFolder, ThatHoldsAnythingIsNotWrittenInto) {
 TEST(RunFolder, ForceRemovesOnlyWhatRiftWrote) {
   const small_run::Scratch scratch;
   const std::vector<std::string> ours{
-      "journal.rift",   "run.vtkhdf",          "run.vtkhdf.part", "series.csv",    "summary.json",
-      "checkpoint.h5",  "checkpoint-2.h5",     "csv/series.csv",  "pvd/run.pvd",   "pvd/frame_000000.vtp",
-      "ovito/run.dump", "paraview/run.vtkhdf", "film_uy.mp4",     "poster_uy.png", "uy_at_0.50.png"};
+      "journal.rift",  "run.vtkhdf",           "run.vtkhdf.part",   "series.csv",           "summary.json",
+      "checkpoint.h5", "checkpoint-2.h5",      "measure/field.csv", "measure/charts/vy.gp", "csv/series.csv",
+      "pvd/run.pvd",   "pvd/frame_000000.vtp", "ovito/run.dump",    "paraview/run.vtkhdf",  "film_uy.mp4",
+      "poster_uy.png", "uy_at_0.50.png"};
   const std::vector<std::string> theirs{"notes.md", "checkpoint.txt", "csv/mine.csv", "mine.mp4",
                                         "film/frame_000000.vtp"};
-  for (const char* folder : {"csv", "pvd", "ovito", "paraview", "film"})
-    fs::create_directory(scratch / folder);
+  for (const char* folder : {"csv", "pvd", "ovito", "paraview", "film", "measure/charts"})
+    fs::create_directories(scratch / folder);
   for (const auto& name : ours) put_bytes(scratch / name, "x");
   for (const auto& name : theirs) put_bytes(scratch / name, "x");
   create_run_folder(scratch.path(), true);
   for (const auto& name : ours) EXPECT_FALSE(fs::exists(scratch / name)) << name;
   for (const auto& name : theirs) EXPECT_TRUE(fs::exists(scratch / name)) << name;
   EXPECT_FALSE(fs::exists(scratch / "pvd")) << "nothing is left in it";
+  EXPECT_FALSE(fs::exists(scratch / "measure"));
 }
 
 TEST(RunFolder, ForceRefusesAFolderThatHoldsNoRun) {

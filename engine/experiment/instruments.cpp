@@ -1,0 +1,134 @@
+#include "engine/experiment/instruments.hpp"
+
+#include "engine/interrupted.hpp"
+#include "engine/results/archive.hpp"
+#include "engine/results/crack_tip.hpp"
+#include "engine/results/journal_scan.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/scene/issue.hpp"
+#include "engine/simulation/record.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace rift {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse(const std::filesystem::path& run, const std::string& text) {
+  throw InputError({Issue{.file = run.string(), .key = {}, .text = text}});
+}
+
+CrackPath path_in(const Json& header) {
+  CrackPath path{{}, header.value("tips", 1)};
+  for (const auto& [x, y] : results::path_of(header)) path.point.emplace_back(x, y);
+  return path;
+}
+
+RateScale scale_in(const Json& header, int lane) {
+  const Json& scale = header.at("rate_scales").at(lane);
+  return {.thickness = header.at("thickness_m"),
+          .g_i0 = scale.at("g_i0_j_m2"),
+          .length = header.at("length_m"),
+          .g_i0_slope = scale.at("g_i0_slope_j_m3"),
+          .tips = header.value("tips", 1)};
+}
+
+template <class Row>
+std::vector<Row> of_lane(const std::vector<Row>& rows, int lane) {
+  std::vector<Row> kept;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept),
+               [&](const Row& row) { return row.lane == lane; });
+  return kept;
+}
+
+/// By the first row of the books whose tip is on the measured way.
+double clock_of(const Scene& scene, const std::vector<results::Sample>& books) {
+  if (scene.crack.history.empty()) return 0.0;
+  const Course course = measured_course(scene);
+  for (const results::Sample& s : books)
+    if (s.velocity_m_s > 0.0 && s.tip_m > scene.crack.start)
+      return course.first_time + time_of_arrival(course.history, s.tip_m) - s.time_s;
+  return 0.0;
+}
+
+/// Why the material's E and nu do not tell the plate's field; empty where they do.
+std::string strange_field(const Scene& scene) {
+  const StiffnessChoice stiffness = scene.material.stiffness;
+  if (stiffness == StiffnessChoice::in_situ || stiffness == StiffnessChoice::calibrated) return {};
+  return "K wants the plate's own E and nu, which material.stiffness = \"bulk\" and \"explicit\" do not give";
+}
+
+ElasticPlate plate_of(const Scene& scene) {
+  return {scene.material.young_modulus, scene.material.poisson_ratio, density(scene), scene.material.plane};
+}
+
+std::vector<Eigen::Vector2d> places_of(const results::Geometry& geometry) {
+  std::vector<Eigen::Vector2d> at;
+  for (const auto& p : geometry.position) at.emplace_back(p[0], p[1]);
+  return at;
+}
+
+std::vector<std::optional<PlaneMotion>> look(const Camera& camera, const results::Frame& frame) {
+  return camera.see(frame.tip_m, [&](int i) {
+    const auto& u = frame.displacement[i];
+    return Eigen::Vector3d(u[0], u[1], u[2]);
+  });
+}
+
+}  // namespace
+
+Instruments read_instruments(const std::filesystem::path& run, const InstrumentWishes& wishes,
+                             const std::function<bool(double done)>& progress,
+                             const std::function<void(const Grid&, const SeenField&)>& see) {
+  const Preset preset = preset_of_run(run);
+  const std::filesystem::path journal = run / results::journal_name;
+  const results::JournalScan scan = results::scan_journal(journal);
+  const Json header = Json::parse(scan.header_json);
+  if (wishes.lane < 0 || wishes.lane >= scan.lanes)
+    refuse(run, fmt::format("has no lane {}: it has {}", wishes.lane,
+                            scan.lanes == 1 ? "one" : fmt::format("0 to {}", scan.lanes - 1)));
+  const Scene& scene = preset.lanes.empty() ? preset.scene : preset.lanes.at(wishes.lane);
+  const Eigen::Vector2d size(header.at("length_m"), header.at("height_m"));
+  const double radius = header.at("mean_radius_m");
+  const bool zone = scene.crack.technique == Technique::progressive;
+  const RateScale scale = scale_in(header, wishes.lane);
+  Instruments seen{.grid = grid_over(size.x(), size.y(), wishes.grid * radius),
+                   .subset = wishes.subset * radius,
+                   .ring = {.inner = wishes.inner * radius,
+                            .outer = wishes.outer * radius,
+                            .beside_faces = wishes.subset * radius,
+                            .zone = zone ? scene.crack.damage_zone_ratio * radius : 0.0},
+                   .g_i0 = scale.g_i0,
+                   .g_i0_slope = scale.g_i0_slope,
+                   .books = of_lane(scan.samples, wishes.lane),
+                   .gauges = of_lane(scan.gauges, wishes.lane),
+                   .intensity = {},
+                   .no_intensity = strange_field(scene)};
+  seen.clock = clock_of(scene, seen.books);
+  const CrackPath path = path_in(header);
+  const Camera camera(places_of(*scan.geometry), seen.grid.point, seen.subset, parted_by(path));
+  const IntensityReading reading(path, size, plate_of(scene), seen.ring, seen.books, scale);
+  std::int64_t read = 0;
+  bool any = false;
+  const auto take = [&](const results::Frame& frame) {
+    if (!progress(static_cast<double>(read++) / static_cast<double>(scan.frames)))
+      throw Interrupted("the frames were read");
+    if (frame.lane != wishes.lane || frame.displacement.empty()) return;
+    const SeenField field{frame.time_s, frame.tip_m, look(camera, frame)};
+    if (seen.no_intensity.empty()) seen.intensity.push_back(reading.at(field, seen.grid.point));
+    see(seen.grid, field);
+    any = true;
+  };
+  results::for_each_moment(journal, *scan.geometry, [&](std::span<const results::Frame> moment) {
+    for (const results::Frame& frame : moment) take(frame);
+  });
+  if (!any) refuse(run, "holds no displacements: output.frames and output.fields ask for them");
+  return seen;
+}
+
+}  // namespace rift

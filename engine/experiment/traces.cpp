@@ -1,0 +1,129 @@
+#include "engine/experiment/traces.hpp"
+
+#include "engine/scene/csv_table.hpp"
+#include "engine/scene/issue.hpp"
+#include "engine/scene/preset_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace rift {
+namespace {
+
+struct GaugeQuantity {
+  const char* name;
+  Dimension dimension;
+  double results::GaugeRow::*value;
+};
+using Row = results::GaugeRow;
+constexpr std::array gauge_quantities{GaugeQuantity{"strain_yy", Dimension::none, &Row::strain_yy},
+                                      GaugeQuantity{"strain_xx", Dimension::none, &Row::strain_xx},
+                                      GaugeQuantity{"strain_xy", Dimension::none, &Row::strain_xy},
+                                      GaugeQuantity{"uy", Dimension::length, &Row::uy_m},
+                                      GaugeQuantity{"ux", Dimension::length, &Row::ux_m},
+                                      GaugeQuantity{"vy", Dimension::speed, &Row::vy_m_s},
+                                      GaugeQuantity{"vx", Dimension::speed, &Row::vx_m_s}};
+
+Trace grip_trace(const Instruments& seen) {
+  Trace trace{"grip_force", Dimension::force, {}, {}};
+  for (const results::Sample& s : seen.books)
+    trace.time.push_back(s.time_s + seen.clock), trace.value.push_back(s.grip_force_n);
+  return trace;
+}
+
+std::vector<Trace> gauge_traces(const Instruments& seen) {
+  std::vector<Trace> traces;
+  for (const results::GaugeRow& row : seen.gauges) {
+    const auto first = static_cast<std::size_t>(row.gauge) * gauge_quantities.size();
+    while (traces.size() < first + gauge_quantities.size()) {
+      const GaugeQuantity& q = gauge_quantities[traces.size() % gauge_quantities.size()];
+      traces.push_back(
+          {fmt::format("gauge{}_{}", traces.size() / gauge_quantities.size(), q.name), q.dimension, {}, {}});
+    }
+    for (std::size_t k = 0; k < gauge_quantities.size(); ++k) {
+      traces[first + k].time.push_back(row.time_s + seen.clock);
+      traces[first + k].value.push_back(row.*gauge_quantities[k].value);
+    }
+  }
+  return traces;
+}
+
+Trace intensity_trace(const Instruments& seen, const char* name, Dimension dimension,
+                      double StressIntensity::*value) {
+  Trace trace{name, dimension, {}, {}};
+  for (const IntensityPoint& p : seen.intensity)
+    if (p.k) trace.time.push_back(p.time + seen.clock), trace.value.push_back((*p.k).*value);
+  return trace;
+}
+
+/// Straight between the points; NaN beyond them.
+double value_at(const Trace& trace, double time) {
+  const auto after = std::lower_bound(trace.time.begin(), trace.time.end(), time);
+  if (after == trace.time.end()) return std::nan("");
+  const auto k = after - trace.time.begin();
+  if (*after == time) return trace.value[k];
+  if (k == 0) return std::nan("");
+  const double part = (time - trace.time[k - 1]) / (trace.time[k] - trace.time[k - 1]);
+  return std::lerp(trace.value[k - 1], trace.value[k], part);
+}
+
+}  // namespace
+
+std::vector<Trace> traces_of(const Instruments& seen) {
+  std::vector<Trace> traces{grip_trace(seen)};
+  for (Trace& trace : gauge_traces(seen)) traces.push_back(std::move(trace));
+  traces.push_back(intensity_trace(seen, "k_i", Dimension::stress_intensity, &StressIntensity::opening));
+  traces.push_back(intensity_trace(seen, "k_ii", Dimension::stress_intensity, &StressIntensity::sliding));
+  traces.push_back(intensity_trace(seen, "g_field", Dimension::release_rate, &StressIntensity::release_rate));
+  return traces;
+}
+
+std::vector<Trace> read_traces(const std::filesystem::path& file, const std::vector<Trace>& known) {
+  std::vector<Issue> issues;
+  const auto say = [&](int line, std::string text) {
+    issues.push_back({file.string(), line, "", std::move(text)});
+  };
+  const PresetFile content = read_preset_file(file);
+  if (!content.problem.empty()) say(0, content.problem);
+  std::vector<CsvColumn> columns{{"time", Dimension::time}};
+  for (const Trace& trace : known) columns.push_back({trace.name, trace.dimension, false});
+  const CsvTable table = read_csv(content.text, columns);
+  if (content.problem.empty())
+    for (const CsvProblem& problem : table.problems) say(problem.line, problem.text);
+  std::vector<Trace> read;
+  if (issues.empty()) {
+    const std::vector<double>& time = table.column[0];
+    for (std::size_t r = 1; r < time.size(); ++r)
+      if (!(time[r] > time[r - 1]))
+        say(table.line[r],
+            fmt::format("time does not grow: {} after {}", quantity_text(time[r], Dimension::time),
+                        quantity_text(time[r - 1], Dimension::time)));
+    for (std::size_t k = 0; k < known.size(); ++k)
+      if (!table.column[k + 1].empty())
+        read.push_back({known[k].name, known[k].dimension, time, table.column[k + 1]});
+    if (read.empty() && issues.empty()) say(0, "holds nothing to compare with");
+  }
+  if (!issues.empty()) throw InputError(issues);
+  return read;
+}
+
+std::optional<TraceDistance> distance_between(const Trace& trace, const Trace& measured) {
+  TraceDistance d;
+  double low = INFINITY, high = -INFINITY, squares = 0.0;
+  for (std::size_t k = 0; k < measured.time.size(); ++k) {
+    const double off = value_at(trace, measured.time[k]) - measured.value[k];
+    if (std::isnan(off)) continue;
+    ++d.points;
+    squares += off * off, d.largest = std::max(d.largest, std::abs(off));
+    low = std::min(low, measured.value[k]), high = std::max(high, measured.value[k]);
+  }
+  if (d.points == 0) return std::nullopt;
+  d.rms = std::sqrt(squares / d.points), d.span = high - low;
+  return d;
+}
+
+}  // namespace rift

@@ -1,0 +1,201 @@
+#include "engine/interrupted.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/world_error.hpp"
+#include "engine/scene/issue.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/commands/run_ending.hpp"
+#include "studio/commands/scene_options.hpp"
+#include "studio/report/instruments_report.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rift::studio {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t fields_kept = 12;  // of the way, for the maps
+
+struct MeasureCommand {
+  std::string run, out, color;
+  std::vector<std::string> against;
+  InstrumentWishes wishes;
+  bool force = false, json = false, quiet = false;
+};
+
+std::string command_text(const MeasureCommand& command) {
+  std::string text = "rift measure " + command.run;
+  if (command.wishes.lane > 0) text += fmt::format(" --lane {}", command.wishes.lane);
+  for (const std::string& file : command.against) text += " --against " + file;
+  return text;
+}
+
+/// In the run's folder, anew each time, or elsewhere, where nothing else may be.
+fs::path folder_of(const MeasureCommand& command) {
+  if (!command.out.empty()) {
+    check_report_folder(command.out, command.force);
+    return command.out;
+  }
+  return fs::path(command.run) / (command.wishes.lane > 0 ? fmt::format("measure_lane{}", command.wishes.lane)
+                                                          : std::string("measure"));
+}
+
+void check(const InstrumentWishes& w) {
+  if (w.inner >= w.outer)
+    throw InputError({Issue{.file = "rift measure",
+                            .key = "--inner",
+                            .text = fmt::format("must lie below --outer = {:g}", w.outer),
+                            .value = fmt::format("{:g}", w.inner)}});
+}
+
+/// field.csv, which is there only when all of it is; nothing is left of one that was given up.
+class FieldFile {
+ public:
+  explicit FieldFile(const fs::path& folder) : folder_(folder), part_(folder / "field.csv.part") {}
+  ~FieldFile() {
+    if (!file_) return;
+    file_.reset();
+    std::error_code ignored;
+    fs::remove(part_, ignored);
+    if (fs::is_empty(folder_, ignored)) fs::remove(folder_, ignored);
+  }
+  FieldFile(const FieldFile&) = delete;
+  FieldFile& operator=(const FieldFile&) = delete;
+
+  void append(const std::string& rows) {
+    if (!file_) open();
+    file_->append(rows);
+  }
+  void keep() {
+    file_->close();
+    file_.reset();
+    fs::rename(part_, folder_ / "field.csv");
+  }
+
+ private:
+  void open() {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) throw results::WorldError("create the folder", folder_, error.message());
+    fs::remove(part_, error);
+    file_.emplace(part_);
+    file_->append(field_csv_header());
+  }
+
+  fs::path folder_, part_;
+  std::optional<results::AppendFile> file_;
+};
+
+/// Reads the run, its fields into a file as they come; keeps one wherever the tip has run a step of the way
+/// on.
+void read_run(const MeasureCommand& command, InstrumentsReport& report, FieldFile& file, ProgressLine& line,
+              const StopSignal& stop) {
+  double next_tip = 0.0;
+  report.seen = read_instruments(
+      command.run, command.wishes,
+      [&](double done) {
+        line.tell("frames", done);
+        return stop.received() == 0;
+      },
+      [&](const Grid& grid, const SeenField& field) {
+        file.append(field_csv_rows(grid, field));
+        if (field.tip < next_tip) return;
+        report.field.push_back(field);
+        next_tip = field.tip + grid.point.back().x() / fields_kept;
+      });
+  line.clear();
+}
+
+void lay_over(InstrumentsReport& report, const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    for (Trace& trace : read_traces(file, report.trace)) {
+      for (const Trace& other : report.measured)
+        if (other.name == trace.name)
+          throw InputError(
+              {Issue{.file = file, .key = {}, .text = trace.name + " is in an earlier file too"}});
+      report.measured.push_back(std::move(trace));
+    }
+}
+
+ExitCode finish(const MeasureCommand& command, const InstrumentsReport& report, const fs::path& folder) {
+  ExitCode code = ExitCode::done;
+  try {
+    write_instruments_report(report, folder);
+  } catch (const results::WorldError& error) {
+    fmt::print(stderr, "rift measure: {}\n", error.what());
+    code = ExitCode::world_failed;
+  }
+  if (command.json)
+    fmt::print("{}\n", instruments_json(report).dump(2));
+  else
+    fmt::print("{}{}/  report.html, stress_intensity.csv, field.csv, charts\n",
+               instruments_text(report, wants_color(command.color, stdout)), folder.string());
+  return code;
+}
+
+ExitCode measure(const MeasureCommand& command) {
+  check(command.wishes);
+  const fs::path folder = folder_of(command);
+  const StopSignal stop;
+  ProgressLine line(progress_style(command.quiet, command.json));
+  InstrumentsReport report;
+  report.run = command.run, report.command = command_text(command), report.version = build_info().version;
+  report.lane = command.wishes.lane;
+  try {
+    FieldFile file(folder);
+    read_run(command, report, file, line, stop);
+    report.trace = traces_of(report.seen);
+    lay_over(report, command.against);
+    file.keep();
+  } catch (const Interrupted& interrupted) {
+    line.clear();
+    fmt::print(stderr, "rift measure: {}; nothing was kept\n", interrupted.what());
+    return stopped_by(stop);
+  }
+  return finish(command, report, folder);
+}
+
+}  // namespace
+
+void add_measure(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "measure",
+      "What a test's instruments would have shown of a run: grip force, gauges, a camera's fields, K");
+  const auto options = std::make_shared<MeasureCommand>();
+  InstrumentWishes& wishes = options->wishes;
+  command.add_option("run", options->run, "Folder of the run, unfinished ones too")->required();
+  command.add_option(
+      "--against", options->against,
+      "Measured curves to lay over: a CSV file such as \"time [us];grip_force [N]\" (repeatable)");
+  command.add_option("--lane", wishes.lane, "Which lane")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  const auto radii = CLI::Range(0.5, 1000.0);
+  command.add_option("--grid", wishes.grid, "Distance of the camera's points, in mean radii")
+      ->check(radii)
+      ->capture_default_str();
+  command.add_option("--subset", wishes.subset, "Radius that each point is read over, in mean radii")
+      ->check(radii)
+      ->capture_default_str();
+  command.add_option("--inner", wishes.inner, "Inner radius of the ring that K is fitted to, in mean radii")
+      ->check(radii)
+      ->capture_default_str();
+  command.add_option("--outer", wishes.outer, "Its outer radius, in mean radii")
+      ->check(radii)
+      ->capture_default_str();
+  command.add_option("--out", options->out, "Folder of the results (default: RUN/measure)");
+  command.add_flag("--force", options->force, "Replace the results that are in --out");
+  command.add_flag("--quiet", options->quiet, "No progress");
+  command.add_flag("--json", options->json, "The result as JSON on stdout");
+  add_color_option(command, options->color);
+  command.callback([options, &exit_code] { exit_code = measure(*options); });
+}
+
+}  // namespace rift::studio

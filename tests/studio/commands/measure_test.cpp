@@ -1,0 +1,103 @@
+#include "tests/studio/commands/tiny_plate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+Ran measure(const TinyPlate& plate, const std::string& arguments = "") {
+  return run_rift("measure '" + plate.out().string() + "' --inner 4 --grid 2 --quiet " + arguments);
+}
+
+const std::string two_gauges = R"(--set 'output.gauges=[["20 mm", "9 mm"], ["20 mm", "3 mm"]]')";
+
+TEST(MeasureCommand, LeavesTablesChartsAndAPage) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run(two_gauges).exit_code, 0);
+  const Ran ran = measure(plate);
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.out, "K_I [MPa m½]"));
+  EXPECT_TRUE(contains(ran.out, "G of the field is"));
+  const fs::path folder = plate.out() / "measure";
+  for (const char* file : {"report.html", "summary.json", "charts/grip_force.png",
+                           "charts/strain_yy.svg", "charts/vy.svg", "charts/stress_intensity.svg",
+                           "charts/release_rate.svg", "charts/displacement_y_end.svg"})
+    EXPECT_GT(fs::file_size(folder / file), 500U) << file;
+  const std::string fields = read_text(folder / "field.csv"),
+                    rates = read_text(folder / "stress_intensity.csv");
+  EXPECT_TRUE(contains(fields, "time_s,tip_m,x_m,y_m,ux_m"));
+  EXPECT_GT(std::count(fields.begin(), fields.end(), '\n'), 4 * 50);
+  EXPECT_EQ(std::count(rates.begin(), rates.end(), '\n'), 1 + 4);
+  EXPECT_FALSE(fs::exists(folder / "field.csv.part"));
+  EXPECT_EQ(measure(plate).exit_code, 0) << "made anew";
+}
+
+TEST(MeasureCommand, LaysMeasuredCurvesOverAndSaysHowFarTheyAre) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run(two_gauges).exit_code, 0);
+  const fs::path curves = plate.path() / "measured.csv";
+  write_text(curves, "time [us];grip_force [N];gauge1_strain_yy\n0;1000;0.05\n10;900;0.05\n");
+  const Ran ran = measure(plate, "--json --against '" + curves.string() + "'");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  ASSERT_EQ(json.at("measured").size(), 2U);
+  EXPECT_EQ(json.at("measured")[0].at("name"), "grip_force");
+  EXPECT_EQ(json.at("measured")[0].at("points"), 2);
+  EXPECT_EQ(json.at("measured")[0].at("span"), 100.0);
+  EXPECT_GT(json.at("measured")[0].at("rms").get<double>(), 0.0);
+  EXPECT_TRUE(contains(read_text(plate.out() / "measure" / "charts" / "grip_force.csv"), "measured"));
+}
+
+TEST(MeasureCommand, LeavesNothingBehindOfBadInput) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run().exit_code, 0);
+  write_text(plate.path() / "bad.csv", "time [us];grip_force [N]\n0;1\n0;2\n");
+  Ran ran = measure(plate, "--against '" + (plate.path() / "bad.csv").string() + "'");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "bad.csv:3: time does not grow"));
+  ran = measure(plate, "--lane 1");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "has no lane 1: it has one"));
+  ran = measure(plate, "--outer 3");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "--inner = 4: must lie below --outer = 3"));
+  EXPECT_FALSE(fs::exists(plate.out() / "measure"));
+  EXPECT_FALSE(fs::exists(plate.out() / "measure_lane1"));
+}
+
+TEST(MeasureCommand, NamesWhatIsNoRunAndARunWithoutDisplacements) {
+  const TinyPlate plate;
+  Ran ran = measure(plate);
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_TRUE(contains(ran.err, plate.out().string()));
+  EXPECT_FALSE(fs::exists(plate.out())) << "a folder that was not there is not made";
+  ASSERT_EQ(plate.run("--set output.frames=0").exit_code, 0);
+  ran = measure(plate);
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "holds no displacements: output.frames and output.fields ask for them"));
+}
+
+TEST(MeasureCommand, SaysWhyABulkLatticeHasNoStressIntensity) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run("--set material.stiffness=bulk").exit_code, 0);
+  const Ran ran = measure(plate);
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.out, "stress intensities    none: K wants the plate's own E and nu"));
+  EXPECT_FALSE(fs::exists(plate.out() / "measure" / "charts" / "stress_intensity.svg"));
+}
+
+TEST(MeasureCommand, NeverWritesOverAnotherFolder) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run().exit_code, 0);
+  const std::string out = "--out '" + plate.path().string() + "'";
+  const Ran ran = measure(plate, out + " --force");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "exists and is not empty"));
+}
+
+}  // namespace
+}  // namespace rift::studio
