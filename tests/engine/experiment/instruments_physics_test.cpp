@@ -111,5 +111,26 @@ TEST_F(RecordedStrip, RefusesALaneThatItDoesNotHave) {
   EXPECT_THROW(read(-1), InputError);
 }
 
+TEST(Instruments, GoByTheClockOfAMeasuredHistory) {
+  Preset preset = small_preset({"crack.damage_zone_ratio=3"});
+  preset.scene.crack.start = 4e-3;
+  for (int k = 0; k <= 12; ++k)
+    preset.scene.crack.history.push_back({1e-4 + 2e-6 * k, 4e-3 + 880.0 * 2e-6 * k, 0.0});
+  preset.scene.crack.end.reset();
+  const studio::TemporaryFolder folder;
+  Cache cache{folder.path() / "cache", {}};
+  results::create_run_folder(folder.path() / "run", false);
+  record_run(prepare(preset, cache), folder.path() / "run", {}, {});
+  const Instruments seen = read_instruments(
+      folder.path() / "run", {}, [](double) { return true; }, [](const Grid&, const SeenField&) {});
+  int on_the_way = 0;
+  for (const results::Sample& s : seen.books) {
+    if (s.tip_m <= 4e-3) continue;
+    EXPECT_NEAR(s.time_s + seen.clock, 1e-4 + (s.tip_m - 4e-3) / 880.0, 1e-12);
+    ++on_the_way;
+  }
+  EXPECT_GT(on_the_way, 20);
+}
+
 }  // namespace
 }  // namespace rift

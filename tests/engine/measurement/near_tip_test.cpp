@@ -96,6 +96,20 @@ TEST(NearTip, ReleasesWhatTheReferencesSay) {
   EXPECT_NEAR(NearTip(plate, 0.0).release_rate(0.0, 1.0), 1.0 / 3.0, 2e-3 / 3.0);  // K^2 / E' at rest
 }
 
+// Irwin's closure: the stress ahead, K / (2 pi r)^1/2, works on the opening behind, c r^1/2.
+TEST(NearTip, ReleasesTheWorkOfClosingIt) {
+  for (const double v : {0.2, 0.5, 0.9}) {
+    const NearTip field(plate, v * waves.rayleigh);
+    const auto jump = [&](Mode mode, int component) {
+      return field.displacement(mode, 1, {-1.0, 0.0})[component] -
+             field.displacement(mode, 1, {-1.0, -0.0})[component];
+    };
+    const double per_jump = 0.25 * std::numbers::pi / std::sqrt(2.0 * std::numbers::pi);
+    EXPECT_NEAR(field.release_rate(1, 0), per_jump * jump(Mode::opening, 1), 1e-9);
+    EXPECT_NEAR(field.release_rate(0, 1), per_jump * jump(Mode::sliding, 0), 1e-9);
+  }
+}
+
 /// A disc of points, and a field of all terms with noise.
 struct Seen {
   std::vector<Eigen::Vector2d> at, moved;
