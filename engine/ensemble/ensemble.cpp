@@ -61,7 +61,8 @@ void Ensemble<Real>::start_from(const std::vector<Vector6>& base) {
   for (int lane = 0; lane < scenarios(); ++lane) ledger_[lane].energy_start = energy(lane).total();
 }
 
-/// And their pull in the base state, in which the notch's beams are absent.
+/// And their pull in the base state, in which the notch's beams are absent; the corotational form's loads
+/// hold it already.
 template <class Real>
 void Ensemble<Real>::find_beams_at_top() {
   at_top_.clear();
@@ -72,10 +73,8 @@ void Ensemble<Real>::find_beams_at_top() {
     const auto& [i, j] = lattice_->ends[b];
     if ((crossing[b] >= 0 && notched_[crossing[b]]) || top_[i] == top_[j]) continue;
     at_top_.push_back({static_cast<int>(b), crossing[b]});
-    const bool linear = marching_.kinematics == Kinematics::linear;
-    const Beam& beam = lattice_->beam[b];
-    const BeamLoads loads =
-        linear ? loads_of(beam, base_[i], base_[j]) : loads_of(beam, pose_of(base_[i]), pose_of(base_[j]));
+    if (marching_.kinematics == Kinematics::corotational) continue;
+    const BeamLoads loads = loads_of(lattice_->beam[b], base_[i], base_[j]);
     base_pull_ += top_[i] ? loads.force_i.y() : -loads.force_i.y();
   }
 }

@@ -196,8 +196,8 @@ class Ensemble {
     double damping = 0, numerical = 0, contact = 0, grip = 0;
   };
   std::vector<Spent> spent_, pending_;  // by steps done; by the step that ends
-  std::vector<double> held_;       // [lane] by the faces now [J]
-  std::vector<double> inherited_;  // [lane] by the faces from the beams as they softened, so far [J]
+  std::vector<double> held_;            // [lane] by the faces now [J]
+  std::vector<double> inherited_;       // [lane] by the faces from the beams as they softened, so far [J]
 };
 
 }  // namespace rift

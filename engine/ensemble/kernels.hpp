@@ -27,13 +27,18 @@ struct StepBooks {
   void take(const PartView<Real>& p, const StepConstants& k, int i, int place,
             const Pack<Real, Width> (&f)[6], double grip_way) {
     const Real* rates = (p.rate ? p.rate : p.v) + 6L * Width * i;
+    // The grip's velocity is that of the step that begins already.
+    const auto rate = [&](int c) {
+      return p.top[i] && c == 1 ? splat<D>(k.grip_before)
+                                : widened<Real, Width>(load<Width>(rates + c * Width));
+    };
     const auto taken_by = [&](const Real* force, const Real* before, D& taken) {
       if (!force || place < 0) return;
       for (int c = 0; c < 6; ++c) {
         const long at = (6L * place + c) * Width;
         const D both =
             widened<Real, Width>(load<Width>(force + at)) + widened<Real, Width>(load<Width>(before + at));
-        taken -= 0.5 * k.dt * both * widened<Real, Width>(load<Width>(rates + c * Width));
+        taken -= 0.5 * k.dt * both * rate(c);
       }
     };
     taken_by(p.damping, p.damping_before, damping);

@@ -2,6 +2,7 @@
 
 #include "engine/fracture/equation_of_motion.hpp"
 #include "engine/interrupted.hpp"
+#include "engine/scene/derived.hpp"
 #include "engine/simulation/summary.hpp"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ Scene by_itself(const Preset& preset, const Experiment& found) {
   const double start = scene.crack.start;
   const double began =
       found.width / (time_of_arrival(course, start + found.width) - time_of_arrival(course, start));
+  for (std::array<double, 2>& row : scene.loading.curve.row) row[0] -= load_time(scene);  // its own clock
   scene.crack.history.clear();
   scene.crack.velocity = {{{began, false}, {}}};
   scene.crack.end = found.along.back().position + 0.5 * found.width;

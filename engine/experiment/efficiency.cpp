@@ -14,7 +14,7 @@ namespace {
 constexpr std::array velocities{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
 
 /// A plate of the same kind whose crack runs steadily along its middle.
-Scene steady(const Scene& scene, double over_cr) {
+Scene steady(const Scene& scene, double over_cr, double pulled) {
   Scene s = scene;
   s.crack.history.clear();
   s.crack.toughness = {};
@@ -22,7 +22,7 @@ Scene steady(const Scene& scene, double over_cr) {
   s.crack.path = {}, s.crack.path_shape = PathShape::polyline;
   s.crack.start = 0.0, s.crack.end.reset(), s.crack.tips = 1;
   s.loading.method = LoadingMethod::static_solve, s.loading.tilt = s.loading.shear = 0.0;
-  s.loading.displacement = std::abs(s.loading.displacement);
+  s.loading.displacement = std::abs(pulled), s.loading.force.reset(), s.loading.curve = {};
   s.crack.friction.reset();
   s.output.window.reset(), s.output.frames = 0, s.output.g_i0_reference = ReleaseRateReference::strip;
   return s;
@@ -30,8 +30,9 @@ Scene steady(const Scene& scene, double over_cr) {
 
 }  // namespace
 
-std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double lowest, double highest, Cache& cache,
-                                           const MarchOptions& options, const ExperimentProgress& progress) {
+std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, double lowest, double highest,
+                                           Cache& cache, const MarchOptions& options,
+                                           const ExperimentProgress& progress) {
   std::vector<Scene> scenes;
   std::vector<EfficiencyPoint> points;
   for (std::size_t k = 0; k < velocities.size(); ++k) {
@@ -39,7 +40,7 @@ std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double lowest, 
     const bool above = k > 0 && velocities[k - 1] >= highest;
     if (below || above) continue;
     points.push_back({velocities[k]});
-    scenes.push_back(steady(preset.scene, velocities[k]));
+    scenes.push_back(steady(preset.scene, velocities[k], pulled));
   }
   Preset strip = preset;
   strip.scene = scenes.front(), strip.steering.clear();

@@ -6,9 +6,10 @@ namespace rift {
 
 /// The lattice's efficiency at the velocities of [lowest, highest] c_R: the release ratio of a crack that
 /// runs steadily along the middle of the same strip, where all that is stored ahead arrives (Nilsson 1972).
-/// Lanes of one pass over the preset's own lattice.
-std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double lowest, double highest, Cache& cache,
-                                           const MarchOptions& options, const ExperimentProgress& progress);
+/// Lanes of one pass over the preset's own lattice, pulled by `pulled` [m].
+std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, double lowest, double highest,
+                                           Cache& cache, const MarchOptions& options,
+                                           const ExperimentProgress& progress);
 
 /// Straight between the points, constant beyond them.
 double efficiency_at(const std::vector<EfficiencyPoint>& points, double over_cr);

@@ -1,5 +1,6 @@
 #include "engine/experiment/experiment.hpp"
 
+#include "engine/ensemble/instruction_set.hpp"
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/law.hpp"
@@ -67,7 +68,7 @@ class Laboratory {
     draw_histories();
     draw_specimens();
     read_statics();
-    e_.efficiency = efficiency_of(preset_, slowest(), fastest(), cache_, options(), progress_);
+    e_.efficiency = efficiency_of(preset_, pulled_, slowest(), fastest(), cache_, options(), progress_);
     conclude();
     if (wishes_.application) e_.application = apply(preset_, e_, cache_, options(), progress_);
     return std::move(e_);
@@ -102,6 +103,7 @@ class Laboratory {
     const Prepared p = prepare(preset_, cache_, preparing("specimen 1"));
     e_.course = measured_course(preset_.scene);
     e_.width = preset_.scene.crack.toughness_window * p.lattice.mean_radius;
+    pulled_ = p.pulled;
     e_.thickness = p.scale.thickness, e_.rayleigh_speed = p.rayleigh_speed,
     e_.mean_radius = p.lattice.mean_radius;
     lay_points(p);
@@ -153,14 +155,23 @@ class Laboratory {
         speeds.back().push_back(speed_at(course, time_of_arrival(course, point.position)));
     }
     for (std::size_t k = 0; k < e_.along.size(); ++k) e_.drawn_speed.push_back(at(speeds, k).deviation);
-    if (scenes.empty()) return;
+    // Lanes whose grip moves begin together.
+    const bool in_double = preset_.scene.solver.precision == Precision::double_precision;
+    const std::size_t side_by_side = in_double ? most_lanes<double> : most_lanes<float>;
+    const std::size_t most = grip_moves(preset_.scene) ? side_by_side : scenes.size();
+    for (std::size_t first = 0; first < scenes.size(); first += most)
+      run_drawn({scenes.begin() + static_cast<std::ptrdiff_t>(first),
+                 scenes.begin() + static_cast<std::ptrdiff_t>(std::min(first + most, scenes.size()))});
+    e_.resamples = static_cast<int>(drawn_.size());
+  }
+
+  void run_drawn(const std::vector<Scene>& scenes) {
     const Prepared p = prepare(preset_, scenes, cache_, preparing("resampled histories"));
     const RunResult run = march(p, marching("resampled histories"), options());
     take(run, "resampled histories");
     for (int lane = 0; lane < static_cast<int>(scenes.size()); ++lane)
       if (run.lane[lane].outcome == Outcome::finished)
         drawn_.push_back(rates_at(p, run, lane, e_.along, e_.width));
-    e_.resamples = static_cast<int>(drawn_.size());
   }
 
   /// The same crack through other packings.
@@ -176,6 +187,12 @@ class Laboratory {
       specimens_.push_back(rates_at(p, run, 0, e_.along, e_.width));
       ++e_.specimens;
     }
+  }
+
+  /// By how much more a grip that moves on has the plate store, and a slow crack release.
+  double square_of_pull(double time) const {
+    return grip_moves(preset_.scene) ? std::pow(load_at(preset_.scene.loading.curve, time) / pulled_, 2.0)
+                                     : 1.0;
   }
 
   /// What a crack that is slow enough for no waves would release, between a few positions.
@@ -194,7 +211,7 @@ class Laboratory {
       const double place = (point.position - from) / (to - from) * static_parts - 0.5;
       const int low = std::clamp(static_cast<int>(std::floor(place)), 0, static_parts - 2);
       const double part = std::clamp(place - low, 0.0, 1.0);
-      point.quasi_static = rates[low] + part * (rates[low + 1] - rates[low]);
+      point.quasi_static = (rates[low] + part * (rates[low + 1] - rates[low])) * square_of_pull(point.time);
     }
   }
 
@@ -230,6 +247,7 @@ class Laboratory {
   Cache& cache_;
   const ExperimentProgress& progress_;
   Experiment e_;
+  double pulled_ = 0;  // the first specimen's grip as the crack starts [m]
   std::vector<std::vector<double>> specimens_, drawn_, widths_;  // rates at the points
 };
 

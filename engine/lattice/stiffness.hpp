@@ -15,6 +15,11 @@ inline constexpr MicroMaterial bulk_micro_material{
 /// Energy of a beam of the lattice in the motions q of its ends [J], by either kinematics.
 double energy_of_beam(const Lattice& lattice, int beam, Kinematics kinematics, const std::vector<Vector6>& q);
 
+/// With which the top grip pulls along y to hold the motions q [N]; below 0 it presses.
+/// @param[in] present  B, 0 for a beam that a notch has cut
+double grip_force(const Lattice& lattice, const std::vector<char>& present, Kinematics kinematics,
+                  const std::vector<Vector6>& q);
+
 /// Elastic energy of a lattice per unit of its length [J/m], over the middle half of the length: the beams
 /// whose middle lies there. @param[in] q  N displacements and rotation vectors
 double energy_per_length(const Lattice& lattice, Kinematics kinematics, const std::vector<Vector6>& q);

@@ -41,15 +41,19 @@ std::string where(const Preset& preset, const std::string& key) {
   return origin.line == 0 ? origin.file : fmt::format("line {}", origin.line);
 }
 
+constexpr std::array<std::pair<const char*, const char*>, 9> exclusive{
+    {{"specimen.thickness", "specimen.layers"},
+     {"specimen.solid_fraction", "specimen.coordination"},
+     {"material.density", "material.rayleigh_speed"},
+     {"loading.force", "loading.displacement"},
+     {"loading.curve", "loading.displacement"},
+     {"loading.curve", "loading.force"},
+     {"crack.history", "crack.velocity"},
+     {"crack.history", "crack.toughness"},
+     {"solver.dt", "solver.dt_fraction"}}};
+
 void check_exclusive(Checks& c) {
-  constexpr std::array<std::pair<const char*, const char*>, 6> pairs{
-      {{"specimen.thickness", "specimen.layers"},
-       {"specimen.solid_fraction", "specimen.coordination"},
-       {"material.density", "material.rayleigh_speed"},
-       {"crack.history", "crack.velocity"},
-       {"crack.history", "crack.toughness"},
-       {"solver.dt", "solver.dt_fraction"}}};
-  for (const auto& [one, other] : pairs) {
+  for (const auto& [one, other] : exclusive) {
     if (!c.given(one) || !c.given(other)) continue;
     c.say(one, fmt::format("excludes {} ({}): give one of them", other, where(c.preset, other)));
   }
@@ -144,16 +148,41 @@ void check_path(Checks& c) {
   }
 }
 
+/// What a load that is not one displacement does not go with.
+void check_curve(Checks& c) {
+  const Scene::Loading& loading = c.scene.loading;
+  const char* key = loading.curve.row.empty() ? "loading.force" : "loading.curve";
+  if (force_at_start(c.scene) && c.scene.material.stiffness == StiffnessChoice::bulk)
+    c.say(key,
+          "a force does not go with material.stiffness = \"bulk\", whose plate is not as stiff as the "
+          "material");
+  if (!grip_moves(c.scene)) return;
+  if (loading.method == LoadingMethod::ramp) c.say(key, "goes with loading.method = \"static\" only");
+  if (loading.tilt != 0.0 || loading.shear != 0.0)
+    c.say(key, "moves the grip along y alone: leave loading.tilt and loading.shear out");
+}
+
 void check_loading(Checks& c) {
   const Scene::Loading& loading = c.scene.loading;
   const bool ramp = loading.method == LoadingMethod::ramp;
   if (loading.tilt != 0.0 && ramp) c.say("loading.tilt", "goes with loading.method = \"static\" only");
   if (loading.shear != 0.0 && ramp) c.say("loading.shear", "goes with loading.method = \"static\" only");
-  if (!c.sound({"loading.displacement", "crack.friction"})) return;
-  if (loading.displacement == 0.0) c.say("loading.displacement", "0 strains nothing");
-  if (loading.displacement < 0.0 && !c.scene.crack.friction)
-    c.say("loading.displacement",
-          "below 0 needs crack.friction: the faces of the crack would pass through each other");
+  if (c.sound({"crack.history"})) {
+    const std::vector<Issue> rows = load_issues(c.preset);
+    c.issues.insert(c.issues.end(), rows.begin(), rows.end());
+    if (!rows.empty()) return;
+  }
+  check_curve(c);
+  if (!c.sound({"loading.displacement", "loading.force", "loading.curve", "crack.history", "crack.friction"}))
+    return;
+  const std::optional<double> force = force_at_start(c.scene);
+  const double load = force.value_or(displacement_at_start(c.scene));
+  const char* key = !loading.curve.row.empty() ? "loading.curve"
+                    : force                    ? "loading.force"
+                                               : "loading.displacement";
+  if (load == 0.0) c.say(key, "0 strains nothing");
+  if (load < 0.0 && !c.scene.crack.friction)
+    c.say(key, "below 0 needs crack.friction: the faces of the crack would pass through each other");
 }
 
 void check_gauges(Checks& c) {

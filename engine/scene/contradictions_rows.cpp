@@ -1,5 +1,6 @@
 #include "engine/scene/contradictions_rows.hpp"
 
+#include "engine/scene/derived.hpp"
 #include "engine/scene/units.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ namespace {
 constexpr double forgiven = 3.0;  // standard uncertainties
 // What no crack is measured by: it would only overflow.
 constexpr double latest = 1000.0, farthest = 100.0, shortest = 1e-12, finest = 1e-9;  // [s], [m], [s], [m]
+constexpr double strongest = 1e9;                                                     // [N]
 
 std::string length_text(double x) { return rounded_text(x, Dimension::length); }
 std::string time_text(double x) { return rounded_text(x, Dimension::time); }
@@ -133,6 +135,37 @@ std::vector<Issue> toughness_issues(const Preset& preset) {
       r.say(k, fmt::format("{} {:g} does not lie above the {:g} of the row before", name, at,
                            rate.row[k - 1][0]));
   }
+  return std::move(r.issues);
+}
+
+std::vector<Issue> load_issues(const Preset& preset) {
+  const LoadCurve& curve = preset.scene.loading.curve;
+  if (curve.row.empty()) return {};
+  const Dimension load = curve.of == LoadCurve::Of::force ? Dimension::force : Dimension::length;
+  const double largest = curve.of == LoadCurve::Of::force ? strongest : farthest;
+  Rows r{preset, "loading.curve"};
+  if (curve.row.size() < 2) r.say(0, "is the only row: a curve needs two");
+  for (std::size_t k = 0; k < curve.row.size(); ++k) {
+    const auto& [time, value] = curve.row[k];
+    if (std::abs(time) > latest)
+      r.say(k, fmt::format("time {} must lie within {}", time_text(time), time_text(latest)));
+    if (std::abs(value) > largest)
+      r.say(k, fmt::format("{} must lie within {}", rounded_text(value, load), rounded_text(largest, load)));
+    if (k > 0) check_time(r, k, {curve.row[k - 1][0]}, {time});
+  }
+  if (!r.issues.empty()) return std::move(r.issues);
+  const auto& rows = preset.scene.crack.history;
+  const double start = load_time(preset.scene), end = rows.empty() ? start : rows.back().time;
+  if (start < curve.row.front()[0])
+    r.say(0, fmt::format("the curve begins at {}, after the crack, which starts at {}",
+                         time_text(curve.row.front()[0]), time_text(start)));
+  const double needed = grip_moves(preset.scene) ? end : start;
+  if (needed > curve.row.back()[0])
+    r.say(curve.row.size() - 1,
+          fmt::format("the curve ends at {}, before {}, {}", time_text(curve.row.back()[0]),
+                      needed > start ? "the history does" : "the crack starts", time_text(needed)));
+  if (r.issues.empty() && load_at(curve, start) == 0.0)
+    r.issues.push_back(issue_at(preset, "loading.curve", "0 as the crack starts strains nothing"));
   return std::move(r.issues);
 }
 

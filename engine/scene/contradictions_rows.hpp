@@ -14,6 +14,10 @@ std::vector<Issue> history_issues(const Preset& preset);
 /// Velocities or positions rise, and nothing is below 0.
 std::vector<Issue> toughness_issues(const Preset& preset);
 
+/// A load curve goes forward in time, holds the crack's first moment and, where it moves the grip, all of a
+/// measured history, and loads the plate then.
+std::vector<Issue> load_issues(const Preset& preset);
+
 /// Points lie in the plate, and no two neighbours at one place.
 std::vector<Issue> path_issues(const Preset& preset);
 

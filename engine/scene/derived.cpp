@@ -88,6 +88,35 @@ Course measured_course(const Scene& scene) {
   return course_of(scene.crack.history, scene.crack.start, scene.crack.smoothing);
 }
 
+double load_time(const Scene& scene) {
+  return scene.crack.history.empty() ? 0.0 : scene.crack.history.front().time;
+}
+
+double load_at(const LoadCurve& curve, double time) {
+  const auto& rows = curve.row;
+  if (time <= rows.front()[0]) return rows.front()[1];
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    if (time <= rows[k][0])
+      return std::lerp(rows[k - 1][1], rows[k][1], (time - rows[k - 1][0]) / (rows[k][0] - rows[k - 1][0]));
+  return rows.back()[1];
+}
+
+std::optional<double> force_at_start(const Scene& scene) {
+  const LoadCurve& curve = scene.loading.curve;
+  if (!curve.row.empty() && curve.of == LoadCurve::Of::force) return load_at(curve, load_time(scene));
+  return scene.loading.force;
+}
+
+double displacement_at_start(const Scene& scene) {
+  const LoadCurve& curve = scene.loading.curve;
+  return curve.row.empty() ? scene.loading.displacement : load_at(curve, load_time(scene));
+}
+
+bool grip_moves(const Scene& scene) {
+  const LoadCurve& curve = scene.loading.curve;
+  return !curve.row.empty() && curve.of == LoadCurve::Of::displacement;
+}
+
 bool keeps_its_velocity(const Scene& scene) {
   return scene.crack.velocity.size() == 1 && scene.crack.history.empty() && scene.crack.toughness.row.empty();
 }

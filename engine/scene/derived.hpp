@@ -43,6 +43,21 @@ inline constexpr double fastest_by_itself = 0.95;
 /// order.
 Course measured_course(const Scene& scene);
 
+/// What a load curve's clock shows as the crack starts [s]: a measured history's first time, else 0.
+double load_time(const Scene& scene);
+
+/// The load of a curve [m or N], straight between its rows and as at its ends beyond them.
+double load_at(const LoadCurve& curve, double time);
+
+/// The pull of the top grip as the crack starts [N], where the scene gives one.
+std::optional<double> force_at_start(const Scene& scene);
+
+/// Its displacement then [m], where the scene gives no force.
+double displacement_at_start(const Scene& scene);
+
+/// Whether the top grip moves while the crack runs.
+bool grip_moves(const Scene& scene);
+
 /// Whether one velocity is prescribed from the start to the end.
 bool keeps_its_velocity(const Scene& scene);
 

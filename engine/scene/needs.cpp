@@ -1,5 +1,7 @@
 #include "engine/scene/needs.hpp"
 
+#include "engine/scene/derived.hpp"
+
 namespace rift {
 
 Needs needs_of(const Scene& scene) {
@@ -8,9 +10,11 @@ Needs needs_of(const Scene& scene) {
   needs.numerical_damping = scene.solver.beta < 1;
   needs.damage_zone = scene.crack.technique == Technique::progressive;
   needs.ramp = scene.loading.method == LoadingMethod::ramp;
+  needs.moving_grip = grip_moves(scene);
   needs.corotation = scene.solver.kinematics == Kinematics::corotational;
   needs.contact = scene.crack.friction.has_value();
-  needs.step_books = needs.damping || needs.numerical_damping || needs.ramp || needs.contact;
+  needs.step_books =
+      needs.damping || needs.numerical_damping || needs.ramp || needs.moving_grip || needs.contact;
   needs.frames = scene.output.frames > 0 && !scene.output.fields.empty();
   needs.gauges = !scene.output.gauges.empty();
   return needs;
@@ -31,6 +35,8 @@ std::vector<std::string> left_out(const Scene& scene) {
   if (!needs.numerical_damping) lines.emplace_back("numerical damping: beta = 1");
   if (!needs.damage_zone) lines.emplace_back("damage zone: technique = simple");
   if (!needs.ramp) lines.emplace_back("ramp: method = static, the pre-stress is one solve");
+  if (!needs.moving_grip && !needs.ramp)
+    lines.emplace_back("moving grip: no loading.curve, the grips hold while the crack runs");
   if (!needs.corotation)
     lines.emplace_back(
         "corotation: kinematics = linear, beam axes and elements' quaternions stay as they are");

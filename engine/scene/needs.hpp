@@ -13,6 +13,7 @@ struct Needs {
   bool numerical_damping = false;  // beta < 1 while the crack runs
   bool damage_zone = false;        // P-NRT
   bool ramp = false;               // pre-stress marched in time
+  bool moving_grip = false;        // while the crack runs
   bool corotation = false;         // beam axes that turn with the elements
   bool contact = false;            // of the crack's faces
   bool step_books = false;         // something is booked at every step: damping of either kind, a moving grip

@@ -110,6 +110,15 @@ std::vector<Parameter> loading_rows() {
        "Displacement of the top face along y, held while the crack runs; below 0 the plate is pressed, which "
        "needs `crack.friction`.",
        length, closed(-10, 10)},
+      {"loading.force", "", [](Scene& s) -> Slot { return &s.loading.force; },
+       "Pull of the top grip along y as the crack starts, in place of the displacement, which follows from "
+       "it.",
+       Dimension::force, closed(-1e9, 1e9)},
+      {"loading.curve", "", [](Scene& s) -> Slot { return &s.loading.curve; },
+       "A measured load in place of both: rows of time and displacement or force, or a CSV file, by the "
+       "clock "
+       "of `crack.history` (without one the run's). The plate is at rest under the load of the crack's first "
+       "moment; a displacement then goes on while the crack runs, a force leaves the grips where they are."},
       {"loading.shear", "0", [](Scene& s) -> Slot { return &s.loading.shear; },
        "The top face moves along x too, by this many times the displacement.", none, closed(-1000, 1000)},
       {"loading.tilt", "0", [](Scene& s) -> Slot { return &s.loading.tilt; },

@@ -31,12 +31,12 @@ struct Word {
 };
 
 /// Where a parameter lives in a Scene. The kind of the member decides how its text is read and written.
-using Slot =
-    std::variant<double*, std::optional<double>*, int*, long*, bool*, Word, Exponent, Shape*, Radii*, Plane*,
-                 StiffnessChoice*, LoadingMethod*, Technique*, DampingRegion*, Kinematics*, Precision*,
-                 ReleaseRateReference*, std::vector<VelocityPiece>*, CrackLine*, std::vector<HistoryPoint>*,
-                 CriticalRate*, Smoothing*, PathShape*, std::vector<std::string>*, std::vector<double>*,
-                 std::vector<std::array<double, 2>>*, std::optional<std::array<double, 2>>*>;
+using Slot = std::variant<double*, std::optional<double>*, int*, long*, bool*, Word, Exponent, Shape*, Radii*,
+                          Plane*, StiffnessChoice*, LoadingMethod*, Technique*, DampingRegion*, Kinematics*,
+                          Precision*, ReleaseRateReference*, std::vector<VelocityPiece>*, CrackLine*,
+                          std::vector<HistoryPoint>*, CriticalRate*, LoadCurve*, Smoothing*, PathShape*,
+                          std::vector<std::string>*, std::vector<double>*,
+                          std::vector<std::array<double, 2>>*, std::optional<std::array<double, 2>>*>;
 
 /// One row of the table: all that is known of one member of Scene.
 struct Parameter {

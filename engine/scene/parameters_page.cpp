@@ -28,13 +28,14 @@ constexpr std::string_view crack_words = R"(
 The velocity of the crack always carries its unit, `c_r` (the Rayleigh speed) or a unit of speed; a bare number is an error.
 The path is straight at a height, a fraction of it (`"0.5 H"`) or a length; or goes through points, a list `[["0 mm", "20 mm"], ["80 mm", "30 mm"]]` or a CSV file.
 
-`history`, `path` and `toughness` take a list of rows or the name of a CSV file, which is found from the preset's folder (`--set`: from where you are). Its header names columns and units, columns are parted by semicolons, tabs or commas, lines that begin with `#` are comments:
+`history`, `path`, `toughness` and `loading.curve` take a list of rows or the name of a CSV file, which is found from the preset's folder (`--set`: from where you are). Its header names columns and units, columns are parted by semicolons, tabs or commas, lines that begin with `#` are comments:
 
 | key | columns |
 |---|---|
 | `history` | `time`, `position`, and where it is known the standard `uncertainty` of the position |
 | `path` | `x`, `y` |
 | `toughness` | `velocity` (`c_r` or a speed) or `position`, and `release_rate` |
+| `loading.curve` | `time`, and `displacement` or `force` |
 
 The effective preset of a run holds the rows themselves. Nothing is sorted, filled in or dropped: each defect is an error that names file and line.
 )";
@@ -99,7 +100,7 @@ std::string parameters_markdown() {
   const Scene standard = default_scene();
   std::string out(opening);
   for (const Dimension d : {Dimension::length, Dimension::time, Dimension::pressure, Dimension::speed,
-                            Dimension::density, Dimension::release_rate}) {
+                            Dimension::density, Dimension::release_rate, Dimension::force}) {
     out +=
         fmt::format("| {} | {} |\n", dimension_name(d).substr(2), understood_units(d));  // without its "a "
   }

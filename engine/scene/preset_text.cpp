@@ -33,6 +33,13 @@ std::vector<const Axis*> varied_in_lanes(const Preset& preset) {
   return varied;
 }
 
+/// Whether another key that excludes it is given.
+bool has_no_say(const Parameter& row, const Scene& scene) {
+  const Scene::Loading& loading = scene.loading;
+  if (row.key == "crack.velocity") return !scene.crack.history.empty();
+  return row.key == "loading.displacement" && (loading.force || !loading.curve.row.empty());
+}
+
 }  // namespace
 
 std::string preset_text(const Scene& scene) {
@@ -44,8 +51,7 @@ std::string preset_text(const Scene& scene) {
       table = table_of(row);
       out += fmt::format("\n[{}]\n", table);
     }
-    const bool measured = row.key == "crack.velocity" && !scene.crack.history.empty();
-    const std::string value = measured ? std::string{} : toml_value(scene, row);
+    const std::string value = has_no_say(row, scene) ? std::string{} : toml_value(scene, row);
     out += fmt::format("# {} Allowed: {}.\n", row.doc, allowed(row));
     out += value.empty() ? fmt::format("# {} is not given\n", name_of(row))
                          : fmt::format("{} = {}\n", name_of(row), value);

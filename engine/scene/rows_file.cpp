@@ -33,8 +33,8 @@ Value plain_rows(const CsvTable& table) {
   return list(std::move(rows));
 }
 
-/// Which column the header names first tells what a critical rate is against.
-std::pair<Columns, const char*> toughness_columns(std::string_view text) {
+/// The first line that is no comment and not empty.
+std::string_view header_of(std::string_view text) {
   std::string_view header;
   while (!text.empty()) {
     const auto end = text.find('\n');
@@ -43,6 +43,11 @@ std::pair<Columns, const char*> toughness_columns(std::string_view text) {
     if (first != std::string_view::npos && header[first] != '#') break;
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
+  return header;
+}
+
+/// Which column the header names first tells what a critical rate is against.
+std::pair<Columns, const char*> toughness_columns(std::string_view header) {
   const CsvColumn rate{"release_rate", Dimension::release_rate};
   if (header.find("position") != std::string_view::npos)
     return {{{"position", Dimension::length}, rate}, "{} m"};
@@ -50,12 +55,21 @@ std::pair<Columns, const char*> toughness_columns(std::string_view text) {
   return {{{"velocity", Dimension::speed}, rate}, "{} m/s"};
 }
 
-/// Rows whose first number says with its unit what it is.
-Value rows_with_units(const CsvTable& table, const char* first) {
+/// And of what a load curve is.
+std::pair<Columns, const char*> curve_columns(std::string_view header) {
+  const CsvColumn time{"time", Dimension::time};
+  if (header.find("force") != std::string_view::npos) return {{time, {"force", Dimension::force}}, "{} N"};
+  return {{time, {"displacement", Dimension::length}}, "{} m"};
+}
+
+/// Rows of two, one of which says with its unit what it is.
+Value rows_with_units(const CsvTable& table, std::size_t said, const char* form) {
   std::vector<Value> rows;
-  for (std::size_t r = 0; r < table.line.size(); ++r)
-    rows.push_back(
-        list({Value{fmt::format(fmt::runtime(first), table.column[0][r])}, number(table.column[1][r])}));
+  for (std::size_t r = 0; r < table.line.size(); ++r) {
+    std::vector<Value> row{number(table.column[0][r]), number(table.column[1][r])};
+    row[said] = Value{fmt::format(fmt::runtime(form), table.column[said][r])};
+    rows.push_back(list(std::move(row)));
+  }
   return list(std::move(rows));
 }
 
@@ -64,7 +78,7 @@ Value rows_with_units(const CsvTable& table, const char* first) {
 bool names_rows_file(const Parameter& row, const Value& value) {
   const auto* name = std::get_if<std::string>(&value.held);
   if (!name) return false;
-  return row.key == "crack.history" || row.key == "crack.toughness" ||
+  return row.key == "crack.history" || row.key == "crack.toughness" || row.key == "loading.curve" ||
          (row.key == "crack.path" && name->ends_with(".csv"));
 }
 
@@ -81,9 +95,13 @@ RowsFile read_rows_file(const Parameter& row, const std::string& name, const std
 
   CsvTable table;
   if (row.key == "crack.toughness") {
-    const auto [columns, first] = toughness_columns(file.text);
+    const auto [columns, first] = toughness_columns(header_of(file.text));
     table = read_csv(file.text, columns);
-    if (table.problems.empty()) read.rows = rows_with_units(table, first);
+    if (table.problems.empty()) read.rows = rows_with_units(table, 0, first);
+  } else if (row.key == "loading.curve") {
+    const auto [columns, load] = curve_columns(header_of(file.text));
+    table = read_csv(file.text, columns);
+    if (table.problems.empty()) read.rows = rows_with_units(table, 1, load);
   } else {
     const Columns columns = row.key == "crack.path"
                                 ? Columns{{"x", Dimension::length}, {"y", Dimension::length}}

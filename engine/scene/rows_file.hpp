@@ -16,8 +16,8 @@ struct RowsFile {
   std::vector<Issue> issues;  // of the file, by line; the rows count only without any
 };
 
-/// Whether `value` names a file of rows for this parameter: crack.history, crack.toughness, and crack.path
-/// where the name ends in ".csv".
+/// Whether `value` names a file of rows for this parameter: crack.history, crack.toughness, loading.curve,
+/// and crack.path where the name ends in ".csv".
 bool names_rows_file(const Parameter& row, const Value& value);
 
 /// Never throws for bad input, a missing file included.

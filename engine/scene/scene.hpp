@@ -55,6 +55,15 @@ struct CriticalRate {
   bool operator==(const CriticalRate&) const = default;
 };
 
+/// A measured load: displacement [m] or force [N] of the top grip against time [s], straight between the
+/// rows.
+struct LoadCurve {
+  enum class Of { displacement, force };
+  Of of = Of::displacement;
+  std::vector<std::array<double, 2>> row = {};
+  bool operator==(const LoadCurve&) const = default;
+};
+
 /// All that a preset says, in SI units: what the run depends on, and how it is shown.
 /// Each member is one row of the parameter table (scene/parameters), which holds its key, unit, default,
 /// range and doc.
@@ -84,9 +93,11 @@ struct Scene {
     std::optional<double> micro_poisson_ratio, micro_radius_ratio;
   } material;
   struct Loading {
-    double displacement;  // [m] of the top face along y, in its middle; below 0 it is pressed
-    double shear;         // of the displacement, along x beside it
-    double tilt;          // of the displacement, more at the right end and less at the left one
+    double displacement;          // [m] of the top face along y, in its middle; below 0 it is pressed
+    std::optional<double> force;  // [N] of the top grip at the crack's start, in place of the displacement
+    LoadCurve curve;              // in place of both
+    double shear;                 // of the displacement, along x beside it
+    double tilt;                  // of the displacement, more at the right end and less at the left one
     LoadingMethod method;
     int ramp_steps, hold_steps;
     double ramp_beta;  // numerical damping while ramping and holding, taken out before the crack starts

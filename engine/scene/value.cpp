@@ -38,4 +38,14 @@ struct Shown {
 std::string_view kind_of(const Value& value) { return std::visit(Kind{}, value.held); }
 std::string shown(const Value& value) { return std::visit(Shown{}, value.held); }
 
+std::optional<double> number_in(const Value& value) {
+  if (const auto* i = std::get_if<std::int64_t>(&value.held)) return static_cast<double>(*i);
+  if (const auto* d = std::get_if<double>(&value.held)) return *d;
+  return {};
+}
+
+std::string wrong_type(std::string_view expected, const Value& value) {
+  return fmt::format("expected {}, got {}", expected, kind_of(value));
+}
+
 }  // namespace rift

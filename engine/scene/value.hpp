@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,5 +23,11 @@ std::string_view kind_of(const Value& value);
 
 /// The value on one short line as a message shows it: "5 c_r" with its quotes, [0.2, 0.4], nan.
 std::string shown(const Value& value);
+
+/// A bare number, whole or not.
+std::optional<double> number_in(const Value& value);
+
+/// "expected a list, got text".
+std::string wrong_type(std::string_view expected, const Value& value);
 
 }  // namespace rift

@@ -1,5 +1,6 @@
 #include "engine/simulation/march.hpp"
 
+#include "engine/scene/issue.hpp"
 #include "engine/simulation/frame.hpp"
 #include "engine/simulation/march_run.hpp"
 
@@ -21,7 +22,17 @@ constexpr std::int64_t between_watches = 128;
 }  // namespace
 
 template <class Real>
+void Run<Real>::check_lanes() const {
+  if (!moves_grip() || lane_.size() <= seat_.size()) return;
+  throw InputError(
+      {issue_at(prepared_.preset, ramp() > 0 ? "loading.method" : "loading.curve",
+                fmt::format("moves the grip of all lanes at once: at most {} go side by side, not {}",
+                            seat_.size(), lane_.size()))});
+}
+
+template <class Real>
 RunResult Run<Real>::march(const Resumption* from) {
+  check_lanes();
   ensemble_.start_from(prepared_.displacement);
   result_.threads = ensemble_.threads();
   if (from)
@@ -31,6 +42,7 @@ RunResult Run<Real>::march(const Resumption* from) {
   while (busy() || waiting()) {
     if (waiting() && (!busy() || marched_ % between_refills == 0)) refill();
     if (!prepared_.preset.steering.empty()) repeat_changes();
+    if (grip_moves(scene())) follow_load();
     step();
     for (Seat& seat : seat_)
       if (seat.scenario >= 0 && ended(seat)) end(seat);
@@ -71,6 +83,17 @@ void Run<Real>::step() {
     if (seat.scenario >= 0) observe(seat), find_velocity(seat);
   if (marched_ % between_watches == 0) watch();
   ask();
+}
+
+/// By the clock of the first lane: a load curve moves the one grip that all lanes have.
+template <class Real>
+void Run<Real>::follow_load() {
+  const LanePlan& first = prepared_.lane.front();
+  const auto displacement = [&](std::int64_t steps) {  // the clock stands until the crack starts
+    const double since = static_cast<double>(steps) * ensemble_.dt() * first.units.time - first.lead;
+    return load_at(scene().loading.curve, load_time(scene()) + std::max(0.0, since));
+  };
+  ensemble_.set_grip_speed((displacement(marched_ + 1) - displacement(marched_)) / ensemble_.dt());
 }
 
 template <class Real>
@@ -212,9 +235,8 @@ void Run<Real>::report_released() {
 
 template <class Real>
 void Run<Real>::pull() {
-  const Scene::Loading& loading = scene().loading;
-  ensemble_.set_beta(loading.ramp_beta);
-  ensemble_.set_grip_speed(loading.displacement / (static_cast<double>(ramp()) * ensemble_.dt()));
+  ensemble_.set_beta(scene().loading.ramp_beta);
+  ensemble_.set_grip_speed(prepared_.pulled / (static_cast<double>(ramp()) * ensemble_.dt()));
   for (Seat& seat : seat_) observe(seat);
   for (std::int64_t n = 0; n < crack_start() && !stopped_ && any_sound(); ++n) {
     if (n == ramp()) ensemble_.set_grip_speed(0.0);

@@ -106,10 +106,10 @@ struct MarchOptions {
 double ledger_limit(Kinematics kinematics, Precision precision);
 
 /// Marches a prepared scene's lanes to their ends: the ramp if there is one, then their cracks. Where there
-/// are more scenarios than lanes side by side, a lane that has come to its end takes up the next (but after a
-/// ramp, which all share). A lane stops as diverged at its first sample that is not finite or whose books are
-/// hopelessly open; the others go on. The preset's [[steering]] is made where it says; a change that cannot
-/// be made then throws InputError.
+/// are more scenarios than lanes side by side, a lane that has come to its end takes up the next (but not
+/// where the grip, which all share, moves: more lanes than go side by side are then an InputError). A lane
+/// stops as diverged at its first sample that is not finite or whose books are hopelessly open; the others go
+/// on. The preset's [[steering]] is made where it says; a change that cannot be made then throws InputError.
 /// @param[in] from  where the same run was stopped or killed; null to begin at the beginning
 RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options = {},
                 const Resumption* from = nullptr);

@@ -2,6 +2,7 @@
 
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
+#include "engine/scene/derived.hpp"
 #include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/march_notes.hpp"
@@ -53,6 +54,7 @@ class Run {
   RunResult march(const Resumption* from);
 
  private:
+  void check_lanes() const;
   static Ensemble<Real> make_ensemble(const Prepared& p, const MarchOptions& options);
 
   const Scene& scene() const { return prepared_.preset.scene; }
@@ -79,8 +81,10 @@ class Run {
     return lane_of(seat).outcome != Outcome::finished || steps(seat) >= plan(seat).schedule.total();
   }
 
+  /// Whether the grip moves in the march's time, so that no lane may begin later than the others.
+  bool moves_grip() const { return ramp() > 0 || grip_moves(scene()); }
   bool waiting() const {
-    return !stopped_ && ramp() == 0 && next_scenario_ < static_cast<int>(prepared_.lane.size());
+    return !stopped_ && !moves_grip() && next_scenario_ < static_cast<int>(prepared_.lane.size());
   }
 
   // The loop (march.cpp).
@@ -89,6 +93,8 @@ class Run {
   void pull();
   void judge_rest(Seat& seat);
   void step();
+  /// Moves the grip as a load curve says.
+  void follow_load();
   /// Leaves the lane idle.
   void end(Seat& seat);
   /// Idle lanes go on with the next scenarios in the queue.

@@ -125,11 +125,12 @@ struct Statics {
     return cached_motions("statics 2 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
                           from_cache, [&] { return stretched_at_rest(lattice, present, pull); });
   }
-  std::vector<Vector6> at_rest(const std::vector<char>& present, const std::string& notch) {
+  std::vector<Vector6> at_rest(const std::vector<char>& present, const std::string& notch,
+                               double displacement) {
     const Scene::Loading& l = scene.loading;
     if (scene.solver.kinematics == Kinematics::linear)
-      return scaled(unit(present, notch, {1.0, l.tilt, l.shear}), l.displacement);
-    const Pull pull(l.displacement, l.tilt, l.shear);
+      return scaled(unit(present, notch, {1.0, l.tilt, l.shear}), displacement);
+    const Pull pull(displacement, l.tilt, l.shear);
     const std::string key = fmt::format("corotational statics 1 of {}{} by {:a}{}", lattice_key, notch,
                                         pull.middle, key_of(pull));
     return cached_motions(key, lattice.centre.size(), cache, from_cache,
@@ -143,6 +144,29 @@ struct Statics {
     return key;
   }
 };
+
+/// The displacement under which the top grip pulls with a force [N], by secants from the linear one: a
+/// lattice of any kinematics is nearly linear between grips. Throws StaticsError.
+/// @param[in] lattice  with the beams' own modulus
+double displacement_under(double force, Statics& statics, const Lattice& lattice,
+                          const std::vector<char>& present, const std::string& notch) {
+  constexpr int most = 20;
+  constexpr double good = 1e-10;  // of the force
+  const Scene::Loading& l = statics.scene.loading;
+  const double unit_force =
+      grip_force(lattice, present, Kinematics::linear, statics.unit(present, notch, {1.0, l.tilt, l.shear}));
+  if (!(unit_force > 0.0)) throw StaticsError("the notch leaves the grips nothing to pull");
+  double displacement = force / unit_force;
+  const Kinematics kinematics = statics.scene.solver.kinematics;
+  if (kinematics == Kinematics::linear) return displacement;
+  for (int k = 0; k < most; ++k) {
+    const double pull =
+        grip_force(lattice, present, kinematics, statics.at_rest(present, notch, displacement));
+    if (std::abs(pull - force) <= good * std::abs(force)) return displacement;
+    displacement *= force / pull;
+  }
+  throw StaticsError(fmt::format("no displacement holds a force of {:g} N", force));
+}
 
 /// @param[in] strip  energy of the pre-stressed strip over its area [J/m2]
 RateScale scale_against(const Scene& scene, const Lattice& lattice, double strip) {
@@ -183,26 +207,38 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
                   fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}", key_of(request_of(scene)),
                               scene.specimen.contact_tolerance, p.micro.young_modulus, p.micro.poisson_ratio,
                               p.micro.radius_ratio)};
-  std::vector<char> present(p.lattice.beam.size(), 1);
+  const std::vector<char> present(p.lattice.beam.size(), 1);
   const std::vector<Vector6> unit = statics.unit(present, "");
   if (is_scaled(scene)) {
     p.micro.young_modulus *= continuum_strip_modulus(scene) / strip_modulus(p.lattice, unit, 1.0);
     p.lattice = make_lattice(p.specimen, p.micro, p.density);
   }
   p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
-  p.displacement = statics.at_rest(present, "");
-  p.scale = scale_against(scene, p.lattice,
-                          energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
+  std::vector<char> notched(present);
+  std::string notch;
   if (scene.crack.start > 0.0) {
     for (const Crossing& c : crossings(p.path, p.lattice))
-      if (c.position <= scene.crack.start) present[c.beam] = 0;
-    p.displacement = statics.at_rest(present, notch_key(scene));
+      if (c.position <= scene.crack.start) notched[c.beam] = 0;
+    notch = notch_key(scene);
   }
-  p.static_energy = energy_of_all(p.lattice, kinematics, present, p.displacement);
+  const std::optional<double> force = force_at_start(scene);
+  p.pulled =
+      force ? displacement_under(*force, statics, p.lattice, notched, notch) : displacement_at_start(scene);
+  p.displacement = statics.at_rest(present, "", p.pulled);
+  p.scale = scale_against(scene, p.lattice,
+                          energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
+  if (!notch.empty()) p.displacement = statics.at_rest(notched, notch, p.pulled);
+  p.static_energy = energy_of_all(p.lattice, kinematics, notched, p.displacement);
   if (scene.loading.method == LoadingMethod::ramp)
     p.displacement.assign(p.displacement.size(), Vector6::Zero());
   p.wall_prestress_s = seconds_since(start);
   tell(progress, "pre-stress", 1.0);
+}
+
+/// Where the preset says how the plate is loaded.
+const char* load_key(const Scene& scene) {
+  if (!scene.loading.curve.row.empty()) return "loading.curve";
+  return scene.loading.force ? "loading.force" : "loading.displacement";
 }
 
 CrackPath path_of(const Scene& scene) {
@@ -367,7 +403,7 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
   try {
     build_prestress(p, cache, progress);
   } catch (const StaticsError& error) {
-    throw InputError({issue_at(p.preset, "loading.displacement", error.what())});
+    throw InputError({issue_at(p.preset, load_key(scene), error.what())});
   }
   p.gauge = gauges_of(p);
   tell(progress, "critical step", 0.0);

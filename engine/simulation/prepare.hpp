@@ -41,6 +41,7 @@ struct Prepared {
   MicroMaterial micro;  // of the lattice: scaled in situ, whose units serve "bulk" too, or explicit
   Lattice lattice;
   double strip_modulus = 0;           // of this specimen with these beams, by linear kinematics [Pa]
+  double pulled = 0;                  // displacement of the top grip as the crack starts [m]
   double static_energy = 0;           // of the plate at rest, notch cut, pulled [J]
   RateScale scale;                    // b, G_I0, L, tips
   std::vector<Vector6> displacement;  // at the start of the run: at rest and pulled, or none for a ramp

@@ -10,7 +10,7 @@ namespace {
 double energy_cut_to(const Prepared& p, double tip) {
   const Kinematics kinematics = p.preset.scene.solver.kinematics;
   const Scene::Loading& loading = p.preset.scene.loading;
-  const Pull pull(loading.displacement, loading.tilt, loading.shear);
+  const Pull pull(p.pulled, loading.tilt, loading.shear);
   Lattice lattice = p.lattice;
   std::vector<char> present(lattice.beam.size(), 1);
   for (const Crossing& c : crossings(p.path, lattice)) {

@@ -279,7 +279,7 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"rayleigh_speed_m_s", prepared.rayleigh_speed},
           {"tips", prepared.path.tips},
           {"path", path_of(prepared)},
-          {"displacement_m", scene.loading.displacement},
+          {"displacement_m", prepared.pulled},
           {"mean_radius_m", prepared.lattice.mean_radius},
           {"density_kg_m3", prepared.density},
           {"solid_fraction", prepared.specimen.packing.solid_fraction},

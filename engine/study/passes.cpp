@@ -1,6 +1,7 @@
 #include "engine/study/passes.hpp"
 
 #include "engine/ensemble/instruction_set.hpp"
+#include "engine/scene/derived.hpp"
 
 #include <algorithm>
 #include <array>
@@ -53,11 +54,12 @@ std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lan
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return length(a) > length(b); });
   const Precision precision = lanes.front().scene.solver.precision;
   const auto most = static_cast<std::size_t>(lanes_of_many(precision));
-  const bool ramp = lanes.front().scene.loading.method == LoadingMethod::ramp;
+  const bool one_grip =
+      lanes.front().scene.loading.method == LoadingMethod::ramp || grip_moves(lanes.front().scene);
   std::vector<std::vector<std::size_t>> passes;
   for (const std::size_t k : order) {
     const auto fits = [&](const std::vector<std::size_t>& pass) {
-      return kind(pass.front()) == kind(k) && !(ramp && pass.size() >= most);
+      return kind(pass.front()) == kind(k) && !(one_grip && pass.size() >= most);
     };
     const auto pass = std::find_if(passes.begin(), passes.end(), fits);
     if (pass == passes.end()) {

@@ -49,6 +49,16 @@ TEST(Needs, FollowTheScene) {
   EXPECT_FALSE(needs_of(none).frames);
 }
 
+TEST(Needs, OfALoadCurveAreBooksOfTheMovingGrip) {
+  Scene scene = default_scene();
+  scene.loading.curve.row = {{0.0, 1e-3}, {1e-3, 2e-3}};
+  EXPECT_TRUE(needs_of(scene).moving_grip);
+  EXPECT_TRUE(needs_of(scene).step_books);
+  scene.loading.curve.of = LoadCurve::Of::force;
+  EXPECT_FALSE(needs_of(scene).moving_grip);
+  EXPECT_FALSE(needs_of(scene).step_books);
+}
+
 TEST(LeftOut, SaysWhatAndWhy) {
   Scene scene = default_scene();
   scene.crack.technique = Technique::simple;
@@ -57,6 +67,7 @@ TEST(LeftOut, SaysWhatAndWhy) {
             (std::vector<std::string>{
                 "damping: alpha = 0, no damped beams are built", "numerical damping: beta = 1",
                 "damage zone: technique = simple", "ramp: method = static, the pre-stress is one solve",
+                "moving grip: no loading.curve, the grips hold while the crack runs",
                 "corotation: kinematics = linear, beam axes and elements' quaternions stay "
                 "as they are",
                 "contact: no friction, the crack's faces do not touch",

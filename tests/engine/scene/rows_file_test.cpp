@@ -203,6 +203,88 @@ TEST(ToughnessFile, IsAgainstVelocityOrPosition) {
             "x.csv:3: velocity 0.1 does not lie above the 0.2 of the row before\n");
 }
 
+TEST(LoadFile, NamesEveryDefectWithItsLine) {
+  const std::string head = "time [us];displacement [mm]\n";
+  const auto said = [](const std::string& csv, const std::string& more = {}) {
+    const Folder folder;
+    folder.write("x.csv", csv);
+    const std::string preset = folder.write(
+        "x.toml",
+        "[crack]\nhistory = [[10e-6, 10e-3], [20e-6, 14e-3]]\n[loading]\ncurve = \"x.csv\"\n" + more);
+    std::string out;
+    for (const Issue& issue : read_preset(preset).issues) out += to_text(issue) + "\n";
+    const std::string prefix = folder.path.string() + "/";
+    for (auto at = out.find(prefix); at != out.npos; at = out.find(prefix)) out.erase(at, prefix.size());
+    return out;
+  };
+  EXPECT_EQ(said(head + "0;1\n15;1.1\n30;1.2\n"), "");
+  EXPECT_EQ(said("time [us],force [kN]\n0,1\n15,2\n"), "") << "a force is needed as the crack starts only";
+  EXPECT_EQ(said(head + "0;1\n"), "x.csv:2: is the only row: a curve needs two\n");
+  EXPECT_EQ(said(head + "0;1\n20;1\n15;2\n"), "x.csv:4: time falls from 20 us to 15 us\n");
+  EXPECT_EQ(said(head + "0;1\n20;1\n20;2\n30;2\n"), "x.csv:4: time 20 us is there twice\n");
+  EXPECT_EQ(said(head + "0;1\n20;inf\n"), "x.csv:3: displacement 'inf' is not finite\n");
+  EXPECT_EQ(said(head + "0;1\n20;200000\n"), "x.csv:3: 200 m must lie within 100 m\n");
+  EXPECT_EQ(said(head + "0;1\n2000000000;1\n"), "x.csv:3: time 2000 s must lie within 1000 s\n");
+  EXPECT_EQ(said(head + "12;1\n30;1\n"),
+            "x.csv:2: the curve begins at 12 us, after the crack, which starts at 10 us\n");
+  EXPECT_EQ(said(head + "0;1\n15;1\n"), "x.csv:3: the curve ends at 15 us, before the history does, 20 us\n");
+  EXPECT_EQ(said("time [us];force [N]\n0;1\n5;1\n"),
+            "x.csv:3: the curve ends at 5 us, before the crack starts, 10 us\n");
+  EXPECT_EQ(said("time [us];load [N]\n0;1\n5;1\n"),
+            "x.csv:1: unknown column 'load': expected a header such as \"time [ms];displacement [mm]\"\n"
+            "x.csv:1: the header has no column displacement [mm]\n");
+  EXPECT_EQ(said(head + "0;0\n30;0\n"),
+            "x.toml:4: loading.curve = \"x.csv\": 0 as the crack starts strains nothing\n");
+  EXPECT_EQ(
+      said(head + "0;-1\n30;-1\n"),
+      "x.toml:4: loading.curve = \"x.csv\": below 0 needs crack.friction: the faces of the crack would pass "
+      "through each other\n");
+  EXPECT_EQ(
+      said(head + "0;1\n30;1\n", "displacement = \"2 mm\"\n"),
+      "x.toml:4: loading.curve = \"x.csv\": excludes loading.displacement (line 5): give one of them\n");
+  EXPECT_EQ(said(head + "0;1\n30;1\n", "force = \"2 kN\"\n"),
+            "x.toml:4: loading.curve = \"x.csv\": excludes loading.force (line 5): give one of them\n");
+  EXPECT_EQ(said(head + "0;1\n30;1\n", "method = \"ramp\"\n"),
+            "x.toml:4: loading.curve = \"x.csv\": goes with loading.method = \"static\" only\n");
+  EXPECT_EQ(said(head + "0;1\n30;1\n", "tilt = 0.2\n"),
+            "x.toml:4: loading.curve = \"x.csv\": moves the grip along y alone: leave loading.tilt and "
+            "loading.shear "
+            "out\n");
+  EXPECT_EQ(said("time [us];force [N]\n0;1\n15;2\n", "[material]\nstiffness = \"bulk\"\n"),
+            "x.toml:4: loading.curve = \"x.csv\": a force does not go with material.stiffness = \"bulk\", "
+            "whose plate "
+            "is not as stiff as the material\n");
+}
+
+TEST(LoadRows, AreOfTheFirstOnesKindAndReadBackToTheBit) {
+  const auto curve = [](const std::string& rows) {
+    const Preset preset = read_preset_text("[loading]\ncurve = " + rows, "x.toml");
+    EXPECT_TRUE(preset.issues.empty());
+    const LoadCurve& read = preset.scene.loading.curve;
+    EXPECT_EQ(read_preset_text(preset_text(preset), "again.toml").scene.loading.curve, read);
+    return read;
+  };
+  const LoadCurve force = curve("[[0, \"2 kN\"], [\"4 us\", 3000.1]]");
+  EXPECT_EQ(force.of, LoadCurve::Of::force);
+  EXPECT_EQ(force.row, (std::vector<std::array<double, 2>>{{0, 2000}, {4e-6, 3000.1}}));
+  EXPECT_EQ(curve("[[0, \"2 mm\"], [1e-5, \"3 mm\"]]").of, LoadCurve::Of::displacement);
+  const auto said = [](const std::string& rows) {
+    return to_text(read_preset_text("[loading]\ncurve = " + rows, "x.toml").issues.at(0));
+  };
+  EXPECT_TRUE(said("[[0, \"2 kN\"], [1, \"2 mm\"]]")
+                  .ends_with("row 2, force: unknown unit 'mm' for a force: use kN, N or mN"));
+  EXPECT_TRUE(said("[[0, 2], [1, 2]]")
+                  .ends_with("expected rows such as [\"4 us\", \"2 mm\"] or [\"4 us\", \"20 kN\"]"));
+}
+
+TEST(LoadAt, IsStraightBetweenTheRowsAndStandsBeyondThem) {
+  const LoadCurve curve{.row = {{1.0, 10.0}, {2.0, 14.0}, {4.0, 14.0}}};
+  EXPECT_EQ(load_at(curve, 0.0), 10.0);
+  EXPECT_EQ(load_at(curve, 1.25), 11.0);
+  EXPECT_EQ(load_at(curve, 3.0), 14.0);
+  EXPECT_EQ(load_at(curve, 9.0), 14.0);
+}
+
 TEST(ToughnessRows, AreAllOfTheFirstOnesKind) {
   const auto said = [](const std::string& rows) {
     const Preset preset = read_preset_text("[crack]\ntoughness = " + rows + "\n", "x.toml");

@@ -60,6 +60,7 @@ TEST(Resumption, GoesOnToTheSameBitsInEveryKindOfScene) {
       {"solver.kinematics=corotational"},
       {"solver.precision=single"},
       {"crack.friction=0.3", "loading.displacement=-0.6 mm", "loading.shear=-2"},
+      {"loading.curve=[[0, \"0.6 mm\"], [\"4 us\", \"0.6 mm\"], [\"12 us\", \"0.7 mm\"]]"},
       {"crack.friction=0.3", "loading.shear=3", "damping.alpha=0.02", "damping.region=surface"},
       {"loading.method=ramp", "loading.ramp_steps=300", "loading.hold_steps=100",
        "loading.displacement=0.1 mm"},

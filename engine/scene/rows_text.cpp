@@ -1,0 +1,189 @@
+#include "engine/scene/rows_text.hpp"
+
+#include "engine/scene/toml_text.hpp"
+#include "engine/scene/units.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace rift {
+namespace {
+
+/// What a number of a row may be.
+struct Cell {
+  std::string_view name;
+  Dimension dimension;
+};
+
+/// A number in SI, or text with its unit.
+Parsed<double> read_cell(const Value& value, const Cell& cell) {
+  Parsed<double> number;
+  const auto* text = std::get_if<std::string>(&value.held);
+  if (text && cell.dimension == Dimension::none)
+    number.problem = fmt::format("{} must be in c_r, as in the first row", shown(value));
+  else if (text)
+    number = read_quantity(*text, cell.dimension);
+  else if (const auto bare = number_in(value))
+    number.value = bare;
+  else
+    number.problem = wrong_type(fmt::format("{} in {}", cell.name, si_unit(cell.dimension)), value);
+  if (number.value && !std::isfinite(*number.value)) return {{}, "must be a finite number"};
+  return number;
+}
+
+/// Rows of at least `fewest` of the cells; those left out are 0.
+template <std::size_t Cells>
+std::string read_rows(const Value& value, const std::array<Cell, Cells>& cells, std::size_t fewest,
+                      const char* expected, std::vector<std::array<double, Cells>>& out) {
+  const auto* list = std::get_if<std::vector<Value>>(&value.held);
+  if (!list) return wrong_type(expected, value);
+  std::vector<std::array<double, Cells>> rows;
+  for (std::size_t r = 0; r < list->size(); ++r) {
+    const auto* row = std::get_if<std::vector<Value>>(&(*list)[r].held);
+    if (!row || row->size() < fewest || row->size() > Cells)
+      return fmt::format("row {}: {}", r + 1, wrong_type(expected, (*list)[r]));
+    rows.emplace_back();
+    for (std::size_t c = 0; c < row->size(); ++c) {
+      const Parsed<double> number = read_cell((*row)[c], cells[c]);
+      if (!number.value) return fmt::format("row {}, {}: {}", r + 1, cells[c].name, number.problem);
+      rows.back()[c] = *number.value;
+    }
+  }
+  if (rows.empty()) return fmt::format("expected {}", expected);
+  out = std::move(rows);
+  return {};
+}
+
+/// What stands in a column of the first row, where it is text.
+const std::string* first_text(const Value& value, std::size_t column) {
+  const auto* list = std::get_if<std::vector<Value>>(&value.held);
+  const auto* row = list && !list->empty() ? std::get_if<std::vector<Value>>(&list->front().held) : nullptr;
+  return row && row->size() > column ? std::get_if<std::string>(&(*row)[column].held) : nullptr;
+}
+
+/// What the rows of a critical rate are against, by the first of them.
+std::optional<CriticalRate::Against> against(const Value& value) {
+  const std::string* text = first_text(value, 0);
+  if (!text) return {};
+  if (text->ends_with("c_r")) return CriticalRate::Against::velocity_over_cr;
+  if (read_quantity(*text, Dimension::speed).value) return CriticalRate::Against::velocity;
+  if (read_quantity(*text, Dimension::length).value) return CriticalRate::Against::position;
+  return {};
+}
+
+/// The same list with "0.1 c_r" as 0.1.
+Value without_c_r(const Value& value) {
+  Value out = value;
+  for (Value& row : std::get<std::vector<Value>>(out.held)) {
+    auto* cells = std::get_if<std::vector<Value>>(&row.held);
+    auto* text = cells && !cells->empty() ? std::get_if<std::string>(&cells->front().held) : nullptr;
+    if (text && text->ends_with("c_r")) cells->front() = value_from_text(text->substr(0, text->size() - 3));
+  }
+  return out;
+}
+
+/// Of what a load curve is, by the first of its rows.
+std::optional<LoadCurve::Of> of_what(const Value& value) {
+  const std::string* text = first_text(value, 1);
+  if (!text) return {};
+  if (read_quantity(*text, Dimension::length).value) return LoadCurve::Of::displacement;
+  if (read_quantity(*text, Dimension::force).value) return LoadCurve::Of::force;
+  return {};
+}
+
+std::string expected_rows(const char* expected, const Value& value) {
+  return std::holds_alternative<std::vector<Value>>(value.held) ? fmt::format("expected {}", expected)
+                                                                : wrong_type(expected, value);
+}
+
+/// "[a, b, ...]", or nothing of nothing.
+template <class Row, class Text>
+std::string list_of(const std::vector<Row>& rows, const Text& text) {
+  std::string out;
+  for (const Row& row : rows) out += (out.empty() ? "[" : ", ") + text(row);
+  return out.empty() ? out : out + ']';
+}
+
+}  // namespace
+
+std::string read_points(const Value& value, std::vector<std::array<double, 2>>& out) {
+  constexpr std::array cells{Cell{"x", Dimension::length}, Cell{"y", Dimension::length}};
+  return read_rows(value, cells, 2, "points such as [\"10 mm\", \"20 mm\"]", out);
+}
+
+std::string rows_text(const std::vector<std::array<double, 2>>& points) {
+  return list_of(points, [](const std::array<double, 2>& p) {
+    return fmt::format("[\"{}\", \"{}\"]", quantity_text(p[0], Dimension::length),
+                       quantity_text(p[1], Dimension::length));
+  });
+}
+
+std::string read_history(const Value& value, std::vector<HistoryPoint>& out) {
+  constexpr std::array cells{Cell{"time", Dimension::time}, Cell{"position", Dimension::length},
+                             Cell{"uncertainty", Dimension::length}};
+  std::vector<std::array<double, 3>> rows;
+  std::string problem =
+      read_rows(value, cells, 2, "rows of time and position such as [\"4 us\", \"12 mm\"]", rows);
+  if (!problem.empty()) return problem;
+  out.clear();
+  for (const auto& [time, position, uncertainty] : rows) out.push_back({time, position, uncertainty});
+  return {};
+}
+
+std::string rows_text(const std::vector<HistoryPoint>& rows) {
+  const bool known = !rows.empty() && rows.front().uncertainty > 0.0;
+  return list_of(rows, [&](const HistoryPoint& p) {
+    return known ? fmt::format("[{}, {}, {}]", p.time, p.position, p.uncertainty)
+                 : fmt::format("[{}, {}]", p.time, p.position);
+  });
+}
+
+std::string read_critical_rate(const Value& value, CriticalRate& out) {
+  constexpr auto expected = "rows such as [\"0.1 c_r\", \"900 J/m2\"] or [\"10 mm\", \"900 J/m2\"]";
+  const auto of = against(value);
+  if (!of) return expected_rows(expected, value);
+  CriticalRate read{.against = *of};
+  const bool over_cr = *of == CriticalRate::Against::velocity_over_cr;
+  const Cell first = *of == CriticalRate::Against::position ? Cell{"position", Dimension::length}
+                     : over_cr                              ? Cell{"velocity", Dimension::none}
+                                                            : Cell{"velocity", Dimension::speed};
+  const std::array cells{first, Cell{"release rate", Dimension::release_rate}};
+  std::string problem = read_rows(over_cr ? without_c_r(value) : value, cells, 2, expected, read.row);
+  if (problem.empty()) out = std::move(read);
+  return problem;
+}
+
+std::string rows_text(const CriticalRate& rate) {
+  return list_of(rate.row, [&](const std::array<double, 2>& r) {
+    const std::string at =
+        rate.against == CriticalRate::Against::velocity_over_cr ? fmt::format("{} c_r", r[0])
+        : rate.against == CriticalRate::Against::velocity       ? quantity_text(r[0], Dimension::speed)
+                                                                : quantity_text(r[0], Dimension::length);
+    return fmt::format("[\"{}\", \"{}\"]", at, quantity_text(r[1], Dimension::release_rate));
+  });
+}
+
+std::string read_load_curve(const Value& value, LoadCurve& out) {
+  constexpr auto expected = "rows such as [\"4 us\", \"2 mm\"] or [\"4 us\", \"20 kN\"]";
+  const auto of = of_what(value);
+  if (!of) return expected_rows(expected, value);
+  LoadCurve read{.of = *of};
+  const bool force = *of == LoadCurve::Of::force;
+  const std::array cells{Cell{"time", Dimension::time},
+                         force ? Cell{"force", Dimension::force} : Cell{"displacement", Dimension::length}};
+  std::string problem = read_rows(value, cells, 2, expected, read.row);
+  if (problem.empty()) out = std::move(read);
+  return problem;
+}
+
+std::string rows_text(const LoadCurve& curve) {
+  const Dimension load = curve.of == LoadCurve::Of::force ? Dimension::force : Dimension::length;
+  return list_of(curve.row, [&](const std::array<double, 2>& r) {
+    return fmt::format("[\"{}\", \"{}\"]", quantity_text(r[0], Dimension::time), quantity_text(r[1], load));
+  });
+}
+
+}  // namespace rift
