@@ -102,7 +102,8 @@ inline results::Frame frame(int moment, int lane = 0) {
 }
 
 /// `moments` of them, with books, in a folder of a run that has ended.
-inline std::filesystem::path write_run(const std::filesystem::path& run, int moments = 6, int lanes = 1) {
+inline std::filesystem::path write_run(const std::filesystem::path& run, int moments = 6, int lanes = 1,
+                                       double contact_j = 0.0) {
   std::filesystem::create_directories(run);
   results::JournalWriter journal(run / results::journal_name);
   journal.write(results::RunHeader{header(lanes).dump()});
@@ -118,6 +119,7 @@ inline std::filesystem::path write_run(const std::filesystem::path& run, int mom
       s.elastic_j = 10.0 - k;
       s.kinetic_translation_j = 0.25 * k;
       s.fracture_j = 0.75 * k;
+      s.contact_j = contact_j * k;
       journal.write(s);
       journal.write(frame(k, lane));
     }

@@ -66,6 +66,21 @@ TEST(Picture, TheTipIsADarkDotWhereTheTipIs) {
   EXPECT_GT(apart(pixel(drawn(job, 4), x, y), {0.05, 0.05, 0.05}), 0.5);
 }
 
+int pixels_like(const Image& image, const Colour& colour) {
+  int count = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) count += apart(pixel(image, x, y), colour) < 0.05 ? 1 : 0;
+  return count;
+}
+
+TEST(Picture, TheBudgetHasALineForFrictionWhereItTakesSomething) {
+  const Folder folder;
+  const Colour contact{204 / 255.0, 121 / 255.0, 167 / 255.0};
+  EXPECT_GT(pixels_like(drawn(job_for(write_run(folder / "rubs", 6, 1, 0.5)), 5), contact), 100);
+  EXPECT_EQ(pixels_like(drawn(job_for(write_run(folder / "meets", 6, 1, 1e-5)), 5), contact), 0);
+  EXPECT_EQ(pixels_like(drawn(job_for(write_run(folder / "free")), 5), contact), 0);
+}
+
 TEST(Picture, ACloseUpFollowsTheTip) {
   const Folder folder;
   Job job = job_for(write_run(folder / "run"));

@@ -12,6 +12,9 @@
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace rift::viz {
 namespace {
 
@@ -24,12 +27,23 @@ struct Entry {
 constexpr Entry entries[] = {{"elastic", &results::Sample::elastic_j, {0, 114, 178}},
                              {"kinetic", &results::Sample::kinetic_translation_j, {230, 159, 0}},
                              {"fracture", &results::Sample::fracture_j, {213, 94, 0}},
-                             {"damping", &results::Sample::damping_j, {0, 158, 115}}};
+                             {"damping", &results::Sample::damping_j, {0, 158, 115}},
+                             {"contact", &results::Sample::contact_j, {204, 121, 167}}};
 constexpr double microsecond = 1e-6;
 
-double energy_of(const Entry& entry, const results::Sample& s) {
-  const bool kinetic = entry.energy == &results::Sample::kinetic_translation_j;
-  return s.*entry.energy + (kinetic ? s.kinetic_rotation_j : 0);
+std::vector<Entry> shown(const BudgetLines& lines) {
+  std::vector<Entry> some;
+  for (const Entry& entry : entries) {
+    if (entry.energy == &results::Sample::damping_j && !lines.damping) continue;
+    if (entry.energy == &results::Sample::contact_j && !lines.contact) continue;
+    some.push_back(entry);
+  }
+  return some;
+}
+
+double energy_of(double results::Sample::*energy, const results::Sample& s) {
+  const bool kinetic = energy == &results::Sample::kinetic_translation_j;
+  return s.*energy + (kinetic ? s.kinetic_rotation_j : 0);
 }
 
 void style(vtkAxis& axis, int text_px, const char* title, double least, double most) {
@@ -47,17 +61,27 @@ void style(vtkAxis& axis, int text_px, const char* title, double least, double m
 
 }  // namespace
 
-std::vector<KeyEntry> budget_key(bool damping) {
+BudgetLines budget_lines(std::span<const results::Sample> books) {
+  constexpr double enough = 1e-3;
+  double stored = 0, contact = 0;
+  BudgetLines lines;
+  for (const results::Sample& s : books) {
+    lines.damping = lines.damping || s.damping_j != 0;
+    stored = std::max(stored, s.elastic_j), contact = std::max(contact, std::abs(s.contact_j));
+  }
+  lines.contact = contact > enough * stored;
+  return lines;
+}
+
+std::vector<KeyEntry> budget_key(const BudgetLines& lines) {
   std::vector<KeyEntry> key;
-  for (const Entry& entry : entries)
+  for (const Entry& entry : shown(lines))
     key.push_back({entry.name, {entry.colour[0] / 255.0, entry.colour[1] / 255.0, entry.colour[2] / 255.0}});
-  if (!damping) key.pop_back();
   return key;
 }
 
 BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, double lasts_s, double most_j,
-                         bool damping)
-    : entries_(damping ? std::size(entries) : std::size(entries) - 1) {
+                         const BudgetLines& lines) {
   vtkNew<vtkFloatArray> time;
   time->SetName("t");
   table_->AddColumn(time);
@@ -66,13 +90,14 @@ BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, dou
         lasts_s / microsecond);
   style(*chart_->GetAxis(vtkAxis::LEFT), text_px, box.height() > 9 * text_px ? "energy [J]" : "[J]", 0,
         1.05 * most_j);
-  for (std::size_t k = 0; k < entries_; ++k) {
+  for (const Entry& entry : shown(lines)) {
     vtkNew<vtkFloatArray> column;
-    column->SetName(entries[k].name);
+    column->SetName(entry.name);
     table_->AddColumn(column);
+    energy_.push_back(entry.energy);
     vtkPlot* line = chart_->AddPlot(vtkChart::LINE);
-    line->SetInputData(table_, 0, static_cast<vtkIdType>(k + 1));
-    line->SetColor(entries[k].colour[0], entries[k].colour[1], entries[k].colour[2], 255);
+    line->SetInputData(table_, 0, static_cast<vtkIdType>(energy_.size()));
+    line->SetColor(entry.colour[0], entry.colour[1], entry.colour[2], 255);
     line->SetWidth(static_cast<float>(0.16 * text_px));
   }
   chart_->SetAutoSize(false);
@@ -90,10 +115,11 @@ void BudgetChart::show(std::span<const results::Sample> books, double start_s) {
     const results::Sample& s = books[row == 0 ? 0 : row - 1];
     const auto r = static_cast<vtkIdType>(row);
     table_->SetValue(r, 0, (s.time_s - start_s) / microsecond);
-    for (std::size_t k = 0; k < entries_; ++k)
-      table_->SetValue(r, static_cast<vtkIdType>(k + 1), energy_of(entries[k], s));
+    for (std::size_t k = 0; k < energy_.size(); ++k)
+      table_->SetValue(r, static_cast<vtkIdType>(k + 1), energy_of(energy_[k], s));
   }
-  for (std::size_t k = 0; k < entries_; ++k) chart_->GetPlot(static_cast<vtkIdType>(k))->SetVisible(rows > 0);
+  for (std::size_t k = 0; k < energy_.size(); ++k)
+    chart_->GetPlot(static_cast<vtkIdType>(k))->SetVisible(rows > 0);
   table_->Modified();
 }
 

@@ -24,13 +24,8 @@ Extent extent_of(const std::vector<std::unique_ptr<LaneReader>>& readers, const 
 double most_energy(LaneReader& reader) {
   double most = 0;
   for (const results::Sample& s : reader.books_until(1e300))
-    most = std::max({most, s.elastic_j, s.fracture_j, s.damping_j});
+    most = std::max({most, s.elastic_j, s.fracture_j, s.damping_j, s.contact_j});
   return most;
-}
-
-bool damps(LaneReader& reader) {
-  const auto books = reader.books_until(1e300);
-  return std::any_of(books.begin(), books.end(), [](const results::Sample& s) { return s.damping_j != 0; });
 }
 
 }  // namespace
@@ -81,20 +76,21 @@ void Picture::add_panes() {
 
 void Picture::add_charts() {
   double lasts = 0, most = 0;
-  bool damping = false;
+  BudgetLines lines;
   for (const auto& reader : reader_) {
     lasts = std::max(lasts, reader->lasts_s());
     most = std::max(most, most_energy(*reader));
-    damping = damping || damps(*reader);
+    const BudgetLines own = budget_lines(reader->books_until(1e300));
+    lines.damping = lines.damping || own.damping, lines.contact = lines.contact || own.contact;
   }
-  add_key(*overlay_, layout_.key, layout_.text_px, budget_key(damping));
+  add_key(*overlay_, layout_.key, layout_.text_px, budget_key(lines));
   for (const Box& box : layout_.chart) {
     vtkNew<vtkRenderer> renderer;
     renderer->SetViewport(box.x0 / job_.width, box.y0 / job_.height, box.x1 / job_.width,
                           box.y1 / job_.height);
     renderer->SetBackground(1, 1, 1);
     window_->AddRenderer(renderer);
-    chart_.push_back(std::make_unique<BudgetChart>(*renderer, box, layout_.text_px, lasts, most, damping));
+    chart_.push_back(std::make_unique<BudgetChart>(*renderer, box, layout_.text_px, lasts, most, lines));
   }
 }
 
