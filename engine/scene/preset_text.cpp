@@ -9,12 +9,26 @@ namespace rift {
 
 namespace {
 
+/// Rows of numbers one below the other where there are many: for the eye, and because a reader of presets
+/// takes a line of very many dots for a hostile key.
+std::string in_lines(std::string value) {
+  constexpr std::size_t wide = 100;
+  if (!value.starts_with("[[") || value.size() <= wide) return value;
+  std::string out = "[\n  ";
+  for (std::size_t from = 1;;) {
+    const std::size_t next = value.find("], [", from);
+    if (next == std::string::npos) return out + value.substr(from, value.size() - 1 - from) + ",\n]";
+    out += value.substr(from, next + 1 - from) + ",\n  ";
+    from = next + 3;
+  }
+}
+
 /// One line per axis that the scene has a value for; what is left out is the base's when it is read.
 std::string axis_lines(const Scene& scene, const std::vector<const Axis*>& varied) {
   std::string out;
   for (const Axis* axis : varied) {
     const std::string value = toml_value(scene, parameter_of(*axis));
-    if (applies(scene, *axis) && !value.empty()) out += fmt::format("{} = {}\n", axis->name, value);
+    if (applies(scene, *axis) && !value.empty()) out += fmt::format("{} = {}\n", axis->name, in_lines(value));
   }
   return out;
 }
@@ -54,7 +68,7 @@ std::string preset_text(const Scene& scene) {
     const std::string value = has_no_say(row, scene) ? std::string{} : toml_value(scene, row);
     out += fmt::format("# {} Allowed: {}.\n", row.doc, allowed(row));
     out += value.empty() ? fmt::format("# {} is not given\n", name_of(row))
-                         : fmt::format("{} = {}\n", name_of(row), value);
+                         : fmt::format("{} = {}\n", name_of(row), in_lines(value));
   }
   return out;
 }

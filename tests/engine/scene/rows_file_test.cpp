@@ -141,6 +141,21 @@ TEST(HistoryFile, IsReadToTheLastBitWhateverItsCommasAndUnits) {
   }
 }
 
+// What a run keeps of its preset is read again when it is resumed.
+TEST(HistoryFile, OfManyRowsIsKeptInTheEffectivePreset) {
+  std::string csv = "time [us];position [mm];uncertainty [mm]\n";
+  for (int k = 0; k < 2000; ++k)
+    csv += std::to_string(0.1 * k) + ";" + std::to_string(10 + 0.01 * k) + ";0.1\n";
+  const Folder folder;
+  Preset preset = read_preset_text("", "x.toml", {"crack.history=" + folder.write("h.csv", csv)});
+  ASSERT_TRUE(preset.issues.empty()) << to_text(preset.issues.front());
+  for (int k = 0; k < 200; ++k) preset.scene.crack.path.point.push_back({1e-3 * k, 0.0101});
+  const Preset again = read_preset_text(preset_text(preset), "again");
+  ASSERT_TRUE(again.issues.empty()) << to_text(again.issues.front());
+  EXPECT_EQ(again.scene.crack.history, preset.scene.crack.history);
+  EXPECT_EQ(again.scene.crack.path.point, preset.scene.crack.path.point);
+}
+
 TEST(HistoryFile, OfNoPlaceOrNoSizeIsNamed) {
   EXPECT_EQ(to_text(read_preset_text("[crack]\nhistory = \"gone.csv\"\n", "x.toml").issues.at(0)),
             "x.toml:2: crack.history = \"gone.csv\": gone.csv: no such file");
