@@ -25,7 +25,11 @@ Scene by_itself(const Preset& preset, const Experiment& found) {
   const double start = scene.crack.start;
   const double began =
       found.width / (time_of_arrival(course, start + found.width) - time_of_arrival(course, start));
-  for (std::array<double, 2>& row : scene.loading.curve.row) row[0] -= load_time(scene);  // its own clock
+  // A load curve goes by the clock of the run, whose tip comes from a damage zone behind the start.
+  const double zone = scene.crack.technique == Technique::progressive
+                          ? scene.crack.damage_zone_ratio * found.mean_radius
+                          : 0.0;
+  for (std::array<double, 2>& row : scene.loading.curve.row) row[0] += zone / began - load_time(scene);
   scene.crack.history.clear();
   scene.crack.velocity = {{{began, false}, {}}};
   scene.crack.end = found.along.back().position + 0.5 * found.width;
@@ -92,7 +96,7 @@ Application apply(const Preset& preset, const Experiment& found, Cache& cache, c
                    return progress("application", static_cast<double>(p.step) / static_cast<double>(p.total));
                  }},
             options);
-  if (run.outcome == Outcome::stopped) throw Interrupted("application");
+  if (run.outcome == Outcome::stopped) throw Interrupted("the application went on");
   Application a;
   a.arrested_m = run.lane[0].arrested_m;
   std::vector<Sample> rows;

@@ -53,7 +53,7 @@ std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, 
                    return progress("efficiency", static_cast<double>(p.step) / static_cast<double>(p.total));
                  }},
             options);
-  if (run.outcome == Outcome::stopped) throw Interrupted("efficiency");
+  if (run.outcome == Outcome::stopped) throw Interrupted("the efficiency was found");
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Rates rates = rates_of(prepared, run, static_cast<int>(k));
     points[k].efficiency = rates.plateau.mean.ratio_with_damping, points[k].scatter = rates.plateau.scatter;
@@ -61,14 +61,15 @@ std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, 
   return points;
 }
 
-double efficiency_at(const std::vector<EfficiencyPoint>& points, double over_cr) {
-  if (over_cr <= points.front().over_cr) return points.front().efficiency;
+EfficiencyPoint efficiency_at(const std::vector<EfficiencyPoint>& points, double over_cr) {
+  if (over_cr <= points.front().over_cr) return points.front();
   for (std::size_t k = 1; k < points.size(); ++k) {
     if (over_cr > points[k].over_cr) continue;
     const EfficiencyPoint &a = points[k - 1], &b = points[k];
-    return a.efficiency + (b.efficiency - a.efficiency) * (over_cr - a.over_cr) / (b.over_cr - a.over_cr);
+    const double part = (over_cr - a.over_cr) / (b.over_cr - a.over_cr);
+    return {over_cr, std::lerp(a.efficiency, b.efficiency, part), std::lerp(a.scatter, b.scatter, part)};
   }
-  return points.back().efficiency;
+  return points.back();
 }
 
 }  // namespace rift

@@ -11,7 +11,7 @@ std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, 
                                            Cache& cache, const MarchOptions& options,
                                            const ExperimentProgress& progress);
 
-/// Straight between the points, constant beyond them.
-double efficiency_at(const std::vector<EfficiencyPoint>& points, double over_cr);
+/// Straight between the points, constant beyond them; the scatter too.
+EfficiencyPoint efficiency_at(const std::vector<EfficiencyPoint>& points, double over_cr);
 
 }  // namespace rift

@@ -1,6 +1,5 @@
 #include "engine/experiment/experiment.hpp"
 
-#include "engine/ensemble/instruction_set.hpp"
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/law.hpp"
@@ -88,7 +87,7 @@ class Laboratory {
     }};
   }
   void take(const RunResult& run, const char* stage) {
-    if (run.outcome == Outcome::stopped) throw Interrupted(stage);
+    if (run.outcome == Outcome::stopped) throw Interrupted(std::string("the ") + stage + " went on");
     e_.outcome = std::max(e_.outcome, run.outcome);
     for (const LaneResult& lane : run.lane)
       e_.worst_residual = std::max(e_.worst_residual, lane.worst_residual);
@@ -155,14 +154,12 @@ class Laboratory {
         speeds.back().push_back(speed_at(course, time_of_arrival(course, point.position)));
     }
     for (std::size_t k = 0; k < e_.along.size(); ++k) e_.drawn_speed.push_back(at(speeds, k).deviation);
-    // Lanes whose grip moves begin together.
-    const bool in_double = preset_.scene.solver.precision == Precision::double_precision;
-    const std::size_t side_by_side = in_double ? most_lanes<double> : most_lanes<float>;
-    const std::size_t most = grip_moves(preset_.scene) ? side_by_side : scenes.size();
+    // Each reaches its first row at another time, by which a load curve moves the grip.
+    const std::size_t most = grip_moves(preset_.scene) ? 1 : scenes.size();
     for (std::size_t first = 0; first < scenes.size(); first += most)
       run_drawn({scenes.begin() + static_cast<std::ptrdiff_t>(first),
                  scenes.begin() + static_cast<std::ptrdiff_t>(std::min(first + most, scenes.size()))});
-    e_.resamples = static_cast<int>(drawn_.size());
+    e_.resamples = static_cast<int>(drawn_.size()), e_.resamples_asked = wishes_.resamples;
   }
 
   void run_drawn(const std::vector<Scene>& scenes) {
@@ -201,15 +198,17 @@ class Laboratory {
     std::vector<double> at;
     const double from = e_.along.front().position, to = e_.along.back().position;
     for (int k = 0; k <= static_parts; ++k) at.push_back(from + k * (to - from) / static_parts);
-    std::vector<double> rates;
+    std::vector<double> part_rates, rates;
     for (int k = 0; k < static_parts; ++k) {
       if (!progress_("quasi-static", static_cast<double>(k) / static_parts))
-        throw Interrupted("quasi-static");
-      rates.push_back(quasi_static_rates(p, {at[k], at[k + 1]}).front());
+        throw Interrupted("the quasi-static plates were solved");
+      part_rates.push_back(quasi_static_rates(p, {at[k], at[k + 1]}).front());
     }
-    for (CriticalPoint& point : e_.along) {  // straight between the parts' middles
-      const double place = (point.position - from) / (to - from) * static_parts - 0.5;
-      const int low = std::clamp(static_cast<int>(std::floor(place)), 0, static_parts - 2);
+    // Over two parts each: the few beams between two positions scatter.
+    for (int k = 1; k < static_parts; ++k) rates.push_back(0.5 * (part_rates[k - 1] + part_rates[k]));
+    for (CriticalPoint& point : e_.along) {  // straight between the positions, constant beyond the outer ones
+      const double place = (point.position - from) / (to - from) * static_parts - 1.0;
+      const int low = std::clamp(static_cast<int>(std::floor(place)), 0, static_parts - 3);
       const double part = std::clamp(place - low, 0.0, 1.0);
       point.quasi_static = (rates[low] + part * (rates[low + 1] - rates[low])) * square_of_pull(point.time);
     }
@@ -234,9 +233,13 @@ class Laboratory {
       const auto [least, most] = std::minmax_element(by_width.begin(), by_width.end());
       point.of_window = 0.5 * (*most - *least);
       point.uncertainty = std::hypot(point.of_noise, point.of_packing, point.of_window);
-      point.efficiency = efficiency_at(e_.efficiency, point.over_cr);
+      const EfficiencyPoint at_velocity = efficiency_at(e_.efficiency, point.over_cr);
+      point.efficiency = at_velocity.efficiency;
       point.corrected = point.as_paper / point.efficiency;
-      point.corrected_uncertainty = point.uncertainty / point.efficiency;
+      // A plateau is the mean of sub-windows, whose scatter is told.
+      const double of_efficiency = at_velocity.scatter / std::sqrt(static_cast<double>(sub_windows));
+      point.corrected_uncertainty =
+          std::hypot(point.uncertainty, point.corrected * of_efficiency) / point.efficiency;
     }
     std::erase_if(e_.along, [](const CriticalPoint& point) { return !std::isfinite(point.as_paper); });
     e_.law = law_of(e_.along);

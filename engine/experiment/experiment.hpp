@@ -65,7 +65,8 @@ struct Experiment {
   std::vector<EfficiencyPoint> efficiency;
   Application application;           // empty where it was not wished
   int resamples = 0, specimens = 0;  // that came to their end
-  double worst_residual = 0;         // of the books of all runs
+  int resamples_asked = 0;
+  double worst_residual = 0;  // of the books of all runs
   Outcome outcome = Outcome::finished;
 };
 

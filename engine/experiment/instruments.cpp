@@ -108,7 +108,9 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
                    .books = of_lane(scan.samples, wishes.lane),
                    .gauges = of_lane(scan.gauges, wishes.lane),
                    .intensity = {},
-                   .no_intensity = strange_field(scene)};
+                   .no_intensity = strange_field(scene),
+                   .grip_moves = grip_moves(scene),
+                   .finished = scan.summary_json.has_value()};
   seen.clock = clock_of(scene, seen.books);
   const CrackPath path = path_in(header);
   const Camera camera(places_of(*scan.geometry), seen.grid.point, seen.subset, parted_by(path));

@@ -29,6 +29,8 @@ struct Instruments {
   std::vector<results::GaugeRow> gauges;  // of the lane
   std::vector<IntensityPoint> intensity;  // of each moment
   std::string no_intensity;               // why there are none
+  bool grip_moves = false;                // while the crack runs: G_I0 is that of its start
+  bool finished = false;                  // the run has come to its end
 };
 
 /// Reads a run, unfinished ones too, at the moments of its frames.

@@ -18,19 +18,27 @@ struct SeenField {
   std::vector<std::optional<PlaneMotion>> motion;  // of each point
 };
 
+/// Why a moment has no stress intensities.
+enum class NoFit { none, edge, bend, other_tip, fast, points, tip };
+
+/// "too near to an edge of the plate", ...
+const char* reason_of(NoFit why);
+
 /// Stress intensities of one moment, and what the lattice's books say there.
 struct IntensityPoint {
   double time = 0, tip = 0;          // [s], [m]
   double over_cr = 0;                // velocity of the tip
   std::optional<StressIntensity> k;  // nothing where no ring around the tip can be fitted
-  double g_id = std::numeric_limits<double>::quiet_NaN();  // of the books over twice the inner radius [J/m2]
+  NoFit why = NoFit::none;
+  /// Of the books over twice the inner radius, damping with it as `rift experiment` reads it [J/m2].
+  double g_id = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// What is fitted around the tip, in the plate's lengths [m].
 struct Ring {
   double inner = 0, outer = 0;
   double beside_faces = 0;  // what is nearer to the faces is left out: a subset there sees both
-  double zone = 0;          // of damage, behind the tip
+  double zone = 0;          // of damage, ahead of the tip
 };
 
 /// Fits the fields of one crack.
@@ -41,15 +49,21 @@ class IntensityReading {
   IntensityReading(CrackPath path, const Eigen::Vector2d& plate_size, const ElasticPlate& plate,
                    const Ring& ring, const std::vector<results::Sample>& books, const RateScale& scale);
 
-  /// The ring's outer radius is less where an edge of the plate or a bend of the path is nearer.
+  /// The ring's outer radius is less where an edge of the plate, a bend of the path or the other tip is
+  /// nearer.
   /// @param[in] point  where the field was seen [m]
   IntensityPoint at(const SeenField& field, const std::vector<Eigen::Vector2d>& point) const;
 
  private:
   struct Tip;
-  std::optional<StressIntensity> fit(const Tip& tip, double speed, const SeenField& field,
-                                     const std::vector<Eigen::Vector2d>& point) const;
-  double clear_around(const Tip& tip) const;
+  /// Fits the point's k, or says why not.
+  void fit(IntensityPoint& seen, const Tip& tip, const SeenField& field,
+           const std::vector<Eigen::Vector2d>& point) const;
+  struct Clear {
+    double radius = 0;
+    NoFit what = NoFit::none;  // that is nearest
+  };
+  Clear clear_around(const Tip& tip) const;
 
   CrackPath path_;
   Eigen::Vector2d size_;

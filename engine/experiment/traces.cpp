@@ -20,9 +20,9 @@ struct GaugeQuantity {
   double results::GaugeRow::*value;
 };
 using Row = results::GaugeRow;
-constexpr std::array gauge_quantities{GaugeQuantity{"strain_yy", Dimension::none, &Row::strain_yy},
-                                      GaugeQuantity{"strain_xx", Dimension::none, &Row::strain_xx},
-                                      GaugeQuantity{"strain_xy", Dimension::none, &Row::strain_xy},
+constexpr std::array gauge_quantities{GaugeQuantity{"strain_yy", Dimension::strain, &Row::strain_yy},
+                                      GaugeQuantity{"strain_xx", Dimension::strain, &Row::strain_xx},
+                                      GaugeQuantity{"strain_xy", Dimension::strain, &Row::strain_xy},
                                       GaugeQuantity{"uy", Dimension::length, &Row::uy_m},
                                       GaugeQuantity{"ux", Dimension::length, &Row::ux_m},
                                       GaugeQuantity{"vy", Dimension::speed, &Row::vy_m_s},
@@ -56,7 +56,7 @@ Trace intensity_trace(const Instruments& seen, const char* name, Dimension dimen
                       double StressIntensity::*value) {
   Trace trace{name, dimension, {}, {}};
   for (const IntensityPoint& p : seen.intensity)
-    if (p.k) trace.time.push_back(p.time + seen.clock), trace.value.push_back((*p.k).*value);
+    trace.time.push_back(p.time + seen.clock), trace.value.push_back(p.k ? (*p.k).*value : std::nan(""));
   return trace;
 }
 

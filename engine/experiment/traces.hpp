@@ -14,7 +14,7 @@ namespace rift {
 struct Trace {
   std::string name;  // "grip_force", "k_i", "gauge0_strain_yy", ...
   Dimension dimension = Dimension::none;
-  std::vector<double> time, value;  // SI
+  std::vector<double> time, value;  // SI; NaN where nothing was recorded
 };
 
 /// Of the grip's load cell and of each gauge, then K_I, K_II and G of the fitted fields against time.

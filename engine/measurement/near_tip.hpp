@@ -17,13 +17,18 @@ enum class Mode { opening, sliding };
 
 /// The n-th term of the displacement around a tip that runs steadily along x with free faces, u ~ r^(n/2)
 /// [Nishioka and Atluri 1983, from the potentials of Freund 1990, ch. 4]. With beta_1^2 = 1 - (v/c_d)^2,
-/// beta_2^2 = 1 - (v/c_s)^2, r_k e^(i theta_k) = x + i beta_k y and c_k, s_k = r_k^(n/2) (cos, sin)(n theta_k
-/// / 2):
-///   opening  u_x = B (c_1 - h c_2),  u_y = B (- beta_1 s_1 + (h / beta_2) s_2),  h_I for n odd, h_II for
-///   even sliding  u_x = B (s_1 - h s_2),  u_y = B (beta_1 c_1 - (h / beta_2) c_2),    h_II for n odd, h_I
-///   for even h_I = 2 beta_1 beta_2 / (1 + beta_2^2), h_II = (1 + beta_2^2) / 2
-/// scaled so that n = 1 is the displacement [m] per K_I or K_II = 1 Pa m^1/2. n = 0 is a shift, 2 in sliding
-/// a turn, 2 in opening the stress along the crack.
+/// beta_2^2 = 1 - (v/c_s)^2, r_k e^(i theta_k) = x + i beta_k y and
+/// c_k, s_k = r_k^(n/2) (cos, sin)(n theta_k / 2), it is of opening
+///
+///   u_x = B (c_1 - h c_2),  u_y = B (- beta_1 s_1 + (h / beta_2) s_2),  h = h_I for odd n, h_II for even n
+///
+/// and of sliding
+///
+///   u_x = B (s_1 - h s_2),  u_y = B (beta_1 c_1 - (h / beta_2) c_2),  h = h_II for odd n, h_I for even n
+///
+/// with h_I = 2 beta_1 beta_2 / (1 + beta_2^2), h_II = (1 + beta_2^2) / 2, scaled so that n = 1 is the
+/// displacement [m] per K_I or K_II = 1 Pa m^1/2. n = 0 is a shift, 2 in sliding a turn, 2 in opening the
+/// stress along the crack.
 class NearTip {
  public:
   /// @param[in] speed  of the tip [m/s], below the Rayleigh speed (asserted). Below 0.05 c_s the field is

@@ -63,16 +63,15 @@ std::optional<StressIntensity> locate_intensity(const NearTip& field,
     if (k) k->ahead = ahead;
     return k;
   };
-  constexpr int tries = 16;  // the misfit has one valley, with ripples where points enter and leave the ring
+  constexpr int tries = 24;  // the misfit has one valley, with ripples where points enter and leave the ring
   const double apart = (reach[0] + reach[1]) / tries;
   std::array<std::optional<StressIntensity>, tries + 1> tried;
-  int best = 0;
+  int best = -1;
   for (int k = 0; k <= tries; ++k) {
     tried[k] = with_tip_at(-reach[0] + k * apart);
-    if (!tried[k]) return std::nullopt;
-    if (tried[k]->misfit < tried[best]->misfit) best = k;
+    if (tried[k] && (best < 0 || tried[k]->misfit < tried[best]->misfit)) best = k;
   }
-  if (best == 0 || best == tries) return std::nullopt;
+  if (best <= 0 || best == tries || !tried[best - 1] || !tried[best + 1]) return std::nullopt;
   // The vertex of the parabola through the squares around the least.
   const auto square = [&](int k) { return tried[k]->misfit * tried[k]->misfit; };
   const double before = square(best - 1), at = square(best), after = square(best + 1);

@@ -81,14 +81,13 @@ void remove_file(const fs::path& path) {
   if (error) throw WorldError("remove", path, error.message());
 }
 
-/// Removes what was exported into a folder, and the folder where nothing else is in it.
-void remove_export(const fs::path& folder) {
-  const std::string name = folder.filename().string();
+/// Removes what was exported into a folder as `kind`, and the folder where nothing else is in it.
+void remove_export(const fs::path& folder, const std::string& kind) {
   for (const auto& path : entries(folder)) {
     const std::string file = path.filename().string();
-    if (is_measured_folder(name) && file == "charts" && fs::is_directory(path) && !fs::is_symlink(path))
-      remove_export(path);
-    else if (is_export(name, file) && !fs::is_directory(path))
+    if (is_measured_folder(kind) && file == "charts" && fs::is_directory(path) && !fs::is_symlink(path))
+      remove_export(path, file);
+    else if (is_export(kind, file) && !fs::is_directory(path))
       remove_file(path);
   }
   if (entries(folder).empty()) remove_file(folder);
@@ -99,7 +98,7 @@ void remove_run(const fs::path& folder) {
   for (const auto& path : entries(folder)) {
     const auto name = path.filename().string();
     if (is_run_file(name) && !fs::is_directory(path)) remove_file(path);
-    if (is_export_folder(name) && fs::is_directory(path) && !fs::is_symlink(path)) remove_export(path);
+    if (is_export_folder(name) && fs::is_directory(path) && !fs::is_symlink(path)) remove_export(path, name);
   }
 }
 
@@ -119,6 +118,14 @@ void try_to_write(const fs::path& folder) {
 }
 
 }  // namespace
+
+void remove_measured(const fs::path& folder) {
+  for (const auto& path : entries(folder)) {
+    const std::string file = path.filename().string();
+    if (file == "charts" && fs::is_directory(path) && !fs::is_symlink(path)) remove_export(path, file);
+    if (is_export("measure", file) && file != "field.csv.part" && !fs::is_directory(path)) remove_file(path);
+  }
+}
 
 std::vector<fs::path> claim_run_folder(const fs::path& folder, bool force) {
   std::vector<fs::path> made;

@@ -26,6 +26,9 @@ std::vector<std::filesystem::path> claim_run_folder(const std::filesystem::path&
 /// write are never touched.
 void create_run_folder(const std::filesystem::path& folder, bool force);
 
+/// Removes what `rift measure` has left in a folder, and no other file.
+void remove_measured(const std::filesystem::path& folder);
+
 /// The folder of a run: claimed before the first costly step, given back if nothing came of it. With `force`
 /// the former run in it stays until there is something to put in its place. Throws as claim_run_folder().
 class ClaimedFolder {

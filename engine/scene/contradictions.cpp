@@ -167,7 +167,7 @@ void check_loading(Checks& c) {
   const bool ramp = loading.method == LoadingMethod::ramp;
   if (loading.tilt != 0.0 && ramp) c.say("loading.tilt", "goes with loading.method = \"static\" only");
   if (loading.shear != 0.0 && ramp) c.say("loading.shear", "goes with loading.method = \"static\" only");
-  if (c.sound({"crack.history"})) {
+  if (c.sound({"crack.history", "loading.curve", "crack.friction"})) {
     const std::vector<Issue> rows = load_issues(c.preset);
     c.issues.insert(c.issues.end(), rows.begin(), rows.end());
     if (!rows.empty()) return;

@@ -15,7 +15,7 @@ namespace {
 constexpr double forgiven = 3.0;  // standard uncertainties
 // What no crack is measured by: it would only overflow.
 constexpr double latest = 1000.0, farthest = 100.0, shortest = 1e-12, finest = 1e-9;  // [s], [m], [s], [m]
-constexpr double strongest = 1e9;                                                     // [N]
+constexpr double strongest = 1e9, widest = 10.0;  // [N], [m]; as loading.force and loading.displacement
 
 std::string length_text(double x) { return rounded_text(x, Dimension::length); }
 std::string time_text(double x) { return rounded_text(x, Dimension::time); }
@@ -142,7 +142,7 @@ std::vector<Issue> load_issues(const Preset& preset) {
   const LoadCurve& curve = preset.scene.loading.curve;
   if (curve.row.empty()) return {};
   const Dimension load = curve.of == LoadCurve::Of::force ? Dimension::force : Dimension::length;
-  const double largest = curve.of == LoadCurve::Of::force ? strongest : farthest;
+  const double largest = curve.of == LoadCurve::Of::force ? strongest : widest;
   Rows r{preset, "loading.curve"};
   if (curve.row.size() < 2) r.say(0, "is the only row: a curve needs two");
   for (std::size_t k = 0; k < curve.row.size(); ++k) {
@@ -164,6 +164,12 @@ std::vector<Issue> load_issues(const Preset& preset) {
     r.say(curve.row.size() - 1,
           fmt::format("the curve ends at {}, before {}, {}", time_text(curve.row.back()[0]),
                       needed > start ? "the history does" : "the crack starts", time_text(needed)));
+  for (std::size_t k = 0; k < curve.row.size() && grip_moves(preset.scene); ++k)
+    if (curve.row[k][0] > start && curve.row[k][1] < 0.0 && !preset.scene.crack.friction)
+      r.say(k, fmt::format(
+                   "{} presses the plate while the crack runs, which needs crack.friction: its faces would "
+                   "pass through each other",
+                   length_text(curve.row[k][1])));
   if (r.issues.empty() && load_at(curve, start) == 0.0)
     r.issues.push_back(issue_at(preset, "loading.curve", "0 as the crack starts strains nothing"));
   return std::move(r.issues);

@@ -102,6 +102,8 @@ class Reader {
     head_.push_back({wanted, ""});
     if (found->dimension == Dimension::none) return;
     const auto close = cell.find_first_of("])");
+    if (found->dimension == Dimension::strain && bracket == std::string_view::npos)
+      return void(head_.back().unit = si_unit(Dimension::strain));
     if (bracket == std::string_view::npos || close == std::string_view::npos || close < bracket)
       return say(fmt::format("column '{}' has no unit: write \"{}\"", name, example_of(*found)));
     head_.back().unit = trimmed(cell.substr(bracket + 1, close - bracket - 1));
@@ -115,8 +117,11 @@ class Reader {
     const std::string near = nearest_name(name, names);
     if (!near.empty())
       return fmt::format("unknown column '{}', did you mean '{}'?", printable(name, 30), near);
-    return fmt::format("unknown column '{}': expected a header such as \"{}\"", printable(name, 30),
-                       examples_of(columns_));
+    std::string others;  // of many the first say what they are like
+    for (std::size_t k = 0, listed = 0; k < columns_.size() && listed < 4; ++k)
+      if (!columns_[k].needed) others += (++listed == 1 ? ", and any of " : ", ") + example_of(columns_[k]);
+    return fmt::format("unknown column '{}': expected a header such as \"{}\"{}", printable(name, 30),
+                       examples_of(columns_), others);
   }
 
   void take_row(std::string_view line) {

@@ -14,6 +14,7 @@
 namespace rift {
 namespace {
 
+constexpr std::size_t most_told = 20;                       // defects of one file
 constexpr std::size_t largest_file = std::size_t{1} << 20;  // as much as a preset may hold
 
 using Columns = std::vector<CsvColumn>;
@@ -58,7 +59,8 @@ std::pair<Columns, const char*> toughness_columns(std::string_view header) {
 /// And of what a load curve is.
 std::pair<Columns, const char*> curve_columns(std::string_view header) {
   const CsvColumn time{"time", Dimension::time};
-  if (header.find("force") != std::string_view::npos) return {{time, {"force", Dimension::force}}, "{} N"};
+  for (const char* force : {"grip_force", "force"})  // as `rift measure --against` has it, or shorter
+    if (header.find(force) != std::string_view::npos) return {{time, {force, Dimension::force}}, "{} N"};
   return {{time, {"displacement", Dimension::length}}, "{} m"};
 }
 
@@ -94,12 +96,15 @@ RowsFile read_rows_file(const Parameter& row, const std::string& name, const std
   if (file.text.size() > largest_file) return say(0, "larger than 1 MiB: thin its rows out"), read;
 
   CsvTable table;
+  const std::string_view head = header_of(file.text);
+  if (row.key == "loading.curve" && head.find("force") != head.npos && head.find("displacement") != head.npos)
+    return say(0, "holds displacement and force: a load curve is of one of them"), read;
   if (row.key == "crack.toughness") {
-    const auto [columns, first] = toughness_columns(header_of(file.text));
+    const auto [columns, first] = toughness_columns(head);
     table = read_csv(file.text, columns);
     if (table.problems.empty()) read.rows = rows_with_units(table, 0, first);
   } else if (row.key == "loading.curve") {
-    const auto [columns, load] = curve_columns(header_of(file.text));
+    const auto [columns, load] = curve_columns(head);
     table = read_csv(file.text, columns);
     if (table.problems.empty()) read.rows = rows_with_units(table, 1, load);
   } else {
@@ -111,7 +116,10 @@ RowsFile read_rows_file(const Parameter& row, const std::string& name, const std
     table = read_csv(file.text, columns);
     if (table.problems.empty()) read.rows = plain_rows(table);
   }
-  for (CsvProblem& problem : table.problems) say(problem.line, std::move(problem.text));
+  for (std::size_t k = 0; k < table.problems.size() && k < most_told; ++k)
+    say(table.problems[k].line, std::move(table.problems[k].text));
+  if (table.problems.size() > most_told)
+    say(0, fmt::format("and {} more lines like these", table.problems.size() - most_told));
   if (read.issues.empty() && table.line.empty()) say(0, "holds a header and no rows");
   read.origin.line = std::move(table.line);
   return read;

@@ -40,6 +40,10 @@ constexpr std::array forces{Unit{"kN", 3, true}, Unit{"N", 0, true}, Unit{"mN", 
 constexpr std::array stress_intensities{Unit{"MPa m1/2", 6, true}, Unit{"MPa m^1/2", 6, false},
                                         Unit{"Pa m1/2", 0, true}, Unit{"Pa m^1/2", 0, false}};
 
+constexpr std::array strains{Unit{"m/m", 0, true},   Unit{"%", -2, true},     Unit{"mm/m", -3, true},
+                             Unit{"um/m", -6, true}, Unit{"µm/m", -6, false}, Unit{"ue", -6, false},
+                             Unit{"-", 0, false}};
+
 struct DimensionRow {
   std::string_view name, si, example;
   std::span<const Unit> units;
@@ -65,6 +69,8 @@ DimensionRow row_of(Dimension dimension) {
       return {"a force", "N", "200 N", forces};
     case Dimension::stress_intensity:
       return {"a stress intensity", "Pa m1/2", "1.5 MPa m1/2", stress_intensities};
+    case Dimension::strain:
+      return {"a strain", "m/m", "500 um/m", strains};
   }
   std::abort();  // no such dimension
 }

@@ -6,7 +6,18 @@
 
 namespace rift {
 
-enum class Dimension { none, length, time, pressure, speed, density, release_rate, force, stress_intensity };
+enum class Dimension {
+  none,
+  length,
+  time,
+  pressure,
+  speed,
+  density,
+  release_rate,
+  force,
+  stress_intensity,
+  strain
+};
 
 /// What was read, or what is wrong with the text.
 template <class T>

@@ -22,17 +22,7 @@ constexpr std::int64_t between_watches = 128;
 }  // namespace
 
 template <class Real>
-void Run<Real>::check_lanes() const {
-  if (!moves_grip() || lane_.size() <= seat_.size()) return;
-  throw InputError(
-      {issue_at(prepared_.preset, ramp() > 0 ? "loading.method" : "loading.curve",
-                fmt::format("moves the grip of all lanes at once: at most {} go side by side, not {}",
-                            seat_.size(), lane_.size()))});
-}
-
-template <class Real>
 RunResult Run<Real>::march(const Resumption* from) {
-  check_lanes();
   ensemble_.start_from(prepared_.displacement);
   result_.threads = ensemble_.threads();
   if (from)
@@ -85,7 +75,7 @@ void Run<Real>::step() {
   ask();
 }
 
-/// By the clock of the first lane: a load curve moves the one grip that all lanes have.
+/// A load curve moves the one grip that all lanes have, by a clock that all lanes have (check_grip).
 template <class Real>
 void Run<Real>::follow_load() {
   const LanePlan& first = prepared_.lane.front();
@@ -285,8 +275,28 @@ double ledger_limit(Kinematics kinematics, Precision precision) {
   return kinematics == Kinematics::corotational ? 1e-4 : 1e-10;
 }
 
+void check_grip(const Prepared& p, int side_by_side) {
+  const bool ramp = p.lane.front().schedule.ramp > 0;
+  if (!ramp && !grip_moves(p.preset.scene)) return;
+  const auto refuse = [&](const std::string& why) {
+    throw InputError({issue_at(p.preset, ramp ? "loading.method" : "loading.curve",
+                               "moves the grip of all lanes at once: " + why)});
+  };
+  const bool in_double = p.preset.scene.solver.precision == Precision::double_precision;
+  const int most = side_by_side > 0 ? side_by_side : in_double ? most_lanes<double> : most_lanes<float>;
+  if (static_cast<int>(p.lane.size()) > most)
+    refuse(fmt::format("at most {} go side by side, not {}", most, p.lane.size()));
+  if (ramp) return;
+  for (const LanePlan& lane : p.lane) {
+    if (lane.lead != p.lane.front().lead)
+      refuse("their damage zones or histories differ, so that their cracks do not start together");
+    if (lane.units.time != p.lane.front().units.time) refuse("their material.stiffness differs");
+  }
+}
+
 RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options,
                 const Resumption* from) {
+  check_grip(prepared, options.lanes);
   if (prepared.preset.scene.solver.precision == Precision::single_precision)
     return Run<float>(prepared, observer, options).march(from);
   return Run<double>(prepared, observer, options).march(from);

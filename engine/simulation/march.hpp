@@ -105,9 +105,14 @@ struct MarchOptions {
 /// The books are said not to close above this residual   [physics.md §7].
 double ledger_limit(Kinematics kinematics, Precision precision);
 
+/// Throws InputError where the grip moves in the march's time and the lanes cannot share it: they are more
+/// than go side by side (0: as many as there are kernels for), or a load curve's clock is not the same for
+/// all.
+void check_grip(const Prepared& prepared, int side_by_side = 0);
+
 /// Marches a prepared scene's lanes to their ends: the ramp if there is one, then their cracks. Where there
 /// are more scenarios than lanes side by side, a lane that has come to its end takes up the next (but not
-/// where the grip, which all share, moves: more lanes than go side by side are then an InputError). A lane
+/// where the grip, which all share, moves: check_grip). A lane
 /// stops as diverged at its first sample that is not finite or whose books are hopelessly open; the others go
 /// on. The preset's [[steering]] is made where it says; a change that cannot be made then throws InputError.
 /// @param[in] from  where the same run was stopped or killed; null to begin at the beginning

@@ -54,7 +54,6 @@ class Run {
   RunResult march(const Resumption* from);
 
  private:
-  void check_lanes() const;
   static Ensemble<Real> make_ensemble(const Prepared& p, const MarchOptions& options);
 
   const Scene& scene() const { return prepared_.preset.scene; }

@@ -155,7 +155,10 @@ double displacement_under(double force, Statics& statics, const Lattice& lattice
   const Scene::Loading& l = statics.scene.loading;
   const double unit_force =
       grip_force(lattice, present, Kinematics::linear, statics.unit(present, notch, {1.0, l.tilt, l.shear}));
-  if (!(unit_force > 0.0)) throw StaticsError("the notch leaves the grips nothing to pull");
+  if (!(unit_force > 0.0))
+    throw StaticsError(l.shear != 0.0
+                           ? "no displacement with this loading.shear pulls: the plate turns the other way"
+                           : "the notch leaves the grips nothing to pull");
   double displacement = force / unit_force;
   const Kinematics kinematics = statics.scene.solver.kinematics;
   if (kinematics == Kinematics::linear) return displacement;
@@ -228,6 +231,7 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   p.scale = scale_against(scene, p.lattice,
                           energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
   if (!notch.empty()) p.displacement = statics.at_rest(notched, notch, p.pulled);
+  p.grip_force = grip_force(p.lattice, notched, kinematics, p.displacement);
   p.static_energy = energy_of_all(p.lattice, kinematics, notched, p.displacement);
   if (scene.loading.method == LoadingMethod::ramp)
     p.displacement.assign(p.displacement.size(), Vector6::Zero());
@@ -262,8 +266,8 @@ std::vector<Gauge> gauges_of(const Prepared& p) {
     const double away = distance_to(p.path, {x, y});
     if (away < radius)
       throw refuse(
-          fmt::format("the crack runs {:g} mm away, through a gauge of {:g} mm (output.gauge_length)",
-                      1e3 * away, 2e3 * radius));
+          fmt::format("the crack runs {:g} mm away, through a gauge of {:.4g} mm (output.gauge_length)",
+                      1e-3 * std::round(1e6 * away), 2e3 * radius));
     auto plane = local_plane(centre, {x, y}, radius);
     if (!plane)
       throw refuse(fmt::format("a gauge of {:g} mm (output.gauge_length) has too few elements under it",

@@ -42,6 +42,7 @@ struct Prepared {
   Lattice lattice;
   double strip_modulus = 0;           // of this specimen with these beams, by linear kinematics [Pa]
   double pulled = 0;                  // displacement of the top grip as the crack starts [m]
+  double grip_force = 0;              // with which it pulls along y then [N], of the lattice
   double static_energy = 0;           // of the plate at rest, notch cut, pulled [J]
   RateScale scale;                    // b, G_I0, L, tips
   std::vector<Vector6> displacement;  // at the start of the run: at rest and pulled, or none for a ramp

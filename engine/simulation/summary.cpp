@@ -128,6 +128,8 @@ void add_rates(Json& j, const Prepared& p, const LanePlan& lane, const Rates& ra
   const double g_i0 = mean_g_i0(scale_of(p, lane), lane.window[0], lane.window[1]);
   j["g_i0_reference"] = name_of(lane.scene.output.g_i0_reference);
   j["g_i0_j_m2"] = g_i0;
+  j["displacement_m"] = p.pulled;
+  j["grip_force_n"] = p.grip_force * lane.units.energy;
   j["g_id_j_m2"] = rate(ratio * g_i0);
   j["ratio"] = rate(plateau.mean.ratio);
   j["ratio_release"] = rate(plateau.mean.ratio_release);
@@ -257,6 +259,16 @@ Json rate_scales_of(const Prepared& prepared) {
   return scales;
 }
 
+/// Of the top grip, for those who draw it.
+double largest_displacement(const Prepared& prepared) {
+  const Scene& scene = prepared.preset.scene;
+  double largest = prepared.pulled;
+  if (grip_moves(scene))
+    for (const auto& [time, displacement] : scene.loading.curve.row)
+      if (time > load_time(scene) && std::abs(displacement) > std::abs(largest)) largest = displacement;
+  return largest;
+}
+
 Json header_of(const Prepared& prepared, const BuildInfo& build) {
   const Scene& scene = prepared.preset.scene;
   const LanePlan& first = prepared.lane.front();
@@ -279,7 +291,8 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"rayleigh_speed_m_s", prepared.rayleigh_speed},
           {"tips", prepared.path.tips},
           {"path", path_of(prepared)},
-          {"displacement_m", prepared.pulled},
+          {"displacement_m", largest_displacement(prepared)},
+          {"grip_moves", grip_moves(scene)},
           {"mean_radius_m", prepared.lattice.mean_radius},
           {"density_kg_m3", prepared.density},
           {"solid_fraction", prepared.specimen.packing.solid_fraction},

@@ -44,7 +44,10 @@ Queue soonest_in(const std::vector<std::int64_t>& steps) {
 
 std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lanes) {
   const auto kind = [&](std::size_t k) {
-    return std::tuple(lanes[k].step.dt, lanes[k].scene.damping.region == DampingRegion::none);
+    const LanePlan& lane = lanes[k];
+    const bool moving = grip_moves(lane.scene);  // by one clock
+    return std::tuple(lane.step.dt, lane.scene.damping.region == DampingRegion::none,
+                      moving ? lane.lead : 0.0, moving ? lane.units.time : 0.0);
   };
   const auto length = [&](std::size_t k) {
     return time_of_arrival(lanes[k].scenario.history, lanes[k].crack_end);

@@ -93,15 +93,15 @@ fs::path resolve_preset(const std::string& preset) {
   refuse_preset(preset);
 }
 
-void check_report_folder(const std::filesystem::path& folder, bool force) {
+void check_report_folder(const std::filesystem::path& folder, bool force, const char* own) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored)) return;
-  const bool report = fs::exists(folder / "summary.json", ignored) && fs::exists(folder / "charts", ignored);
+  const bool report = fs::exists(folder / "summary.json", ignored) &&
+                      fs::exists(folder / "charts", ignored) && fs::exists(folder / own, ignored);
   if (report && force) return;
-  throw results::FolderExists(fmt::format(
-      "{} exists and is not empty; --force replaces an earlier report{}", folder.string(),
-      report ? "" : ", and this is none"));
+  throw results::FolderExists(fmt::format("{} exists and is not empty; --force replaces an earlier report{}",
+                                          folder.string(), report ? "" : ", and this is none"));
 }
 
 void add_color_option(CLI::App& command, std::string& when) {

@@ -34,8 +34,9 @@ std::filesystem::path own_presets_folder();
 std::filesystem::path resolve_preset(const std::string& preset);
 
 /// Whether a report may be written into this folder: it is not there, empty, or holds an earlier report
-/// (summary.json) and `force` says to replace that. Throws results::FolderExists.
-void check_report_folder(const std::filesystem::path& folder, bool force);
+/// (summary.json) of the same kind and `force` says to replace that. Throws results::FolderExists.
+/// @param own  a file that only reports of this kind have; empty where nothing tells them apart
+void check_report_folder(const std::filesystem::path& folder, bool force, const char* own = "");
 
 /// Adds --color auto|always|never to a command; `when` starts as and defaults to "auto".
 void add_color_option(CLI::App& command, std::string& when);

@@ -49,7 +49,10 @@ void check_one_history(const Preset& preset) {
 /// The critical rate to lay over the charts, read as crack.toughness is.
 CriticalRate read_truth(const std::string& file) {
   if (file.empty()) return {};
-  const Preset preset = read_preset_text("", file, {"crack.toughness=" + file});
+  Preset preset = read_preset_text("", file, {"crack.toughness=" + file});
+  for (Issue& issue : preset.issues)
+    if (issue.file == "--set")
+      issue.file = "rift experiment --against", issue.key.clear(), issue.value.clear();
   if (!preset.issues.empty()) throw InputError(preset.issues);
   return preset.scene.crack.toughness;
 }
@@ -103,7 +106,7 @@ ExitCode experiment(ExperimentCommand& command) {
   const fs::path folder = command.out.empty()
                               ? fs::path(fs::path(command.scene.preset).stem().string() + "_experiment")
                               : fs::path(command.out);
-  check_report_folder(folder, command.force);
+  check_report_folder(folder, command.force, "toughness_velocity.csv");
   if (const std::string trouble = command.film->trouble_with(preset, true); !trouble.empty())
     refuse("rift experiment", trouble);
   const auto start = Clock::now();

@@ -1,5 +1,7 @@
 #include "engine/interrupted.hpp"
+#include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
 #include "studio/commands/commands.hpp"
@@ -10,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -40,7 +43,7 @@ std::string command_text(const MeasureCommand& command) {
 /// In the run's folder, anew each time, or elsewhere, where nothing else may be.
 fs::path folder_of(const MeasureCommand& command) {
   if (!command.out.empty()) {
-    check_report_folder(command.out, command.force);
+    check_report_folder(command.out, command.force, "stress_intensity.csv");
     return command.out;
   }
   return fs::path(command.run) / (command.wishes.lane > 0 ? fmt::format("measure_lane{}", command.wishes.lane)
@@ -48,6 +51,10 @@ fs::path folder_of(const MeasureCommand& command) {
 }
 
 void check(const InstrumentWishes& w) {
+  for (const auto& [option, value] :
+       {std::pair{"--grid", w.grid}, {"--subset", w.subset}, {"--inner", w.inner}, {"--outer", w.outer}})
+    if (!std::isfinite(value))
+      throw InputError({Issue{.file = "rift measure", .key = option, .text = "must be a finite number"}});
   if (w.inner >= w.outer)
     throw InputError({Issue{.file = "rift measure",
                             .key = "--inner",
@@ -64,7 +71,8 @@ class FieldFile {
     file_.reset();
     std::error_code ignored;
     fs::remove(part_, ignored);
-    if (fs::is_empty(folder_, ignored)) fs::remove(folder_, ignored);
+    for (const fs::path& made : made_)
+      if (fs::is_empty(made, ignored)) fs::remove(made, ignored);
   }
   FieldFile(const FieldFile&) = delete;
   FieldFile& operator=(const FieldFile&) = delete;
@@ -73,15 +81,18 @@ class FieldFile {
     if (!file_) open();
     file_->append(rows);
   }
+  /// Takes the place of what was measured there before.
   void keep() {
     file_->close();
     file_.reset();
+    results::remove_measured(folder_);
     fs::rename(part_, folder_ / "field.csv");
   }
 
  private:
   void open() {
     std::error_code error;
+    for (fs::path p = folder_; !p.empty() && !fs::exists(p, error); p = p.parent_path()) made_.push_back(p);
     fs::create_directories(folder_, error);
     if (error) throw results::WorldError("create the folder", folder_, error.message());
     fs::remove(part_, error);
@@ -90,6 +101,7 @@ class FieldFile {
   }
 
   fs::path folder_, part_;
+  std::vector<fs::path> made_;  // innermost first
   std::optional<results::AppendFile> file_;
 };
 
@@ -140,8 +152,17 @@ ExitCode finish(const MeasureCommand& command, const InstrumentsReport& report, 
   return code;
 }
 
+/// An experiment keeps its run in a folder below.
+void check_run(const std::string& run) {
+  const fs::path below = fs::path(run) / "run";
+  if (!fs::exists(fs::path(run) / results::journal_name) && fs::exists(below / results::journal_name))
+    throw InputError(
+        {Issue{.file = run, .key = {}, .text = "holds no run: did you mean " + below.string() + "?"}});
+}
+
 ExitCode measure(const MeasureCommand& command) {
   check(command.wishes);
+  check_run(command.run);
   const fs::path folder = folder_of(command);
   const StopSignal stop;
   ProgressLine line(progress_style(command.quiet, command.json));

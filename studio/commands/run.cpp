@@ -67,6 +67,7 @@ std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache&
         way.line.tell(stage, done);
         return way.stop.received() == 0;
       });
+  check_grip(prepared);
   way.begin_film(folder.keep());
   const double preparation = std::chrono::duration<double>(Clock::now() - way.start).count();
   return record_run(prepared, path, build_info(),

@@ -89,6 +89,9 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["micro_young_modulus_pa"] = p.micro.young_modulus * lane.units.energy;
   j["tips"] = scene.crack.tips;
   j["g_i0_j_m2"] = mean_g_i0(scale_of(p, lane), lane.window[0], lane.window[1]);
+  j["displacement_m"] = p.pulled;
+  j["grip_force_n"] = p.grip_force * lane.units.energy;
+  j["strain"] = p.pulled / p.lattice.box.height;
   j["energy_stored_j"] = p.static_energy * lane.units.energy;
   j["crack_speed_m_s"] = fastest;
   j["crack_end_m"] = lane.crack_end;
@@ -142,6 +145,8 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
   row("waves",
       fmt::format("dilatational {:.0f}, shear {:.0f}, Rayleigh {:.0f} m/s", number("dilatational_speed_m_s"),
                   number("shear_speed_m_s"), number("rayleigh_speed_m_s")));
+  row("load", fmt::format("top grip moved by {:.4g} mm, {:.3g} % of the height; it pulls with {:.4g} N",
+                          1e3 * number("displacement_m"), 100 * number("strain"), number("grip_force_n")));
   row("pre-stress",
       fmt::format("{:.4g} J stored, G_I0 = {:.4g} J/m²", number("energy_stored_j"), number("g_i0_j_m2")));
   row("crack", fmt::format("{}{:.0f} m/s to {:.4g} mm in {:.4g} ms, damage zone {:.4g} mm",

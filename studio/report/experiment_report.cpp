@@ -44,19 +44,38 @@ Means means_of(const Experiment& e) {
   return m;
 }
 
+/// Of what was asked for; what was not is no zero.
+std::string uncertainty_text(const Experiment& e, const Means& m) {
+  std::string text = e.resamples == 0
+                         ? std::string("noise not asked for")
+                         : fmt::format("noise {:.1f} % ({} histories", 100 * m.noise, e.resamples);
+  if (e.resamples > 0 && e.resamples < e.resamples_asked)
+    text += fmt::format(" of {}: the others are no crack's", e.resamples_asked);
+  if (e.resamples > 0) text += ")";
+  text += e.specimens == 1 ? std::string(", packing not asked for")
+                           : fmt::format(", packing {:.1f} % ({} specimens)", 100 * m.packing, e.specimens);
+  return text + fmt::format(", window {:.1f} %", 100 * m.window);
+}
+
 std::string truth_text(const ExperimentReport& report, bool corrected) {
   const Distance d = distance_from_truth(report, corrected);
   return fmt::format("{:.1f} % off on average, {:.1f} % at most; within the band at {:.0f} % of the points",
                      100 * d.mean, 100 * d.largest, 100 * d.within);
 }
 
-std::string application_text(const Application& a) {
+std::string application_text(const Experiment& e) {
+  constexpr double hardly = 0.1;  // that the law rises over its velocities
+  const Application& a = e.application;
   if (a.along.empty()) return "arrested before its first point";
   std::string text = fmt::format(
       "velocity off by {:.1f} % (rms; {:.1f} % by the band), tip by at most {:.2f} mm, what it releases by "
       "{:.1f} %",
       100 * a.velocity_error, 100 * a.velocity_expected, 1e3 * a.worst_lag, 100 * a.rate_error);
   if (std::isfinite(a.arrested_m)) text += fmt::format("; arrested at {:.4g} mm", 1e3 * a.arrested_m);
+  const double rises = e.law.back()[1] / e.law.front()[1] - 1.0;
+  if (rises < hardly)
+    text += fmt::format("; its G_c rises by {:.0f} % only, which leaves the velocity nearly undecided",
+                        100 * rises);
   return text;
 }
 
@@ -65,9 +84,7 @@ std::vector<std::pair<std::string, std::string>> conclusions(const ExperimentRep
   const Means m = means_of(e);
   std::vector<std::pair<std::string, std::string>> rows{
       {"course", fmt::format("{}; rows scatter by {:.3g} mm", report.smoothing, 1e3 * e.course.scatter)},
-      {"standard uncertainty",
-       fmt::format("noise {:.1f} % ({} histories), packing {:.1f} % ({} specimens), window {:.1f} %",
-                   100 * m.noise, e.resamples, 100 * m.packing, e.specimens, 100 * m.window)},
+      {"standard uncertainty", uncertainty_text(e, m) + "; the ± above is twice all of it"},
       {"read quasi-statically",
        fmt::format("G_I0 is {:.3f} times the G_IDc of the paper's reading, {:.3f} times the "
                    "corrected one, on average",
@@ -77,7 +94,7 @@ std::vector<std::pair<std::string, std::string>> conclusions(const ExperimentRep
     rows.emplace_back(report.truth_name + ", corrected", truth_text(report, true));
   }
   if (!e.application.along.empty() || std::isfinite(e.application.arrested_m))
-    rows.emplace_back("given back", application_text(e.application));
+    rows.emplace_back("given back", application_text(e));
   rows.emplace_back("books", fmt::format("close to {:.1e} of the energy", e.worst_residual));
   return rows;
 }

@@ -28,7 +28,9 @@ ChartSeries series_of(const Trace& trace, std::string label, Style style, int co
 
 const Trace* found(const std::vector<Trace>& traces, const std::string& name) {
   const auto at = std::find_if(traces.begin(), traces.end(), [&](const Trace& t) { return t.name == name; });
-  return at == traces.end() || at->time.empty() ? nullptr : &*at;
+  const auto seen = [](double value) { return std::isfinite(value); };
+  const bool any = at != traces.end() && std::any_of(at->value.begin(), at->value.end(), seen);
+  return any ? &*at : nullptr;
 }
 
 /// A trace and what was measured of it, in one colour.
@@ -146,6 +148,8 @@ TraceScale scale_of(Dimension dimension) {
       return {1e-3, "kJ/m^2"};
     case Dimension::length:
       return {1e6, "um"};
+    case Dimension::strain:
+      return {1.0, ""};
     default:
       return {1.0, std::string(si_unit(dimension))};
   }
@@ -184,6 +188,10 @@ std::vector<NamedMap> field_maps(const InstrumentsReport& report) {
         [](const PlaneMotion& m) { return 1e3 * m.strain_yy(); });
     if (last == 0) break;
   }
+  std::erase_if(maps, [](const NamedMap& named) {
+    return std::none_of(named.map.value.begin(), named.map.value.end(),
+                        [](double v) { return std::isfinite(v); });
+  });
   return maps;
 }
 

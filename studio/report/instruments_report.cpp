@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -41,16 +42,47 @@ std::string distance_text(const Trace& measured, const TraceDistance& d) {
   return text;
 }
 
+/// Why moments have no K, the most frequent reason first.
+std::string without_intensity(const std::vector<IntensityPoint>& points) {
+  std::map<NoFit, int> count;
+  for (const IntensityPoint& p : points)
+    if (!p.k) ++count[p.why];
+  std::vector<std::pair<NoFit, int>> reasons(count.begin(), count.end());
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (const auto& [why, moments] : reasons)
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", moments, reason_of(why));
+  return text;
+}
+
+std::string span_text(const Trace& trace) {
+  return trace.time.empty()
+             ? std::string("no time")
+             : fmt::format("{:.6g} to {:.6g} us", 1e6 * trace.time.front(), 1e6 * trace.time.back());
+}
+
 std::vector<std::pair<std::string, std::string>> conclusions(const InstrumentsReport& report) {
   const Instruments& seen = report.seen;
   std::vector<std::pair<std::string, std::string>> rows{
       {"camera", fmt::format("{} x {} points, each read over a circle of {:.3g} mm", seen.grid.columns,
                              seen.grid.rows, 2e3 * seen.subset)}};
+  const bool blind = std::none_of(report.field.begin(), report.field.end(), [](const SeenField& field) {
+    return std::any_of(field.motion.begin(), field.motion.end(), [](const auto& m) { return m.has_value(); });
+  });
+  if (blind) rows.emplace_back("", "no subset holds enough elements: widen --subset");
+  if (!seen.finished)
+    rows.emplace_back("unfinished", fmt::format("the run has come to {:.6g} us so far",
+                                                seen.books.empty() ? 0.0 : 1e6 * seen.books.back().time_s));
   if (!seen.no_intensity.empty()) rows.emplace_back("stress intensities", "none: " + seen.no_intensity);
   const FieldAgainstBooks against = field_against_books(report);
   if (seen.no_intensity.empty())
     rows.emplace_back("ring", fmt::format("{:.3g} to {:.3g} mm around the tip, less at an edge",
                                           1e3 * seen.ring.inner, 1e3 * seen.ring.outer));
+  if (const std::string why = without_intensity(seen.intensity); !why.empty())
+    rows.emplace_back("moments without K", why);
+  if (seen.grip_moves)
+    rows.emplace_back("G_I0", "of the displacement as the crack starts, from which the grip moves on");
   if (against.moments > 0)
     rows.emplace_back(
         "field against books",
@@ -65,10 +97,13 @@ std::vector<std::pair<std::string, std::string>> conclusions(const InstrumentsRe
                                   closed));
   if (seen.clock != 0.0)
     rows.emplace_back("clock",
-                      fmt::format("the measured history's: the run's and {:.4g} us", 1e6 * seen.clock));
+                      fmt::format("the measured history's: the run's plus {:.8g} us", 1e6 * seen.clock));
   for (const Trace& measured : report.measured) {
     const auto d = distance_between(trace_named(report, measured.name), measured);
-    rows.emplace_back(measured.name, d ? distance_text(measured, *d) : "the run holds none of its times");
+    rows.emplace_back(measured.name,
+                      d ? distance_text(measured, *d)
+                        : fmt::format("lies at {}, the run at {}: no time is in both", span_text(measured),
+                                      span_text(trace_named(report, measured.name))));
   }
   return rows;
 }

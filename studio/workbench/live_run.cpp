@@ -63,6 +63,7 @@ void LiveRun::run() {
         doing_ = stage, doing_done_ = done;
         return !stop_;
       }));
+  check_grip(p);
   if (claim_) claim_->keep();
   if (wish_.began) wish_.began(wish_.folder);
   geometry_ = geometry_of(p);

@@ -70,8 +70,10 @@ void add_boundaries(vtkRenderer& overlay, const Box& plate, int text_px,
   const auto write = [&](double x, double y, Align align, const std::string& text) {
     overlay.AddActor2D(text_at(x, y, text_px, align, text));
   };
+  const std::string pulled = millimetres("displacement_m");
   write(middle, plate.y1 + 3.2 * t, Align::centre,
-        fmt::format("grip, pulled by {} along y and then held", millimetres("displacement_m")));
+        header.value("grip_moves", false) ? fmt::format("grip, moved along y up to {}", pulled)
+                                          : fmt::format("grip, pulled by {} along y and then held", pulled));
   write(middle, plate.y0 - 3.3 * t, Align::centre,
         fmt::format("length {}, thickness {}; lower grip at rest", millimetres("length_m"),
                     millimetres("thickness_m")));

@@ -71,10 +71,43 @@ TEST(IntensityReading, StaysOffTheEdgesAndOffABendOfThePath) {
   const CrackPath straight = straight_path(0.1, 0.025), kinked{{{0.0, 0.01}, {0.05, 0.01}, {0.1, 0.05}}};
   const int all = read(straight, 0.05, speed).k->points, fewer = read(straight, 0.01, speed).k->points;
   EXPECT_LT(fewer, 0.8 * all);
-  EXPECT_FALSE(read(straight, 0.003, speed).k) << "the edge is nearer than the ring";
+  EXPECT_EQ(read(straight, 0.003, speed).why, NoFit::edge) << "nearer than the ring";
   EXPECT_FALSE(read(straight, 0.0975, speed).k);
-  EXPECT_FALSE(read(kinked, 0.053, speed).k) << "the kink is nearer than the ring";
+  EXPECT_EQ(read(kinked, 0.053, speed).why, NoFit::bend) << "nearer than the ring";
   EXPECT_TRUE(read(kinked, 0.065, speed).k);
+}
+
+// The zone lies ahead of where its beams are gone: so does the field's tip.
+TEST(IntensityReading, LooksForTheFieldsTipThroughTheDamageZone) {
+  const double speed = 0.4 * theory::wave_speeds(3.0, 0.3, 2.0, Plane::stress).rayleigh;
+  const Grid grid = grid_over(size.x(), size.y(), 0.001);
+  const CrackPath path = straight_path(0.1, 0.025);
+  SeenField seen = field_around({0.055, 0.025}, {1, 0}, speed, grid.point);
+  seen.tip = 0.05, seen.time = 0.05 / speed;
+  const auto read_with = [&](double zone) {
+    Ring longer = ring;
+    longer.zone = zone;
+    return IntensityReading(path, size, plate, longer, books(speed), scale).at(seen, grid.point);
+  };
+  EXPECT_EQ(read_with(0.0).why, NoFit::tip);
+  const IntensityPoint found = read_with(0.006);
+  ASSERT_TRUE(found.k);
+  EXPECT_NEAR(found.k->ahead, 0.005, 3e-4);
+  EXPECT_NEAR(found.k->opening, 0.02, 4e-4);
+}
+
+TEST(IntensityReading, OfTwoTipsStaysOffTheOther) {
+  const double speed = 0.4 * theory::wave_speeds(3.0, 0.3, 2.0, Plane::stress).rayleigh;
+  const Grid grid = grid_over(size.x(), size.y(), 0.001);
+  const CrackPath path = straight_path(0.1, 0.025, 2);
+  for (const double half : {-0.002, 0.001, 0.02}) {
+    SeenField seen = field_around({0.05 + half, 0.025}, {1, 0}, speed, grid.point);
+    seen.tip = half, seen.time = std::max(half, 0.0) / speed;
+    const IntensityPoint point =
+        IntensityReading(path, size, plate, ring, books(speed), scale).at(seen, grid.point);
+    EXPECT_EQ(point.k.has_value(), half > 0.01) << half;
+    if (!point.k) EXPECT_EQ(point.why, NoFit::other_tip);
+  }
 }
 
 TEST(IntensityReading, SaysNothingOfATipAsFastAsTheSurfaceWave) {
@@ -83,7 +116,7 @@ TEST(IntensityReading, SaysNothingOfATipAsFastAsTheSurfaceWave) {
   SeenField seen = field_around({0.05, 0.025}, {1, 0}, 0.9 * c_r, grid.point);
   seen.tip = 0.05, seen.time = 0.05 / c_r;
   const IntensityReading reading(straight_path(0.1, 0.025), size, plate, ring, books(c_r), scale);
-  EXPECT_FALSE(reading.at(seen, grid.point).k);
+  EXPECT_EQ(reading.at(seen, grid.point).why, NoFit::fast);
 }
 
 TEST(PartedBy, TellsWhereTheTipMustBeWithOneTipAndWithTwo) {

@@ -58,9 +58,9 @@ TEST(Resampled, IsTheSameForTheSameSeedAndNothingWhereNothingIsSmoothed) {
 
 TEST(EfficiencyAt, IsStraightBetweenThePointsAndConstantBeyond) {
   const std::vector<EfficiencyPoint> points{{0.1, 0.9}, {0.3, 0.7}};
-  EXPECT_EQ(efficiency_at(points, 0.05), 0.9);
-  EXPECT_NEAR(efficiency_at(points, 0.2), 0.8, 1e-12);
-  EXPECT_EQ(efficiency_at(points, 0.8), 0.7);
+  EXPECT_EQ(efficiency_at(points, 0.05).efficiency, 0.9);
+  EXPECT_NEAR(efficiency_at(points, 0.2).efficiency, 0.8, 1e-12);
+  EXPECT_EQ(efficiency_at(points, 0.8).efficiency, 0.7);
 }
 
 }  // namespace

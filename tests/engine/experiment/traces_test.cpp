@@ -42,8 +42,11 @@ TEST(Traces, AreOfGripGaugesAndFieldInTheMeasurementsClock) {
   EXPECT_DOUBLE_EQ(grip.time[2], 3e-6);
   EXPECT_EQ(named(traces, "gauge1_strain_yy").value, std::vector<double>(5, 0.02));
   EXPECT_EQ(named(traces, "gauge0_vy").value, (std::vector<double>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(named(traces, "k_i").value, (std::vector<double>{1e6, 2e6, 3e6, 4e6}));
-  EXPECT_DOUBLE_EQ(named(traces, "g_field").time.front(), 2e-6);
+  const std::vector<double>& k = named(traces, "k_i").value;
+  ASSERT_EQ(k.size(), 5U);
+  EXPECT_TRUE(std::isnan(k[0])) << "where nothing was fitted nothing is made up";
+  EXPECT_EQ(k[1], 1e6);
+  EXPECT_EQ(named(traces, "g_field").value[4], 28.0);
 }
 
 class TracesFile : public testing::Test {
@@ -71,6 +74,9 @@ TEST_F(TracesFile, HoldsCurvesInTheirUnits) {
   EXPECT_EQ(traces[0].value, (std::vector<double>{1500, 1250}));
   EXPECT_EQ(traces[1].time, (std::vector<double>{0, 2e-6}));
   EXPECT_EQ(traces[1].value, (std::vector<double>{2e-3, 3e-3}));
+  EXPECT_EQ(read("time [us];gauge0_strain_yy [um/m]\n0;500\n")[0].value, std::vector<double>{500e-6});
+  EXPECT_EQ(read("time [us];gauge0_strain_yy [%]\n0;0.5\n")[0].value, std::vector<double>{0.5e-2});
+  EXPECT_EQ(read("time [us];gauge0_strain_yy\n0;0.5\n")[0].value, std::vector<double>{0.5});
   EXPECT_EQ(read("time [us];k_i [MPa m1/2]\n0;1.5\n")[0].value, std::vector<double>{1.5e6});
 }
 
@@ -85,6 +91,13 @@ TEST_F(TracesFile, NamesEachDefectWithItsLine) {
             "measured.csv:1: unknown column 'gauge2_strain_yy', did you mean 'gauge0_strain_yy'?");
   EXPECT_EQ(said("time [us];grip_force [mm]\n0;1\n"),
             "measured.csv:1: column 'grip_force': unknown unit 'mm' for a force: use kN, N or mN");
+  EXPECT_EQ(said("time [us];gauge0_strain_yy [banana]\n0;1\n"),
+            "measured.csv:1: column 'gauge0_strain_yy': unknown unit 'banana' for a strain: use m/m, %, mm/m "
+            "or um/m");
+  EXPECT_EQ(said("time [us];load [N]\n0;1\n"),
+            "measured.csv:1: unknown column 'load': expected a header such as \"time [ms]\", and any of "
+            "grip_force [N], "
+            "gauge0_strain_yy [um/m], gauge0_strain_xx [um/m], gauge0_strain_xy [um/m]");
   EXPECT_EQ(said("time [us]\n0\n"), "measured.csv: holds nothing to compare with");
   EXPECT_EQ(said("grip_force [N]\n0\n"), "measured.csv:1: the header has no column time [ms]");
   EXPECT_EQ(said("time [us];grip_force [N]\n0;nan\n"), "measured.csv:2: grip_force 'nan' is not finite");
@@ -101,6 +114,9 @@ TEST(DistanceBetween, IsTakenWhereBothAre) {
   EXPECT_DOUBLE_EQ(d->rms, std::sqrt((1.0 + 9.0 + 0.0) / 3));
   EXPECT_DOUBLE_EQ(d->largest, 3.0);
   EXPECT_DOUBLE_EQ(d->span, 8.0);
+  const Trace torn{"k_i", Dimension::stress_intensity, {1, 2, 3, 4}, {10, std::nan(""), 10, 10}};
+  EXPECT_EQ(distance_between(torn, {"k_i", Dimension::stress_intensity, {1.5, 2.5, 3.5}, {1, 1, 1}})->points,
+            1);
   EXPECT_FALSE(distance_between(run, {"grip_force", Dimension::force, {5, 6}, {1, 2}}));
 }
 

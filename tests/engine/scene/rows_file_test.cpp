@@ -238,7 +238,7 @@ TEST(LoadFile, NamesEveryDefectWithItsLine) {
   EXPECT_EQ(said(head + "0;1\n20;1\n15;2\n"), "x.csv:4: time falls from 20 us to 15 us\n");
   EXPECT_EQ(said(head + "0;1\n20;1\n20;2\n30;2\n"), "x.csv:4: time 20 us is there twice\n");
   EXPECT_EQ(said(head + "0;1\n20;inf\n"), "x.csv:3: displacement 'inf' is not finite\n");
-  EXPECT_EQ(said(head + "0;1\n20;200000\n"), "x.csv:3: 200 m must lie within 100 m\n");
+  EXPECT_EQ(said(head + "0;1\n20;20000\n"), "x.csv:3: 20 m must lie within 10 m\n");
   EXPECT_EQ(said(head + "0;1\n2000000000;1\n"), "x.csv:3: time 2000 s must lie within 1000 s\n");
   EXPECT_EQ(said(head + "12;1\n30;1\n"),
             "x.csv:2: the curve begins at 12 us, after the crack, which starts at 10 us\n");
@@ -251,7 +251,7 @@ TEST(LoadFile, NamesEveryDefectWithItsLine) {
   EXPECT_EQ(said(head + "0;0\n30;0\n"),
             "x.toml:4: loading.curve = \"x.csv\": 0 as the crack starts strains nothing\n");
   EXPECT_EQ(
-      said(head + "0;-1\n30;-1\n"),
+      said("time [us];force [N]\n0;-1\n30;-1\n"),
       "x.toml:4: loading.curve = \"x.csv\": below 0 needs crack.friction: the faces of the crack would pass "
       "through each other\n");
   EXPECT_EQ(
@@ -269,6 +269,26 @@ TEST(LoadFile, NamesEveryDefectWithItsLine) {
             "x.toml:4: loading.curve = \"x.csv\": a force does not go with material.stiffness = \"bulk\", "
             "whose plate "
             "is not as stiff as the material\n");
+}
+
+TEST(LoadFile, ThatPressesLaterOrIsOfTwoLoadsIsNamed) {
+  const std::string preset = "history = [[10e-6, 10e-3], [20e-6, 14e-3]]\n[loading]\ncurve = \"l.csv\"\n";
+  const auto said = [&](const std::string& csv) {
+    const Folder folder;
+    folder.write("l.csv", csv);
+    std::string out;
+    for (const Issue& issue : read_preset(folder.write("x.toml", "[crack]\n" + preset)).issues)
+      out += to_text(issue).substr(folder.path.string().size() + 1) + "\n";
+    return out;
+  };
+  const char* presses =
+      " presses the plate while the crack runs, which needs crack.friction: its faces would pass "
+      "through each other\n";
+  EXPECT_EQ(said("time [us];displacement [mm]\n0;1\n20;-1\n30;-2\n"),
+            std::string("l.csv:3: -1 mm") + presses + "l.csv:4: -2 mm" + presses);
+  EXPECT_EQ(said("time [us];grip_force [N]\n0;100\n30;100\n"), "");
+  EXPECT_TRUE(said("time [us];displacement [mm];force [N]\n0;1;2\n")
+                  .ends_with("l.csv: holds displacement and force: a load curve is of one of them\n"));
 }
 
 TEST(LoadRows, AreOfTheFirstOnesKindAndReadBackToTheBit) {

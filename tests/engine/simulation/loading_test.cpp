@@ -1,7 +1,7 @@
 #include "engine/lattice/stiffness.hpp"
 #include "engine/mechanics/statics.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/simulation/quasi_static.hpp"
+#include "engine/study/passes.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
 #include <cmath>
@@ -130,6 +130,21 @@ TEST(LoadingCurve, IsOfAsManyLanesAsGoSideBySide) {
     EXPECT_TRUE(studio::contains(error.what(),
                                  "moves the grip of all lanes at once: at most 8 go side by side, not 9"));
   }
+}
+
+// Zones of two lengths reach the measured start at two moments, and there is one grip.
+TEST(LoadingCurve, IsOfLanesWhoseCracksStartTogether) {
+  const Preset preset =
+      small_preset({moving, "crack.history=[[2e-6, 4e-3], [12e-6, 14.5e-3], [22e-6, 25e-3]]"});
+  std::vector<Scene> lanes(2, preset.scene);
+  lanes[1].crack.damage_zone_ratio = 3;
+  const studio::TemporaryFolder folder;
+  Cache cache{folder.path(), {}};
+  const Prepared p = prepare(preset, lanes, cache);
+  EXPECT_THROW(check_grip(p), InputError);
+  EXPECT_THROW((void)march(p, {}), InputError);
+  EXPECT_EQ(passes_of(p.lane).size(), 2U);
+  EXPECT_EQ(passes_of({p.lane[0], p.lane[0]}).size(), 1U);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ TEST(MeasureCommand, LeavesTablesChartsAndAPage) {
   EXPECT_TRUE(contains(ran.out, "K_I [MPa m½]"));
   EXPECT_TRUE(contains(ran.out, "G of the field is"));
   const fs::path folder = plate.out() / "measure";
-  for (const char* file : {"report.html", "summary.json", "charts/grip_force.png",
-                           "charts/strain_yy.svg", "charts/vy.svg", "charts/stress_intensity.svg",
-                           "charts/release_rate.svg", "charts/displacement_y_end.svg"})
+  for (const char* file :
+       {"report.html", "summary.json", "charts/grip_force.png", "charts/strain_yy.svg", "charts/vy.svg",
+        "charts/stress_intensity.svg", "charts/release_rate.svg", "charts/displacement_y_end.svg"})
     EXPECT_GT(fs::file_size(folder / file), 500U) << file;
   const std::string fields = read_text(folder / "field.csv"),
                     rates = read_text(folder / "stress_intensity.csv");
@@ -88,6 +88,30 @@ TEST(MeasureCommand, SaysWhyABulkLatticeHasNoStressIntensity) {
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_TRUE(contains(ran.out, "stress intensities    none: K wants the plate's own E and nu"));
   EXPECT_FALSE(fs::exists(plate.out() / "measure" / "charts" / "stress_intensity.svg"));
+}
+
+TEST(MeasureCommand, ReplacesWhatItMeasuredBefore) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run(two_gauges).exit_code, 0);
+  ASSERT_EQ(measure(plate).exit_code, 0);
+  const fs::path charts = plate.out() / "measure" / "charts";
+  ASSERT_TRUE(fs::exists(charts / "stress_intensity.svg"));
+  write_text(plate.out() / "measure" / "notes.txt", "mine");
+  const Ran ran = measure(plate, "--outer 5");  // no ring
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.out, "moments without K"));
+  EXPECT_FALSE(fs::exists(charts / "stress_intensity.svg")) << "of the former measurement";
+  EXPECT_TRUE(fs::exists(charts / "grip_force.svg"));
+  EXPECT_TRUE(fs::exists(plate.out() / "measure" / "notes.txt"));
+}
+
+TEST(MeasureCommand, LeavesNoFolderOfARefusedMeasurement) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run().exit_code, 0);
+  const fs::path deep = plate.path() / "a" / "b";
+  EXPECT_EQ(measure(plate, "--against nowhere.csv --out '" + deep.string() + "'").exit_code, 2);
+  EXPECT_FALSE(fs::exists(plate.path() / "a"));
+  EXPECT_EQ(measure(plate, "--grid nan").exit_code, 2);
 }
 
 TEST(MeasureCommand, NeverWritesOverAnotherFolder) {
