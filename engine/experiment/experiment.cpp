@@ -206,10 +206,10 @@ class Laboratory {
     }
     // Over two parts each: the few beams between two positions scatter.
     for (int k = 1; k < static_parts; ++k) rates.push_back(0.5 * (part_rates[k - 1] + part_rates[k]));
-    for (CriticalPoint& point : e_.along) {  // straight between the positions, constant beyond the outer ones
+    for (CriticalPoint& point : e_.along) {  // straight between the positions and on beyond them
       const double place = (point.position - from) / (to - from) * static_parts - 1.0;
       const int low = std::clamp(static_cast<int>(std::floor(place)), 0, static_parts - 3);
-      const double part = std::clamp(place - low, 0.0, 1.0);
+      const double part = place - low;
       point.quasi_static = (rates[low] + part * (rates[low + 1] - rates[low])) * square_of_pull(point.time);
     }
   }
