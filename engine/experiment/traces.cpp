@@ -68,7 +68,7 @@ double value_at(const Trace& trace, double time) {
   if (*after == time) return trace.value[k];
   if (k == 0) return std::nan("");
   const double part = (time - trace.time[k - 1]) / (trace.time[k] - trace.time[k - 1]);
-  return std::lerp(trace.value[k - 1], trace.value[k], part);
+  return trace.value[k - 1] + part * (trace.value[k] - trace.value[k - 1]);  // NaN of NaN, unlike std::lerp
 }
 
 }  // namespace
