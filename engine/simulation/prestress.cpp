@@ -1,0 +1,200 @@
+#include "engine/simulation/prestress.hpp"
+
+#include "engine/calibration/calibrate.hpp"
+#include "engine/interrupted.hpp"
+#include "engine/lattice/cached_packing.hpp"
+#include "engine/lattice/stiffness.hpp"
+#include "engine/mechanics/statics.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/theory/griffith.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+namespace rift {
+namespace {
+
+std::vector<Vector6> cached_motions(const std::string& key, std::size_t elements, Cache& cache,
+                                    bool& from_cache, const std::function<std::vector<Vector6>()>& solve) {
+  std::vector<Vector6> q(elements);
+  if (const auto numbers = recall(cache, "statics", key); numbers && numbers->size() == 6 * elements) {
+    for (std::size_t i = 0; i < elements; ++i) q[i] = Eigen::Map<const Vector6>(numbers->data() + 6 * i);
+    return q;
+  }
+  from_cache = false;
+  q = solve();
+  remember(cache, "statics", key, {q.front().data(), 6 * elements});
+  return q;
+}
+
+MicroMaterial reference_micro(const Preset& preset, Cache& cache, const StageProgress& progress) {
+  const Scene& scene = preset.scene;
+  const Scene::Material& m = scene.material;
+  if (m.stiffness == StiffnessChoice::explicit_values)
+    return {*m.micro_young_modulus, *m.micro_poisson_ratio, *m.micro_radius_ratio};
+  if (m.stiffness != StiffnessChoice::calibrated) return bulk_micro_material;
+  try {
+    return calibrate(scene, m.young_modulus, m.poisson_ratio, cache,
+                     [&](double done) { return !progress || progress("calibration", done); })
+        .micro;
+  } catch (const OutOfReach& error) {
+    throw InputError({issue_at(preset, "material.poisson_ratio", error.what())});
+  } catch (const PackingError& error) {
+    throw InputError({issue_at(preset, "calibration.elements", error.what())});
+  }
+}
+
+/// Whether the beams' modulus is scaled to the specimen's own.
+bool is_scaled(const Scene& scene) {
+  return scene.material.stiffness == StiffnessChoice::in_situ ||
+         scene.material.stiffness == StiffnessChoice::bulk;
+}
+
+std::vector<Vector6> scaled(const std::vector<Vector6>& unit, double displacement) {
+  std::vector<Vector6> q(unit);
+  for (Vector6& v : q) v *= displacement;
+  return q;
+}
+
+double energy_of_all(const Lattice& lattice, Kinematics kinematics, const std::vector<char>& present,
+                     const std::vector<Vector6>& q) {
+  double energy = 0.0;
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b)
+    if (present[b]) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
+  return energy;
+}
+
+/// Solutions of the statics, each known by all that it depends on. All stiffnesses carry the same factor
+/// E_mu, so E_mu is not among it and all are solved with the same one, to the same bits; the linear ones are
+/// for 1 m and serve any displacement.
+struct Statics {
+  const Lattice lattice;
+  const Scene& scene;
+  Cache& cache;
+  bool& from_cache;
+  std::string lattice_key;
+
+  std::vector<Vector6> unit(const std::vector<char>& present, const std::string& notch,
+                            const Pull& pull = {1.0}) {
+    return cached_motions("statics 2 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
+                          from_cache, [&] { return stretched_at_rest(lattice, present, pull); });
+  }
+  std::vector<Vector6> at_rest(const std::vector<char>& present, const std::string& notch,
+                               double displacement) {
+    const Scene::Loading& l = scene.loading;
+    if (scene.solver.kinematics == Kinematics::linear)
+      return scaled(unit(present, notch, {1.0, l.tilt, l.shear}), displacement);
+    const Pull pull(displacement, l.tilt, l.shear);
+    const std::string key = fmt::format("corotational statics 1 of {}{} by {:a}{}", lattice_key, notch,
+                                        pull.middle, key_of(pull));
+    return cached_motions(key, lattice.centre.size(), cache, from_cache,
+                          [&] { return stretched_at_rest_corotational(lattice, present, pull); });
+  }
+  /// What of a pull is not along y and even.
+  static std::string key_of(const Pull& pull) {
+    std::string key;
+    if (pull.tilt != 0.0) key += fmt::format(" tilt {:a}", pull.tilt);
+    if (pull.shear != 0.0) key += fmt::format(" shear {:a}", pull.shear);
+    return key;
+  }
+};
+
+/// The displacement under which the top grip pulls with a force [N], by secants from the linear one: a
+/// lattice of any kinematics is nearly linear between grips. Throws StaticsError.
+/// @param[in] lattice  with the beams' own modulus
+double displacement_under(double force, Statics& statics, const Lattice& lattice,
+                          const std::vector<char>& present, const std::string& notch) {
+  constexpr int most = 20;
+  constexpr double good = 1e-10;  // of the force
+  const Scene::Loading& l = statics.scene.loading;
+  const double unit_force =
+      grip_force(lattice, present, Kinematics::linear, statics.unit(present, notch, {1.0, l.tilt, l.shear}));
+  if (!(unit_force > 0.0))
+    throw StaticsError(l.shear != 0.0
+                           ? "no displacement with this loading.shear pulls: the plate turns the other way"
+                           : "the notch leaves the grips nothing to pull");
+  double displacement = force / unit_force;
+  const Kinematics kinematics = statics.scene.solver.kinematics;
+  if (kinematics == Kinematics::linear) return displacement;
+  for (int k = 0; k < most; ++k) {
+    const double pull =
+        grip_force(lattice, present, kinematics, statics.at_rest(present, notch, displacement));
+    if (std::abs(pull - force) <= good * std::abs(force)) return displacement;
+    displacement *= force / pull;
+  }
+  throw StaticsError(fmt::format("no displacement holds a force of {:g} N", force));
+}
+
+/// @param[in] strip  energy of the pre-stressed strip over its area [J/m2]
+RateScale scale_against(const Scene& scene, const Lattice& lattice, double strip) {
+  RateScale scale{.thickness = lattice.box.thickness,
+                  .g_i0 = strip,
+                  .length = lattice.box.length,
+                  .tips = scene.crack.tips};
+  if (scene.output.g_i0_reference == ReleaseRateReference::griffith) {
+    const Scene::Material& m = scene.material;
+    scale.g_i0 = 0.0;
+    scale.g_i0_slope = theory::griffith_slope(strip, lattice.box.height, m.poisson_ratio, m.plane);
+  }
+  return scale;
+}
+
+/// Which beams a notch cuts, for the key of a cached solution.
+std::string notch_key(const Scene& scene) {
+  std::string path;
+  if (scene.crack.path.point.empty())
+    path = fmt::format("{:a}", path_height_m(scene));
+  else
+    for (const auto& [x, y] : path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
+  return fmt::format(" path {} notch {:a}{}", path, scene.crack.start,
+                     scene.crack.tips == 2 ? " from the middle" : "");
+}
+
+}  // namespace
+
+double continuum_strip_modulus(const Scene& scene) {
+  const double nu = scene.material.poisson_ratio;
+  return scene.material.young_modulus / (1.0 - nu * nu);
+}
+
+void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
+  const Scene& scene = p.preset.scene;
+  const Kinematics kinematics = scene.solver.kinematics;
+  p.micro = reference_micro(p.preset, cache, progress);
+  if (progress && !progress("pre-stress", 0.0)) throw Interrupted("pre-stress");
+  p.statics_from_cache = true;
+  p.lattice = make_lattice(p.specimen, p.micro, p.density);
+  Statics statics{p.lattice, scene, cache, p.statics_from_cache,
+                  fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}", key_of(request_of(scene)),
+                              scene.specimen.contact_tolerance, p.micro.young_modulus, p.micro.poisson_ratio,
+                              p.micro.radius_ratio)};
+  const std::vector<char> present(p.lattice.beam.size(), 1);
+  const std::vector<Vector6> unit = statics.unit(present, "");
+  if (is_scaled(scene)) {
+    p.micro.young_modulus *= continuum_strip_modulus(scene) / strip_modulus(p.lattice, unit, 1.0);
+    p.lattice = make_lattice(p.specimen, p.micro, p.density);
+  }
+  p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
+  std::vector<char> notched(present);
+  std::string notch;
+  if (scene.crack.start > 0.0) {
+    for (const Crossing& c : crossings(p.path, p.lattice))
+      if (c.position <= scene.crack.start) notched[c.beam] = 0;
+    notch = notch_key(scene);
+  }
+  const std::optional<double> force = force_at_start(scene);
+  p.pulled =
+      force ? displacement_under(*force, statics, p.lattice, notched, notch) : displacement_at_start(scene);
+  p.displacement = statics.at_rest(present, "", p.pulled);
+  p.scale = scale_against(scene, p.lattice,
+                          energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
+  if (!notch.empty()) p.displacement = statics.at_rest(notched, notch, p.pulled);
+  p.grip_force = grip_force(p.lattice, notched, kinematics, p.displacement);
+  p.static_energy = energy_of_all(p.lattice, kinematics, notched, p.displacement);
+  if (scene.loading.method == LoadingMethod::ramp)
+    p.displacement.assign(p.displacement.size(), Vector6::Zero());
+}
+
+}  // namespace rift
