@@ -1,7 +1,9 @@
 #include "engine/cache.hpp"
 
+#include "engine/results/files.hpp"
+#include "engine/results/world_error.hpp"
+
 #include <fmt/format.h>
-#include <unistd.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -77,22 +79,15 @@ void remember(Cache& cache, const std::string& kind, const std::string& key,
               std::span<const double> numbers) {
   if (cache.folder.empty()) return;
   const fs::path file = cache_file(cache, kind, key);
-  const fs::path temporary = file.string() + fmt::format(".{}.tmp", ::getpid());
   std::error_code error;
   fs::create_directories(cache.folder, error);
-  {
-    std::ofstream out(temporary, std::ios::binary);
-    const std::string bytes = encode(key, numbers);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) error = std::make_error_code(std::errc::io_error);
+  results::remove_leftovers(cache.folder);
+  try {
+    results::write_whole_file(file, encode(key, numbers));
+  } catch (const results::WorldError&) {
+    cache.notes.push_back(
+        fmt::format("{}: could not be written, so the next run computes this again", file.string()));
   }
-  if (!error) fs::rename(temporary, file, error);
-  if (!error) return;
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  cache.notes.push_back(
-      fmt::format("{}: could not be written, so the next run computes this again", file.string()));
 }
 
 }  // namespace rift

@@ -1,14 +1,26 @@
 #include "engine/results/files.hpp"
 
+#include "engine/results/ownership.hpp"
 #include "engine/results/world_error.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <climits>
+#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <random>
 #include <system_error>
 #include <utility>
 
@@ -30,6 +42,42 @@ void sync_to_disk(const std::filesystem::path& path) {
   if (result != 0 && error != EINVAL && error != EROFS) throw WorldError("flush", path, errno_text(error));
 }
 
+constexpr std::string_view temporary_ending = ".part";
+
+/// This node's name up to its first dot, of letters, digits and '_' only.
+std::string host_name() {
+  std::array<char, HOST_NAME_MAX + 1> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
+  std::string host(name.data(), std::find(name.begin(), name.end(), '.') - name.begin());
+  host.resize(std::strlen(host.c_str()));
+  for (char& c : host)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return host.empty() ? "host" : host;
+}
+
+/// What a temporary name says.
+struct TemporaryName {
+  std::string target, host;
+  pid_t process = 0;
+};
+
+/// Nothing for any other name.
+std::optional<TemporaryName> read_temporary_name(std::string_view name) {
+  if (!name.ends_with(temporary_ending)) return std::nullopt;
+  name.remove_suffix(temporary_ending.size());
+  const std::size_t chance = name.rfind('-');
+  if (chance == name.npos || name.size() - chance != 9) return std::nullopt;
+  name = name.substr(0, chance);
+  const std::size_t process = name.rfind('-'), host = name.rfind('.');
+  if (process == name.npos || host == name.npos || host > process) return std::nullopt;
+  TemporaryName read{std::string(name.substr(0, host)),
+                     std::string(name.substr(host + 1, process - host - 1)), 0};
+  const char* end = name.data() + name.size();
+  const auto [at, error] = std::from_chars(name.data() + process + 1, end, read.process);
+  if (error != std::errc() || at != end || read.process <= 0) return std::nullopt;
+  return read;
+}
+
 }  // namespace
 
 AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)) {
@@ -45,7 +93,8 @@ AppendFile::AppendFile(std::filesystem::path path, std::uint64_t kept) : path_(s
     ::close(std::exchange(descriptor_, -1));
     throw WorldError(attempt, path_, why);
   };
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) fail("write", "another process is writing it");
+  if (try_lock(descriptor_, true) == LockResult::held_by_another)
+    fail("write", "another process is writing it");
   if (::ftruncate(descriptor_, static_cast<off_t>(kept)) != 0) fail("cut", errno_text(errno));
   if (::lseek(descriptor_, 0, SEEK_END) != static_cast<off_t>(kept)) fail("go on with", errno_text(errno));
 }
@@ -95,8 +144,54 @@ bool is_being_written(const std::filesystem::path& path) {
   return locked;
 }
 
-PendingFile::PendingFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {
-  temporary_ += ".part";
+std::filesystem::path temporary_name(const std::filesystem::path& path) {
+  const std::string ending =
+      fmt::format(".{}-{}-{:08x}{}", host_name(), ::getpid(), std::random_device{}(), temporary_ending);
+  std::string name = path.filename().string();
+  name.resize(std::min(name.size(), NAME_MAX - std::min<std::size_t>(ending.size(), NAME_MAX)));
+  return path.parent_path() / (name + ending);
+}
+
+std::string target_name(const std::string& name) {
+  if (const auto read = read_temporary_name(name)) return read->target;
+  return name.ends_with(temporary_ending) ? name.substr(0, name.size() - temporary_ending.size()) : name;
+}
+
+bool is_leftover(const std::filesystem::path& part) {
+  const auto name = read_temporary_name(part.filename().string());
+  if (!name) return part.extension() == temporary_ending;
+  if (name->host == host_name()) return ::kill(name->process, 0) != 0 && errno == ESRCH;
+  std::error_code error;
+  const auto changed = std::filesystem::last_write_time(part, error);
+  return !error && std::filesystem::file_time_type::clock::now() - changed > std::chrono::hours(24);
+}
+
+void remove_leftovers(const std::filesystem::path& folder) {
+  std::error_code end, stays;
+  for (auto entry = std::filesystem::directory_iterator(folder, end);
+       !end && entry != std::filesystem::directory_iterator(); entry.increment(end))
+    if (read_temporary_name(entry->path().filename().string()) && is_leftover(entry->path()))
+      std::filesystem::remove_all(entry->path(), stays);
+}
+
+void check_target(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (!std::filesystem::exists(folder, ignored))
+    throw WorldError("write", path, "there is no folder " + folder.string());
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw WorldError("write", path, folder.string() + " is no folder");
+  if (std::filesystem::is_directory(path, ignored))
+    throw WorldError("write", path, "a folder of that name exists");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) throw WorldError("write", path, errno_text(errno));
+}
+
+PendingFile::PendingFile(std::filesystem::path path)
+    : path_(std::move(path)), temporary_(temporary_name(path_)) {
+  check_target(path_);
+  const int descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) throw WorldError("create", path_, errno_text(errno));
+  ::close(descriptor);
 }
 
 PendingFile::~PendingFile() {
@@ -115,9 +210,7 @@ void PendingFile::commit() {
 
 void write_whole_file(const std::filesystem::path& path, std::string_view text) {
   PendingFile pending(path);
-  std::error_code nothing_to_remove;
-  std::filesystem::remove(pending.temporary(), nothing_to_remove);  // left by a run that was killed
-  AppendFile file(pending.temporary());
+  AppendFile file(pending.temporary(), 0);
   file.append(text);
   file.close();
   pending.commit();

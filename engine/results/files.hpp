@@ -41,10 +41,31 @@ class AppendFile {
 /// Whether another AppendFile, of any process, goes on with the file. False where there is no such file.
 [[nodiscard]] bool is_being_written(const std::filesystem::path& path);
 
+/// A name beside `path` for what will become it, which no other process uses, on this node or another one:
+/// "NAME.HOST-PROCESS-CHANCE.part". A name that would become too long loses letters of NAME.
+[[nodiscard]] std::filesystem::path temporary_name(const std::filesystem::path& path);
+
+/// The name of the file that a temporary one was to become: "NAME", of "NAME.part" as well; any other name is
+/// returned as it is.
+[[nodiscard]] std::string target_name(const std::string& name);
+
+/// Whether no living process writes this temporary file. Those of other nodes count as written for a day
+/// after their last change, since nobody here knows whether their process lives; those that name no process
+/// do not.
+[[nodiscard]] bool is_leftover(const std::filesystem::path& part);
+
+/// Removes the temporary files in a folder whose processes are gone; files that cannot be removed stay.
+void remove_leftovers(const std::filesystem::path& folder);
+
+/// Throws WorldError where a file of this name could not be made: its folder is missing or cannot be written
+/// into, or a folder has its name. Asked before the work that the file is to hold.
+void check_target(const std::filesystem::path& path);
+
 /// A file that appears under its name only when it is complete: written under `temporary()` in the same
 /// folder, renamed by commit(), removed where commit() is never reached.
 class PendingFile {
  public:
+  /// Makes the temporary file, empty. Throws WorldError where it cannot be made.
   explicit PendingFile(std::filesystem::path path);
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;

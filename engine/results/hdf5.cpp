@@ -240,9 +240,17 @@ void Group::ascii_attribute(const std::string& name, std::string_view text) {
   require(H5Awrite(attribute.id(), type.id(), bytes.data()), "write", place);
 }
 
+Handle access_without_locks() {
+  const Place nowhere{"a file", "", -1};
+  Handle access = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe", nowhere);
+  require(H5Pset_file_locking(access.id(), false, true), "describe", nowhere);
+  return access;
+}
+
 File::File(const std::filesystem::path& path) : path_(path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  id_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const Handle access = access_without_locks();
+  id_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id());
   if (id_ < 0) fail("create", {path, "", -1});
 }
 

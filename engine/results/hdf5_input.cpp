@@ -110,7 +110,8 @@ herr_t list(hid_t root, const char* name, const H5O_info_t* info, void* data) {
 InputFile::InputFile(const std::filesystem::path& path)
     : path_(path),
       file_((H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr),
-             own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open", {path, "", -1}))) {}
+             own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_without_locks().id()), H5Fclose, "open",
+                 {path, "", -1}))) {}
 
 Handle InputFile::dataset(const std::string& name) const {
   return own(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "open", {path_, name, -1});

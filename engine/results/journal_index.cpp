@@ -15,13 +15,14 @@ constexpr std::int32_t most_lanes = 4096;  // more is no run of ours
 
 }  // namespace
 
-JournalIndex::JournalIndex(std::filesystem::path path) : path_(std::move(path)) {
+JournalIndex::JournalIndex(std::filesystem::path path) : path_(std::move(path)), held_(path_) {
   extend();
   if (!header_json_.empty() && !geometry_.position.empty()) return;
   throw WorldError("read", path_, reason_.empty() ? "it holds no geometry yet" : reason_);
 }
 
 void JournalIndex::extend() {
+  check_same_run(held_);
   JournalReader reader(path_, good_bytes_);
   for (std::uint64_t offset = reader.good_bytes(); auto record = reader.next(); offset = reader.good_bytes())
     take(std::move(*record), offset);
@@ -51,6 +52,7 @@ JournalIndex::Lane& JournalIndex::lane(std::int32_t number) {
 }
 
 Frame JournalIndex::frame(const FrameEntry& entry) const {
+  check_same_run(held_);
   JournalReader reader(path_, entry.offset);
   auto record = reader.next();
   auto* frame = record ? std::get_if<Frame>(&*record) : nullptr;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/results/journal.hpp"
+#include "engine/results/ownership.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -27,7 +28,8 @@ class JournalIndex {
   /// a header and a geometry.
   explicit JournalIndex(std::filesystem::path path);
 
-  /// Reads on from where it stopped: what a run that goes on has added since.
+  /// Reads on from where it stopped: what a run that goes on has added since. Throws RunReplaced where the
+  /// journal is another run's by now.
   void extend();
 
   [[nodiscard]] const std::string& header_json() const { return header_json_; }
@@ -44,7 +46,8 @@ class JournalIndex {
   [[nodiscard]] JournalState state() const { return state_; }
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
-  /// Reads a frame of `frames()` once more. Throws WorldError where the journal has changed.
+  /// Reads a frame of `frames()` once more. Throws WorldError where the journal has changed, RunReplaced
+  /// where it is another run's.
   [[nodiscard]] Frame frame(const FrameEntry& entry) const;
 
  private:
@@ -56,6 +59,7 @@ class JournalIndex {
   Lane& lane(std::int32_t number);
 
   std::filesystem::path path_;
+  HeldFile held_;
   std::uint64_t good_bytes_ = 0;
   std::string header_json_;
   Geometry geometry_;

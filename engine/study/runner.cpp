@@ -2,6 +2,8 @@
 
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/interrupted.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 #include "engine/scene/axes.hpp"
 #include "engine/simulation/summary.hpp"
@@ -198,6 +200,11 @@ StudyResult run_study(const Preset& preset, const StudyOptions& options, Cache& 
   } else {
     open_study(options.folder, manifest_of(preset, items, build), cache.notes);
   }
+  const results::FolderLock lock(options.folder, results::FolderLock::Kind::together);
+  for (const std::filesystem::path& folder :
+       {options.folder, options.folder / "runs", options.folder / "charts"})
+    results::remove_leftovers(folder);
+  results::check_target(options.folder / "table.csv");
   gather(study, items);
   compute(study, missing(study, part_of(items, options.shard, options.shards)));
   if (!study.issues.empty()) throw InputError(study.issues);

@@ -6,9 +6,7 @@
 #include "engine/study/identity.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <random>
 #include <system_error>
 
 namespace rift {
@@ -16,23 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// As results::write_whole_file(), under a temporary name that no other process uses.
-void write_shared_file(const fs::path& path, const std::string& text) {
-  const fs::path temporary =
-      path.string() + fmt::format(".{}-{:08x}.part", ::getpid(), std::random_device{}());
-  std::error_code error;
-  try {
-    results::AppendFile file(temporary);
-    file.append(text);
-    file.close();
-  } catch (...) {
-    fs::remove(temporary, error);
-    throw;
-  }
-  fs::rename(temporary, path, error);
-  if (error) throw results::WorldError("rename", temporary, error.message());
-}
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
@@ -104,7 +85,7 @@ void open_study(const fs::path& folder, const StudyManifest& manifest, std::vect
     throw results::FolderExists(
         fmt::format("{} is not empty and holds no study; choose another with --out", folder.string()));
   }
-  write_shared_file(file, to_json(manifest).dump(2) + "\n");
+  results::write_whole_file(file, to_json(manifest).dump(2) + "\n");
   make_folder(folder / "runs");
 }
 
@@ -135,14 +116,14 @@ std::optional<Json> read_result(const fs::path& folder, const std::string& key,
 Json write_result(const fs::path& folder, const std::string& key, const Json& scenario,
                   const std::string& series_csv) {
   const fs::path file = result_file(folder, key);
-  write_shared_file(series_file(file), series_csv);
+  results::write_whole_file(series_file(file), series_csv);
   Json kept = Json::parse(scenario.dump());  // what is undefined is null from here on
   const std::string series_hash = hash_text(series_csv);
   const Json j{{"key", key},
                {"scenario", kept},
                {"series_hash", series_hash},
                {"check", check_of(key, kept, series_hash)}};
-  write_shared_file(file, j.dump(2) + "\n");
+  results::write_whole_file(file, j.dump(2) + "\n");
   return kept;
 }
 

@@ -77,7 +77,7 @@ void open_folder(const fs::path& folder, const Preset& preset) {
 /// The user's cache. With --no-cache one within the folder, gone at the end: variants share their packings.
 struct PackingCache {
   PackingCache(const SceneOptions& options, const fs::path& folder)
-      : own(options.no_cache ? folder / "cache" : fs::path()),
+      : own(options.no_cache ? results::temporary_name(folder / "cache") : fs::path()),
         cache(options.no_cache ? Cache{own, {}} : user_cache()) {}
   ~PackingCache() {
     std::error_code ignored;

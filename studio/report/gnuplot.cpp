@@ -123,10 +123,6 @@ void run_script(const fs::path& folder, const std::string& name) {
   const fs::path script = folder / (name + ".gp");
   const std::string outputs = fmt::format("svg = '{}'; png = '{}'", svg.temporary().filename().string(),
                                           png.temporary().filename().string());
-  for (const fs::path& former : {svg.temporary(), png.temporary()}) {  // left by a process that was killed
-    std::error_code nothing_to_remove;
-    fs::remove(former, nothing_to_remove);
-  }
   // --default-settings: a user's own ~/.gnuplot does not change the charts of a report.
   const Ended ended = run_child({"gnuplot", "--default-settings", "-e", outputs, name + ".gp"}, folder);
   require_success(ended, folder / (name + ".svg"), script);

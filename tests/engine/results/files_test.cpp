@@ -5,6 +5,11 @@
 #include "tests/engine/results/small_run.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <set>
 
 namespace rift::results {
 namespace {
@@ -13,13 +18,32 @@ namespace fs = std::filesystem;
 using small_run::bytes_of;
 using small_run::put_bytes;
 
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename());
+  return names;
+}
+
+/// The temporary file of a process that has ended without renaming or removing it.
+fs::path left_by_a_killed_process(const fs::path& target) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const PendingFile pending(target);
+    put_bytes(target.parent_path() / "name", pending.temporary().string());
+    _exit(0);
+  }
+  waitpid(child, nullptr, 0);
+  const fs::path left = bytes_of(target.parent_path() / "name");
+  fs::remove(target.parent_path() / "name");
+  return left;
+}
+
 TEST(WholeFile, ReplacesTheFormerOne) {
   const small_run::Scratch scratch;
   put_bytes(scratch / "f", "old and longer");
-  put_bytes(scratch / "f.part", "left by a kill");
   write_whole_file(scratch / "f", "new");
   EXPECT_EQ(read_whole_file(scratch / "f"), "new");
-  EXPECT_FALSE(fs::exists(scratch / "f.part"));
+  EXPECT_EQ(names_in(scratch.path()), std::set<std::string>{"f"});
 }
 
 TEST(WholeFile, LeavesTheFormerOneWhereTheDiskIsFull) {
@@ -30,7 +54,7 @@ TEST(WholeFile, LeavesTheFormerOneWhereTheDiskIsFull) {
     EXPECT_THROW(write_whole_file(scratch / "f", std::string(1000, 'x')), WorldError);
   }
   EXPECT_EQ(bytes_of(scratch / "f"), "old");
-  EXPECT_FALSE(fs::exists(scratch / "f.part"));
+  EXPECT_EQ(names_in(scratch.path()), std::set<std::string>{"f"});
 }
 
 TEST(WholeFile, SaysWhichFileAndWhy) {
@@ -41,8 +65,9 @@ TEST(WholeFile, SaysWhichFileAndWhy) {
     write_whole_file(below, "x");
     FAIL() << "wrote below a file";
   } catch (const WorldError& error) {
-    EXPECT_EQ(error.what(), "cannot create " + below.string() + ".part: Not a directory");
-    EXPECT_EQ(error.path(), below.string() + ".part");
+    EXPECT_EQ(error.what(),
+              "cannot write " + below.string() + ": " + (scratch / "file").string() + " is no folder");
+    EXPECT_EQ(error.path(), below);
   }
   EXPECT_THROW((void)read_whole_file(scratch / "none"), WorldError);
 }
@@ -62,6 +87,61 @@ TEST(AppendFile, WritesWhatIsLeftWhenItGoes) {
   const small_run::Scratch scratch;
   { AppendFile(scratch / "f").append("left"); }
   EXPECT_EQ(bytes_of(scratch / "f"), "left");
+}
+
+TEST(PendingFile, OfTwoWritersNeverIsTheSameFile) {
+  const small_run::Scratch scratch;
+  PendingFile one(scratch / "f"), other(scratch / "f");
+  EXPECT_NE(one.temporary(), other.temporary());
+  put_bytes(one.temporary(), "one");
+  put_bytes(other.temporary(), "other");
+  one.commit();
+  EXPECT_EQ(bytes_of(scratch / "f"), "one");
+  other.commit();
+  EXPECT_EQ(bytes_of(scratch / "f"), "other");
+  EXPECT_EQ(names_in(scratch.path()), std::set<std::string>{"f"});
+}
+
+TEST(PendingFile, WhoseFolderIsMissingIsRefusedAtOnce) {
+  const small_run::Scratch scratch;
+  fs::create_directory(scratch / "folder");
+  EXPECT_THROW(PendingFile(scratch / "no/f"), WorldError);
+  EXPECT_THROW(PendingFile(scratch / "folder"), WorldError);
+  EXPECT_THROW(check_target(scratch / "no/f"), WorldError);
+  EXPECT_NO_THROW(check_target(scratch / "f"));
+  EXPECT_NO_THROW(check_target("f"));
+}
+
+TEST(TemporaryName, FitsHoweverLongTheNameIs) {
+  const small_run::Scratch scratch;
+  const fs::path longest = scratch / std::string(255, 'n');
+  write_whole_file(longest, "text");
+  EXPECT_EQ(bytes_of(longest), "text");
+}
+
+TEST(TemporaryName, SaysWhatTheFileWasToBecome) {
+  EXPECT_EQ(target_name(temporary_name("folder/run.vtkhdf").filename()), "run.vtkhdf");
+  EXPECT_EQ(target_name("run.vtkhdf.part"), "run.vtkhdf");
+  EXPECT_EQ(target_name("run.vtkhdf"), "run.vtkhdf");
+}
+
+TEST(Leftovers, OfProcessesThatAreGoneAreRemovedAndNoOthers) {
+  const small_run::Scratch scratch;
+  const fs::path left = left_by_a_killed_process(scratch / "table.csv");
+  ASSERT_TRUE(fs::exists(left));
+  EXPECT_TRUE(is_leftover(left));
+  const PendingFile ours(scratch / "table.csv");
+  EXPECT_FALSE(is_leftover(ours.temporary()));
+  const fs::path there = scratch / "table.csv.elsewhere-77-0123abcd.part",
+                 old = scratch / "a.elsewhere-7-0123abcd.part";
+  put_bytes(there, "");
+  put_bytes(old, "");
+  fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(25));
+  put_bytes(scratch / "download.part", "somebody's own");
+  put_bytes(scratch / "table.csv", "");
+  remove_leftovers(scratch.path());
+  EXPECT_EQ(names_in(scratch.path()), (std::set<std::string>{ours.temporary().filename(), there.filename(),
+                                                             "download.part", "table.csv"}));
 }
 
 }  // namespace

@@ -1,0 +1,154 @@
+#include "engine/results/ownership.hpp"
+
+#include "engine/results/archive.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/journal_index.hpp"
+#include "engine/results/run_writer.hpp"
+#include "tests/engine/results/small_run.hpp"
+
+#include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <nlohmann/json.hpp>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <functional>
+
+namespace rift::results {
+namespace {
+
+namespace fs = std::filesystem;
+using small_run::put_bytes;
+
+/// Makes every flock of this process fail with an error, as on a file system without locks.
+bool take_locks_away(int error) {
+  sock_filter program[] = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_flock, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | static_cast<unsigned>(error)),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+  };
+  const sock_fprog filter{4, program};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
+/// What `holds` says in a process whose locks all fail with this error: 0 true, 1 false, 2 threw, 77 no
+/// seccomp.
+int without_locks(int error, const std::function<bool()>& holds) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!take_locks_away(error)) _exit(77);
+    try {
+      _exit(holds() ? 0 : 1);
+    } catch (const std::exception&) {
+      _exit(2);
+    }
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(FolderLock, KeepsOthersOutWhileItLives) {
+  const small_run::Scratch scratch;
+  {
+    const FolderLock lock(scratch.path());
+    EXPECT_TRUE(lock.is_kept());
+    EXPECT_TRUE(is_folder_being_written(scratch.path()));
+    try {
+      const FolderLock other(scratch.path());
+      FAIL() << "two owners";
+    } catch (const WorldError& error) {
+      EXPECT_EQ(error.what(),
+                "cannot write into " + scratch.path().string() + ": another process is writing it");
+    }
+    EXPECT_THROW(FolderLock(scratch.path(), FolderLock::Kind::together), WorldError);
+  }
+  EXPECT_FALSE(is_folder_being_written(scratch.path()));
+  const FolderLock part(scratch.path(), FolderLock::Kind::together);
+  const FolderLock other_part(scratch.path(), FolderLock::Kind::together);
+  EXPECT_TRUE(is_folder_being_written(scratch.path()));
+  EXPECT_THROW(FolderLock(scratch.path()), WorldError);
+}
+
+class WithoutLocks : public testing::TestWithParam<int> {};
+
+TEST_P(WithoutLocks, NobodyIsTakenForAnotherProcess) {
+  const small_run::Scratch scratch;
+  put_bytes(scratch / journal_name, "12");
+  const int said = without_locks(GetParam(), [&] {
+    const OwnedFolder owned(scratch.path());
+    AppendFile file(scratch / journal_name, 2);
+    file.append("3");
+    file.close();
+    return !owned.has_locks() && !is_folder_being_written(scratch.path());
+  });
+  if (said == 77) GTEST_SKIP() << "filtering system calls is not allowed here";
+  EXPECT_EQ(said, 0);
+  EXPECT_EQ(small_run::bytes_of(scratch / journal_name), "123");
+}
+
+TEST_P(WithoutLocks, ARunComesToItsEndAllTheSame) {
+  const small_run::Scratch scratch;
+  const int said = without_locks(GetParam(), [&] {
+    RunWriter writer(scratch.path(), {{"lanes", 1}}, small_run::geometry());
+    writer.sample(small_run::sample(1, 0, 0.01));
+    writer.finish({{"scenarios", nlohmann::ordered_json::array()}}, {});
+    return fs::exists(scratch / archive_name) && fs::exists(scratch / summary_name);
+  });
+  if (said == 77) GTEST_SKIP() << "filtering system calls is not allowed here";
+  EXPECT_EQ(said, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Whatever, WithoutLocks, testing::Values(ENOSYS, ENOLCK, EOPNOTSUPP));
+
+TEST(OwnedFolder, IsGivenBackWhereNothingCameOfIt) {
+  const small_run::Scratch scratch;
+  { const OwnedFolder owned(scratch / "a/b"); }
+  EXPECT_FALSE(fs::exists(scratch / "a"));
+  OwnedFolder(scratch / "a/b").keep();
+  EXPECT_TRUE(fs::exists(scratch / "a/b"));
+  { const OwnedFolder owned(scratch / "a/b"); }
+  EXPECT_TRUE(fs::exists(scratch / "a/b")) << "it was there before";
+}
+
+TEST(HeldFile, TellsAnotherFileOfItsName) {
+  const small_run::Scratch scratch;
+  put_bytes(scratch / "f", "one");
+  const HeldFile held(scratch / "f");
+  EXPECT_TRUE(held.is_still_there());
+  EXPECT_EQ(held.size(), 3U);
+  fs::remove(scratch / "f");
+  EXPECT_FALSE(held.is_still_there());
+  put_bytes(scratch / "f", "other");
+  EXPECT_FALSE(held.is_still_there());
+}
+
+TEST(JournalIndex, NoticesThatAnotherRunHasTakenItsPlace) {
+  const small_run::Scratch scratch;
+  const auto write = [&](double tip) {
+    JournalWriter writer(scratch / journal_name);
+    writer.write(RunHeader{R"({"lanes": 1})"});
+    writer.write(small_run::geometry());
+    writer.write(small_run::frame(10, 0));
+    writer.write(small_run::sample(10, 0, tip));
+    writer.flush();
+  };
+  write(0.01);
+  JournalIndex index(scratch / journal_name);
+  EXPECT_NO_THROW(index.extend());
+  fs::remove(scratch / journal_name);
+  EXPECT_THROW(index.extend(), RunReplaced);
+  write(0.02);
+  EXPECT_THROW(index.extend(), RunReplaced);
+  EXPECT_THROW((void)index.frame(index.frames(0).front()), RunReplaced);
+}
+
+}  // namespace
+}  // namespace rift::results
