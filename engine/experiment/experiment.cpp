@@ -106,7 +106,8 @@ class Laboratory {
     e_.thickness = p.scale.thickness, e_.rayleigh_speed = p.rayleigh_speed,
     e_.mean_radius = p.lattice.mean_radius;
     lay_points(p);
-    results::create_run_folder(folder / "run", true);
+    results::ClaimedFolder run(folder / "run", true);
+    run.keep();
     const Recorded recorded = record_run(p, folder / "run", build, marching("measured crack"), options());
     take(recorded.result, "measured crack");
     const double width = e_.width;

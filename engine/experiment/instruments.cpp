@@ -4,6 +4,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/crack_tip.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
@@ -87,6 +88,7 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
                              const std::function<void(const Grid&, const SeenField&)>& see) {
   const Preset preset = preset_of_run(run);
   const std::filesystem::path journal = run / results::journal_name;
+  const results::HeldFile held(journal);
   const results::JournalScan scan = results::scan_journal(journal);
   const Json header = Json::parse(scan.header_json);
   if (wishes.lane < 0 || wishes.lane >= scan.lanes)
@@ -129,6 +131,7 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
   results::for_each_moment(journal, *scan.geometry, [&](std::span<const results::Frame> moment) {
     for (const results::Frame& frame : moment) take(frame);
   });
+  results::check_same_run(held);
   if (!any) refuse(run, "holds no displacements: output.frames and output.fields ask for them");
   return seen;
 }

@@ -5,6 +5,7 @@
 #include "engine/results/files.hpp"
 #include "engine/results/hdf5.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 #include "engine/results/world_error.hpp"
 
@@ -248,6 +249,7 @@ void write_scene(Group& root, const JournalScan& scan) {
 
 void assemble_archive(const std::filesystem::path& run_folder, const std::filesystem::path& target) {
   const auto journal = run_folder / journal_name;
+  const HeldFile held(journal);
   const auto scan = scan_journal(journal);
   if (!scan.geometry) throw WorldError("assemble an archive from", journal, "it holds no geometry");
 
@@ -263,6 +265,7 @@ void assemble_archive(const std::filesystem::path& run_folder, const std::filesy
     write_scene(root, scan);
   }
   file.close();
+  check_same_run(held);
   pending.commit();
 }
 

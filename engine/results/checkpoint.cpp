@@ -103,6 +103,14 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& run_folder, std::uint6
   return std::nullopt;
 }
 
+std::uint64_t checkpoint_journal_bytes(const fs::path& path) {
+  const hdf5::InputFile file(path);
+  const Json index = Json::parse(file.text("index"), nullptr, false);
+  if (!index.is_object() || !index.contains("journal_bytes") || !index["journal_bytes"].is_number_unsigned())
+    throw WorldError("read", path, "it names no place in the journal");
+  return index["journal_bytes"].get<std::uint64_t>();
+}
+
 void remove_checkpoints(const fs::path& run_folder) {
   std::error_code none;
   for (const char* name : {checkpoint_name, former_checkpoint_name}) fs::remove(run_folder / name, none);

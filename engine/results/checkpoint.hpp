@@ -34,6 +34,10 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& run_folde
 /// Why a checkpoint's file is not one that was written whole; empty where it is.
 std::string checkpoint_damage(const std::filesystem::path& path);
 
+/// Bytes of the journal that a checkpoint needs; the file has no damage (checkpoint_damage()). Throws
+/// WorldError where it holds no such number all the same.
+std::uint64_t checkpoint_journal_bytes(const std::filesystem::path& path);
+
 /// The run has ended: there is nothing to go on from.
 void remove_checkpoints(const std::filesystem::path& run_folder);
 

@@ -4,6 +4,7 @@
 #include "engine/results/columns.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/series.hpp"
 #include "engine/results/vtp.hpp"
@@ -11,20 +12,13 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <string>
-#include <system_error>
 
 namespace rift::results {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw WorldError("create the folder", folder, error.message());
-  return folder;
-}
 
 template <typename Columns>
 std::string names(const Columns& columns) {
@@ -69,7 +63,8 @@ std::string crack_csv(const JournalScan& scan) {
 
 fs::path export_csv(const fs::path& run_folder) {
   const auto scan = scan_journal(run_folder / journal_name);
-  const auto folder = make_folder(run_folder / "csv");
+  OwnedFolder owned(run_folder / "csv");
+  const fs::path& folder = owned.path();
   write_whole_file(folder / "series.csv", series_csv(scan.samples, scan.rates));
   write_whole_file(folder / "events.csv", events_csv(scan));
   write_whole_file(folder / "rate.csv", rate_csv(scan));
@@ -79,21 +74,26 @@ fs::path export_csv(const fs::path& run_folder) {
 
 fs::path export_pvd(const fs::path& run_folder) {
   const auto journal = run_folder / journal_name;
+  const HeldFile held(journal);
   const auto scan = scan_journal(journal);
   if (!scan.geometry) throw WorldError("export", journal, "it holds no geometry");
-  const auto folder = make_folder(run_folder / "pvd");
+  OwnedFolder owned(run_folder / "pvd");
+  const fs::path& folder = owned.path();
 
   std::string entries;
+  std::set<std::string> written{"run.pvd"};
   int count = 0;
   const auto add = [&](double time_s, std::span<const Frame> frames) {
     const auto name = fmt::format("frame_{:06}.vtp", count++);
     write_vtp(folder / name, *scan.geometry, frames, scan.lanes);
+    written.insert(name);
     entries +=
         fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", time_s, name);
   };
   for_each_moment(journal, *scan.geometry,
                   [&](std::span<const Frame> frames) { add(frames.front().time_s, frames); });
   if (count == 0) add(0.0, {});
+  check_same_run(held);
 
   const auto collection = folder / "run.pvd";
   write_whole_file(
@@ -101,16 +101,22 @@ fs::path export_pvd(const fs::path& run_folder) {
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n" +
           entries + "  </Collection>\n</VTKFile>\n");
+  remove_other_exports(folder, "pvd", written);
   return collection;
 }
 
 fs::path export_vtkhdf(const fs::path& run_folder) {
   const RunState state = inspect_run(run_folder);
-  if (state.condition == RunCondition::finished && state.has_archive) return run_folder / archive_name;
   if (state.condition == RunCondition::not_a_run) throw WorldError("export", run_folder, state.reason);
-  const fs::path target = make_folder(run_folder / "paraview") / archive_name;
-  assemble_archive(run_folder, target);
-  return target;
+  if (state.condition == RunCondition::finished && state.has_archive) {
+    if (const fs::path former = run_folder / "paraview";
+        fs::exists(former))  // of the run before it had ended
+      remove_other_exports(OwnedFolder(former).path(), "paraview", {});
+    return run_folder / archive_name;
+  }
+  OwnedFolder owned(run_folder / "paraview");
+  assemble_archive(run_folder, owned.path() / archive_name);
+  return owned.path() / archive_name;
 }
 
 }  // namespace rift::results

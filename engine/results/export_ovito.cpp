@@ -4,6 +4,8 @@
 #include "engine/results/files.hpp"
 #include "engine/results/journal_index.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/ownership.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <set>
 #include <string>
 #include <system_error>
 
@@ -105,9 +108,10 @@ std::string beams_of(const Geometry& geometry, const Frame& frame) {
   return text;
 }
 
-void export_lane(const JournalIndex& journal, std::int32_t lane, const fs::path& folder) {
+void export_lane(const JournalIndex& journal, std::int32_t lane, const fs::path& folder,
+                 std::set<std::string>& written) {
   const auto name = [&](const char* stem) {
-    return folder / (lane_name(stem, lane, journal.lanes()) + ".dump");
+    return folder / *written.insert(lane_name(stem, lane, journal.lanes()) + ".dump").first;
   };
   const auto& entries = journal.frames(lane);
   Text atoms(name("run"));
@@ -127,10 +131,10 @@ void export_lane(const JournalIndex& journal, std::int32_t lane, const fs::path&
 fs::path export_ovito(const fs::path& run_folder) {
   const JournalIndex journal(run_folder / journal_name);
   const fs::path folder = run_folder / "ovito";
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw WorldError("create the folder", folder, error.message());
-  for (std::int32_t lane = 0; lane < journal.lanes(); ++lane) export_lane(journal, lane, folder);
+  const OwnedFolder owned(folder);
+  std::set<std::string> written;
+  for (std::int32_t lane = 0; lane < journal.lanes(); ++lane) export_lane(journal, lane, folder, written);
+  remove_other_exports(folder, "ovito", written);
   return folder;
 }
 

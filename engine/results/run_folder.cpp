@@ -1,6 +1,7 @@
 #include "engine/results/run_folder.hpp"
 
 #include "engine/results/archive.hpp"
+#include "engine/results/checkpoint.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
 #include "engine/results/world_error.hpp"
@@ -9,6 +10,7 @@
 
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace rift::results {
@@ -35,8 +37,8 @@ bool is_put_aside(std::string_view name) {
   return false;
 }
 
-bool is_run_file(std::string_view name) {
-  if (name.ends_with(".part")) name.remove_suffix(5);  // left by a kill
+bool is_run_file(const std::string& file) {
+  const std::string name = target_name(file);  // what a kill has left is ours as well
   return name == journal_name || name == archive_name || name == series_name || name == summary_name ||
          name == gauges_name || name == steering_name || has_affixes(name, "checkpoint", ".h5") ||
          is_picture(name) || is_put_aside(name);
@@ -50,8 +52,8 @@ bool is_export_folder(std::string_view name) {
   return name == "csv" || name == "pvd" || name == "paraview" || name == "ovito" || is_measured_folder(name);
 }
 
-bool is_export(std::string_view folder, std::string_view name) {
-  if (name.ends_with(".part")) name.remove_suffix(5);
+bool is_export(std::string_view folder, const std::string& file) {
+  const std::string name = target_name(file);
   if (folder == "csv")
     return name == "series.csv" || name == "events.csv" || name == "rate.csv" || name == "crack.csv";
   if (folder == "paraview") return name == archive_name;
@@ -93,82 +95,80 @@ void remove_export(const fs::path& folder, const std::string& kind) {
   if (entries(folder).empty()) remove_file(folder);
 }
 
-/// Removes a former run and its exports, and nothing else.
-void remove_run(const fs::path& folder) {
+/// Refuses a folder below which another process is writing an export.
+void check_exports(const fs::path& folder) {
+  for (const auto& path : entries(folder))
+    if (is_export_folder(path.filename().string()) && is_folder_being_written(path))
+      throw WorldError("write into", folder,
+                       "another process is writing " + path.filename().string() + " in it");
+}
+
+/// How to go on with the run in the folder, where that can be; asked of a folder that will not be replaced.
+std::string what_to_do(const fs::path& folder) {
+  const RunState state = inspect_run(folder);
+  const bool can_be_resumed =
+      !state.header_json.empty() && (state.condition != RunCondition::finished || !state.has_archive ||
+                                     fs::exists(folder / checkpoint_name));
+  if (!can_be_resumed)
+    return fmt::format("{} exists and is not empty; --force replaces a run in it", folder.string());
+  return fmt::format(
+      "{0} holds a run that has not come to its end: 'rift resume {0}' goes on with it, --force replaces it",
+      folder.string());
+}
+
+void check_contents(const fs::path& folder, bool force) {
+  if (is_being_written(folder / journal_name))  // from another node, which the folder's lock may not reach
+    throw WorldError("write into", folder, "another process is writing it");
+  bool empty = true, holds_run = false;
+  for (const auto& path : entries(folder)) {
+    empty = false;
+    holds_run = holds_run || is_run_file(path.filename().string());
+  }
+  if (!empty && !force) throw FolderExists(what_to_do(folder));
+  if (!empty && !holds_run)
+    throw FolderExists(
+        fmt::format("{} holds other files and no run; --force replaces only runs", folder.string()));
+  check_exports(folder);
+}
+
+}  // namespace
+
+void remove_report(const fs::path& folder, const std::set<std::string>& names) {
+  for (const auto& path : entries(folder)) {
+    const std::string file = path.filename().string();
+    if (file == "charts" && fs::is_directory(path) && !fs::is_symlink(path)) remove_export(path, file);
+    if (names.contains(file) && !fs::is_directory(path)) remove_file(path);
+  }
+}
+
+void remove_other_exports(const fs::path& folder, const std::string& kind,
+                          const std::set<std::string>& written) {
+  for (const auto& path : entries(folder)) {
+    const std::string file = path.filename().string();
+    if (target_name(file) == file && is_export(kind, file) && !written.contains(file) &&
+        !fs::is_directory(path))
+      remove_file(path);
+  }
+}
+
+ClaimedFolder::ClaimedFolder(fs::path folder, bool force)
+    : owned_(std::move(folder), [force](const fs::path& p) { check_contents(p, force); }), force_(force) {}
+
+const fs::path& ClaimedFolder::keep() {
+  check_contents(owned_.path(), force_);
+  clear_run_folder(owned_.path());
+  owned_.keep();
+  return owned_.path();
+}
+
+void create_run_folder(const fs::path& folder, bool force) { ClaimedFolder(folder, force).keep(); }
+
+void clear_run_folder(const fs::path& folder) {
   for (const auto& path : entries(folder)) {
     const auto name = path.filename().string();
     if (is_run_file(name) && !fs::is_directory(path)) remove_file(path);
     if (is_export_folder(name) && fs::is_directory(path) && !fs::is_symlink(path)) remove_export(path, name);
   }
-}
-
-void try_to_write(const fs::path& folder) {
-  const auto probe = folder / ".rift_probe.part";
-  std::error_code nothing_to_remove;
-  fs::remove(probe, nothing_to_remove);
-  try {
-    AppendFile file(probe);
-    file.append("rift");
-    file.close();
-  } catch (const WorldError& failure) {
-    fs::remove(probe, nothing_to_remove);
-    throw WorldError("write into", folder, failure.what());
-  }
-  remove_file(probe);
-}
-
-}  // namespace
-
-void remove_measured(const fs::path& folder) {
-  for (const auto& path : entries(folder)) {
-    const std::string file = path.filename().string();
-    if (file == "charts" && fs::is_directory(path) && !fs::is_symlink(path)) remove_export(path, file);
-    if (is_export("measure", file) && file != "field.csv.part" && !fs::is_directory(path)) remove_file(path);
-  }
-}
-
-std::vector<fs::path> claim_run_folder(const fs::path& folder, bool force) {
-  std::vector<fs::path> made;
-  std::error_code error;
-  for (fs::path p = folder; !p.empty() && !fs::exists(p, error); p = p.parent_path()) made.push_back(p);
-  fs::create_directories(folder, error);
-  if (error) throw WorldError("create the folder", folder, error.message());
-  if (!fs::is_directory(folder)) throw WorldError("create the folder", folder, "a file of that name exists");
-
-  bool empty = true;
-  bool holds_run = false;
-  for (const auto& path : entries(folder)) {
-    empty = false;
-    holds_run = holds_run || is_run_file(path.filename().string());
-  }
-  if (!empty && !force)
-    throw FolderExists(
-        fmt::format("{} exists and is not empty; --force replaces a run in it", folder.string()));
-  if (!empty && !holds_run)
-    throw FolderExists(
-        fmt::format("{} holds other files and no run; --force replaces only runs", folder.string()));
-  try_to_write(folder);
-  return made;
-}
-
-void create_run_folder(const fs::path& folder, bool force) {
-  claim_run_folder(folder, force);
-  remove_run(folder);
-}
-
-ClaimedFolder::ClaimedFolder(fs::path folder, bool force)
-    : folder_(std::move(folder)), force_(force), made_(claim_run_folder(folder_, force)) {}
-
-ClaimedFolder::~ClaimedFolder() {
-  std::error_code ignored;  // removes nothing but empty folders
-  if (!kept_)
-    for (const fs::path& made : made_) fs::remove(made, ignored);
-}
-
-const fs::path& ClaimedFolder::keep() {
-  create_run_folder(folder_, force_);
-  kept_ = true;
-  return folder_;
 }
 
 RunState inspect_run(const fs::path& folder) {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "engine/results/ownership.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
-#include <vector>
+#include <string_view>
 
 /// The folder of a run: made, and found again (docs/results-format.md).
 namespace rift::results {
@@ -15,37 +18,40 @@ struct FolderExists : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Makes the folder and its parents, and tries whether it can be written to. An empty folder is as good as
-/// none. A folder that holds anything is refused, unless it holds a run and `force` says to replace it; the
-/// former run stays for now. Throws FolderExists, or WorldError where the folder cannot be made or written
-/// to.
-/// @return the folders that were made, innermost first: who gives up removes them
-std::vector<std::filesystem::path> claim_run_folder(const std::filesystem::path& folder, bool force);
-
-/// Claims the folder and removes a former run's own files, its exports among them; files that rift did not
-/// write are never touched.
-void create_run_folder(const std::filesystem::path& folder, bool force);
-
-/// Removes what `rift measure` has left in a folder, and no other file.
-void remove_measured(const std::filesystem::path& folder);
-
-/// The folder of a run: claimed before the first costly step, given back if nothing came of it. With `force`
-/// the former run in it stays until there is something to put in its place. Throws as claim_run_folder().
+/// The folder of a run: made and owned before the first costly step, given back if nothing came of it. An
+/// empty folder is as good as none. A folder that holds anything is refused, unless it holds a run and
+/// `force` says to replace it; the former run stays until there is something to put in its place.
 class ClaimedFolder {
  public:
+  /// Throws FolderExists, or WorldError where the folder cannot be made or written to, or where another
+  /// process writes into it or into an export below it.
   ClaimedFolder(std::filesystem::path folder, bool force);
-  ~ClaimedFolder();
-  ClaimedFolder(const ClaimedFolder&) = delete;
-  ClaimedFolder& operator=(const ClaimedFolder&) = delete;
 
-  /// There is something to put into it.
+  /// There is something to put into it: removes a former run's own files, its exports among them; files that
+  /// rift did not write are never touched.
   const std::filesystem::path& keep();
+  /// False where nothing keeps another process out.
+  [[nodiscard]] bool has_locks() const { return owned_.has_locks(); }
 
  private:
-  std::filesystem::path folder_;
-  bool force_, kept_ = false;
-  std::vector<std::filesystem::path> made_;
+  OwnedFolder owned_;
+  bool force_;
 };
+
+/// Claims a folder and keeps it, as ClaimedFolder does; owned by nobody afterwards.
+void create_run_folder(const std::filesystem::path& folder, bool force);
+
+/// Removes a run's own files and its exports from a folder that the caller owns.
+void clear_run_folder(const std::filesystem::path& folder);
+
+/// Removes from an export's folder what an earlier export of its kind ("csv", "pvd", "ovito", "paraview",
+/// "measure") has left and this one did not write.
+/// @param written  names of files in it
+void remove_other_exports(const std::filesystem::path& folder, const std::string& kind,
+                          const std::set<std::string>& written);
+
+/// Removes from a report's folder the files of these names and its charts.
+void remove_report(const std::filesystem::path& folder, const std::set<std::string>& names);
 
 enum class RunCondition : std::uint8_t {
   finished,    // the run ended by itself

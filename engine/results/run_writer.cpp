@@ -3,7 +3,9 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/world_error.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <utility>
@@ -21,7 +23,10 @@ std::string json_text(const nlohmann::ordered_json& value, int indent) {
 
 RunWriter::RunWriter(std::filesystem::path folder, const nlohmann::ordered_json& header,
                      const Geometry& geometry)
-    : folder_(std::move(folder)), journal_(folder_ / journal_name), series_(folder_ / series_name) {
+    : folder_(std::move(folder)),
+      journal_(folder_ / journal_name),
+      held_(folder_ / journal_name),
+      series_(folder_ / series_name) {
   journal_.write(RunHeader{json_text(header, -1)});
   journal_.write(geometry);
   journal_.flush();
@@ -41,11 +46,19 @@ const std::filesystem::path& without_end(const std::filesystem::path& folder) {
 RunWriter::RunWriter(std::filesystem::path folder, std::uint64_t journal_bytes)
     : folder_(std::move(folder)),
       journal_(folder_ / journal_name, journal_bytes),
+      held_(folder_ / journal_name),
       series_(without_end(folder_) / series_name) {
   for (const Sample& sample : scan_journal(folder_ / journal_name).samples) series_.write(sample);
 }
 
-std::uint64_t RunWriter::journal_bytes() const { return std::filesystem::file_size(folder_ / journal_name); }
+std::uint64_t RunWriter::journal_bytes() const { return held_.size(); }
+
+void RunWriter::check_still_ours() const {
+  if (held_.is_still_there()) return;
+  throw WorldError("go on with the run in", folder_,
+                   fmt::format("its {} was removed or replaced by another process; nothing more is written",
+                               journal_name));
+}
 
 void RunWriter::sample(const Sample& sample) {
   journal_.write(sample);
@@ -61,6 +74,7 @@ void RunWriter::gauge(const GaugeRow& row) { journal_.write(row); }
 void RunWriter::flush() {
   journal_.flush();
   series_.flush();
+  check_still_ours();
 }
 
 void RunWriter::finish(const nlohmann::ordered_json& summary,
@@ -71,10 +85,13 @@ void RunWriter::finish(const nlohmann::ordered_json& summary,
   journal_.close();
   series_.close();
 
+  check_still_ours();
   const auto scan = scan_journal(folder_ / journal_name);
+  check_still_ours();
   write_whole_file(folder_ / series_name, series_csv(scan.samples, scan.rates));
   if (!scan.gauges.empty()) write_whole_file(folder_ / gauges_name, gauges_csv(scan.gauges));
   assemble_archive(folder_);
+  check_still_ours();
   write_whole_file(folder_ / summary_name, json_text(summary, 2) + "\n");
 }
 

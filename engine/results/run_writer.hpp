@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/results/journal.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,7 +17,8 @@ namespace rift::results {
 /// and reason.
 class RunWriter {
  public:
-  /// @param folder  made by create_run_folder()
+  /// @param folder  made by create_run_folder(), and owned by the caller (ClaimedFolder) where others might
+  ///                write into it
   /// @param header  an object: what is run and by what: "preset" (effective, as text), "version", "seed",
   /// "compiler",
   ///                "instruction_set", "lanes" (how many) and more; each becomes /scene/<name> of the archive
@@ -30,7 +32,8 @@ class RunWriter {
   void frame(const Frame& frame);
   void event(const ReleaseEvent& event);
   void gauge(const GaugeRow& row);
-  /// After each batch: what was given so far is then seen by `watch` and survives a kill.
+  /// After each batch: what was given so far is then seen by `watch` and survives a kill. Throws WorldError
+  /// where the folder no longer holds this journal: another run has replaced it.
   void flush();
   /// After flush(): how long the journal is.
   [[nodiscard]] std::uint64_t journal_bytes() const;
@@ -43,8 +46,11 @@ class RunWriter {
               const std::vector<std::vector<RatePoint>>& rate_per_lane);
 
  private:
+  void check_still_ours() const;
+
   std::filesystem::path folder_;
   JournalWriter journal_;
+  HeldFile held_;
   SeriesWriter series_;
 };
 

@@ -5,14 +5,16 @@
 #include "engine/results/checkpoint.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 #include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
+#include <stdlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <optional>
 #include <system_error>
 
@@ -37,11 +39,38 @@ void move_aside(const fs::path& path) {
   if (error) throw WorldError("rename", path, error.message());
 }
 
+constexpr const char* header_name = "scene/header";  // of the run, in the archive
+
+/// A folder for what is compared and thrown away, which nobody else may look into or has prepared.
+class PrivateFolder {
+ public:
+  PrivateFolder() {
+    std::error_code error;
+    const fs::path base = fs::temp_directory_path(error);
+    if (error) throw WorldError("find the folder for temporary files", "TMPDIR", error.message());
+    std::string name = (base / "rift_verify_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw WorldError("create a folder in", base, std::generic_category().message(errno));
+    path_ = name;
+  }
+  ~PrivateFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
 class Verifier {
  public:
   Verifier(const fs::path& folder, bool mend) : folder_(folder) {
-    result_.running = is_being_written(folder / journal_name);
+    result_.running = is_folder_being_written(folder);
     mend_ = mend && !result_.running;
+    if (mend_ && fs::is_directory(folder)) lock_.emplace(folder);
   }
 
   Verification all() {
@@ -67,8 +96,8 @@ class Verifier {
   void leftovers() {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder_, error)) {
-      if (entry.path().extension() != ".part" || result_.running) continue;
-      if (mend_) fs::remove(entry.path(), error);
+      if (entry.path().extension() != ".part" || result_.running || !is_leftover(entry.path())) continue;
+      if (mend_) fs::remove_all(entry.path(), error);
       found(entry.path().filename().string(), mend_ ? Found::removed : Found::damaged,
             "left by a kill, of no use");
     }
@@ -102,12 +131,11 @@ class Verifier {
   void salvage(const fs::path& path) {
     const std::string reason = result_.run.reason;
     if (!mend_) return found(journal_name, Found::damaged, reason);
-    const fs::path saved = folder_ / (std::string(journal_name) + ".part");
-    const std::uint64_t lost = salvage_journal(path, saved);
+    PendingFile saved(path);
+    fs::remove(saved.temporary());  // the salvaged journal is a new file
+    const std::uint64_t lost = salvage_journal(path, saved.temporary());
     move_aside(path);
-    std::error_code error;
-    fs::rename(saved, path, error);
-    if (error) throw WorldError("rename", saved, error.message());
+    saved.commit();
     const RunState now = inspect_run(folder_);
     found(journal_name, Found::damaged,
           fmt::format("{}: {} bytes are lost; {} samples and {} frames are saved, the damaged one is kept",
@@ -120,6 +148,11 @@ class Verifier {
     if (!fs::exists(path)) return;
     std::string why = checkpoint_damage(path);
     if (why.empty() && damaged_at_ && mend_) why = "the journal that it goes on from is damaged";
+    const bool whole_journal = !result_.running && result_.run.condition != RunCondition::damaged;
+    if (const std::uint64_t good = result_.run.good_bytes; why.empty() && whole_journal)
+      if (const std::uint64_t needed = checkpoint_journal_bytes(path); needed > good)
+        why =
+            fmt::format("it needs {} bytes of the journal, which has {}: it is of another run", needed, good);
     if (why.empty()) return found(name, Found::sound, "");
     found(name, Found::damaged, why);
     if (mend_) move_aside(path);
@@ -140,7 +173,7 @@ class Verifier {
     const ArchiveCheck check = check_archive_in_child(path);
     std::string wrong = check.problems.empty() ? "" : check.problems.front();
     if (check.problems.size() > 1) wrong += fmt::format(", and {} more", check.problems.size() - 1);
-    if (wrong.empty() && can_be_made && !damaged_at_) wrong = differs_from_journal(check);
+    if (wrong.empty() && can_be_made) wrong = differs_from_journal(check);
     if (wrong.empty())
       return found(archive_name, Found::sound,
                    fmt::format("{} datasets, {} moments, {} elements, {} beams", check.digest.size(),
@@ -153,11 +186,14 @@ class Verifier {
 
   /// Where it does not hold what the journal gives; empty where it does.
   std::string differs_from_journal(const ArchiveCheck& check) const {
-    const fs::path again = fs::temp_directory_path() / fmt::format("rift_verify_{}.vtkhdf", getpid());
+    const PrivateFolder folder;
+    const fs::path again = folder.path() / archive_name;
     assemble_archive(folder_, again);
     const ArchiveCheck expected = check_archive(again);
-    std::error_code ignored;
-    fs::remove(again, ignored);
+    const auto ours = expected.digest.find(header_name), its = check.digest.find(header_name);
+    if (ours != expected.digest.end() && its != check.digest.end() && ours->second != its->second)
+      return "it belongs to another run";
+    if (damaged_at_) return "";  // it may hold what the journal has lost
     for (const auto& [name, digest] : expected.digest) {
       const auto there = check.digest.find(name);
       if (there == check.digest.end()) return name + " is missing";
@@ -170,7 +206,10 @@ class Verifier {
     const fs::path path = folder_ / name;
     if (same) return found(name, Found::sound, "");
     const bool there = fs::exists(path);
-    if (!mend_) return found(name, there ? Found::damaged : Found::missing, "can be made from the journal");
+    if (!mend_)
+      return found(
+          name, there ? Found::damaged : Found::missing,
+          there ? "not what the journal holds: of another run, or changed" : "can be made from the journal");
     move_aside(path);
     write_whole_file(path, expected);
     found(name, Found::mended,
@@ -185,7 +224,14 @@ class Verifier {
     const bool behind =
         result_.run.condition == RunCondition::unfinished && !mend_ && rows.starts_with(there_are);
     table(series_name, rows, there_are == rows || behind);
-    if (!scan_->summary_json) return;
+    if (!scan_->summary_json) {
+      if (!fs::exists(summary)) return;
+      found(summary_name, mend_ ? Found::removed : Found::damaged,
+            fmt::format("the journal has no end, so that this is of another run or of an earlier end{}",
+                        mend_ ? ": put aside" : ""));
+      if (mend_) move_aside(summary);
+      return;
+    }
     if (!scan_->gauges.empty()) {
       const fs::path gauges = folder_ / gauges_name;
       const std::string readings = gauges_csv(scan_->gauges);
@@ -199,6 +245,7 @@ class Verifier {
   }
 
   const fs::path& folder_;
+  std::optional<FolderLock> lock_;  // while something may be mended
   bool mend_ = false;
   Verification result_;
   std::optional<JournalScan> scan_;

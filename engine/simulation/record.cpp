@@ -3,11 +3,14 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/run_writer.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/summary.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -114,13 +117,15 @@ Recorded record_run(const Prepared& prepared, const std::filesystem::path& folde
 Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
                     const Observer& beside, std::string& note, const MarchOptions& options,
                     double preparation_s) {
+  const results::OwnedFolder owned(folder);
+  if (!owned.has_locks()) note = no_locks_note(folder);
   const results::RunState state = results::inspect_run(folder);
   std::optional<results::Checkpoint> checkpoint = results::read_checkpoint(folder, state.good_bytes, note);
   if (!checkpoint) {
     const std::string steering = std::filesystem::exists(folder / results::steering_name)
                                      ? results::read_whole_file(folder / results::steering_name)
                                      : std::string{};
-    results::create_run_folder(folder, true);
+    results::clear_run_folder(folder);
     if (!steering.empty()) results::write_whole_file(folder / results::steering_name, steering);
     return record_run(prepared, folder, build, beside, options, preparation_s);
   }
@@ -130,6 +135,12 @@ Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folde
     for (const results::Sample& row : from.books) beside.sample(row);
   Recording recording{writer, beside, folder, options.checkpoint_s, prepared.preset};
   return record(prepared, recording, build, options, preparation_s, &from);
+}
+
+std::string no_locks_note(const std::filesystem::path& folder) {
+  return fmt::format(
+      "the file system of {} has no locks: nothing keeps another process from writing into it meanwhile",
+      folder.string());
 }
 
 bool has_ended(const std::filesystem::path& folder) {

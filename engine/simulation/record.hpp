@@ -18,7 +18,8 @@ struct Recorded {
 
 /// Marches what was prepared and writes all that it computes into the folder of a run
 /// (docs/results-format.md).
-/// @param folder          made by results::create_run_folder()
+/// @param folder          made by results::create_run_folder(), or claimed by the caller
+///                        (results::ClaimedFolder) where other processes might write into it
 /// @param beside          told all of it as well; steers; what it changes is kept in results::steering_name
 /// there
 /// @param preparation_s   wall time that went before, for the summary's total
@@ -29,10 +30,14 @@ Recorded record_run(const Prepared& prepared, const std::filesystem::path& folde
 /// if it had never stopped; without a checkpoint from its beginning.
 /// @param prepared   of what the folder's preset says
 /// @param[out] note  what is to be said of it, such as a damaged checkpoint; may be empty
-/// Throws std::invalid_argument where the checkpoint is of another run.
+/// Throws std::invalid_argument where the checkpoint is of another run, WorldError where another process
+/// writes into the folder.
 Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
                     const Observer& beside, std::string& note, const MarchOptions& options = {},
                     double preparation_s = 0);
+
+/// What to say of a run's folder on a file system without locks.
+std::string no_locks_note(const std::filesystem::path& folder);
 
 /// Whether every lane of the run in this folder has come to its end, by itself or by diverging: it is not to
 /// be resumed.

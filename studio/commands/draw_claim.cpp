@@ -34,13 +34,14 @@ Preset preset_for(const std::string& name, int elements) {
 void run_if_need_be(const Claim& claim, const Preset& preset, const fs::path& run, Cache& cache, int threads,
                     const Telling& go_on) {
   if (results::inspect_run(run).condition == results::RunCondition::finished) return;
+  results::ClaimedFolder folder(run, true);
   if (claim.calibration) {
-    results::create_run_folder(run, true);
+    folder.keep();
     record_cylinders(preset, run, build_info(), cache, [&](double done) { return go_on("cylinders", done); });
     return;
   }
   const Prepared prepared = prepare(preset, scenes_of_run(preset), cache, go_on);
-  results::create_run_folder(run, true);
+  folder.keep();
   const Recorded ran =
       record_run(prepared, run, build_info(),
                  {.go_on =

@@ -1,6 +1,5 @@
 #include "engine/interrupted.hpp"
-#include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/budget.hpp"
@@ -61,8 +60,7 @@ std::optional<Recorded> go_on_live(const ResumeOptions& options, const Preset& p
 
 ExitCode resume(const ResumeOptions& options) {
   const std::optional<double> budget = read_budget("rift resume", options.budget);
-  const std::filesystem::path journal = std::filesystem::path(options.run) / results::journal_name;
-  if (results::is_being_written(journal))
+  if (results::is_folder_being_written(options.run))
     throw results::WorldError("resume", options.run, "another process is writing it");
   if (has_ended(options.run)) {
     fmt::print(stderr, "rift resume: {} has come to its end: nothing is left of it\n", options.run);

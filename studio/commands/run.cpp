@@ -62,6 +62,7 @@ struct Way {
 /// With lines of progress. Nothing where the user stopped it before its first step.
 std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache& cache) try {
   results::ClaimedFolder folder(path, way.options.force);
+  if (!folder.has_locks()) fmt::print(stderr, "rift run: {}\n", no_locks_note(path));
   const Prepared prepared =
       prepare(way.preset, scenes_of_run(way.preset), cache, [&](std::string_view stage, double done) {
         way.line.tell(stage, done);

@@ -80,7 +80,7 @@ bool LiveOfRun::look() {
     return rows;
   };
   const std::size_t before = size();
-  if (!journal_.summary_json()) journal_.extend();
+  journal_.extend();
   if (size() == before) return false;
   for (int k = 0; k < journal_.lanes(); ++k) read_lane(k);
   read_progress();

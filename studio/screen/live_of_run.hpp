@@ -20,6 +20,7 @@ class LiveOfRun {
   explicit LiveOfRun(const std::filesystem::path& run);
 
   /// Reads what has been added since. @return whether there was anything
+  /// Throws RunReplaced where the folder holds another run by now, or none.
   bool look();
   [[nodiscard]] const Live& live() const { return live_; }
 

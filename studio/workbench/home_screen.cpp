@@ -1,5 +1,6 @@
 #include "studio/workbench/home_screen.hpp"
 
+#include "engine/results/ownership.hpp"
 #include "engine/scene/preset.hpp"
 #include "studio/screen/box.hpp"
 #include "studio/screen/layouts.hpp"
@@ -312,6 +313,10 @@ Turn HomeScreen::compare_marked() try {
 void HomeScreen::answer_question() {
   if (question_.text() != "yes") {
     message_ = "nothing was deleted";
+    return;
+  }
+  if (results::is_folder_being_written(to_remove_)) {
+    message_ = to_remove_.string() + " is being written: nothing was deleted";
     return;
   }
   std::error_code error;

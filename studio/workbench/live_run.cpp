@@ -52,6 +52,7 @@ void LiveRun::work() {
   } catch (...) {
     failure_ = std::current_exception();
   }
+  claim_.reset();  // others may write into the folder from here on
   stage_ = Stage::ended;
 }
 
@@ -64,7 +65,11 @@ void LiveRun::run() {
         return !stop_;
       }));
   check_grip(p);
-  if (claim_) claim_->keep();
+  if (claim_) {
+    claim_->keep();
+    const std::lock_guard lock(mutex_);
+    if (!claim_->has_locks()) said_.push_back(no_locks_note(wish_.folder));
+  }
   if (wish_.began) wish_.began(wish_.folder);
   geometry_ = geometry_of(p);
   header_ = header_of(p, wish_.build);

@@ -38,7 +38,7 @@ struct RunWish {
 /// engine, nor the engine for the panel but where it was told to.
 class LiveRun {
  public:
-  /// Claims the folder of a new run, then starts. Throws as claim_run_folder(), InputError for a study.
+  /// Claims the folder of a new run, then starts. Throws as results::ClaimedFolder, InputError for a study.
   explicit LiveRun(RunWish wish);
   /// Stops the run, keeping what there is, and waits for its end.
   ~LiveRun();

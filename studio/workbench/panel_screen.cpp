@@ -1,5 +1,6 @@
 #include "studio/workbench/panel_screen.hpp"
 
+#include "engine/results/ownership.hpp"
 #include "engine/scene/axes.hpp"
 #include "studio/screen/box.hpp"
 
@@ -41,7 +42,7 @@ bool PanelScreen::choose(const Press& press) {
 }
 
 WatchScreen::WatchScreen(Workshop& workshop, const std::filesystem::path& run)
-    : PanelScreen(workshop), folder_(run), run_(run), live_(run_.live()) {}
+    : PanelScreen(workshop), folder_(run), run_(std::in_place, run), live_(run_->live()) {}
 
 Turn WatchScreen::press(const Press& press) {
   if (choose(press)) return {};
@@ -64,9 +65,29 @@ Turn WatchScreen::press(const Press& press) {
 
 Turn WatchScreen::look() {
   const std::string message = live_.message, news = errands_.news();
-  if (run_.look()) live_ = run_.live();
   live_.message = news.empty() ? message : news;
+  try {
+    if (!run_)
+      open_again();
+    else if (run_->look())
+      live_ = run_->live(), live_.message = news.empty() ? message : news;
+  } catch (const results::RunReplaced&) {
+    run_.reset();
+    live_.geometry = nullptr;
+    live_.state = "replaced";
+    live_.message = "another process has replaced or removed this run";
+  }
   return {};
+}
+
+/// The run that has taken the place of the one that was shown, as soon as it can be read.
+void WatchScreen::open_again() try {
+  run_.emplace(folder_);
+  live_ = run_->live();
+  live_.message = "another run has taken the place of the one that was shown";
+  shown_ = 0, beside_ = -1;
+} catch (const results::WorldError&) {
+  // its journal holds no geometry yet
 }
 
 RunScreen::RunScreen(Workshop& workshop, RunWish wish, bool leave_at_end)

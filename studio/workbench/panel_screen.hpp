@@ -44,8 +44,10 @@ class WatchScreen : public PanelScreen {
   [[nodiscard]] const Live& live() const override { return live_; }
 
  private:
+  void open_again();
+
   std::filesystem::path folder_;
-  LiveOfRun run_;
+  std::optional<LiveOfRun> run_;  // none between a run that was replaced and the one in its place
   Live live_;
 };
 

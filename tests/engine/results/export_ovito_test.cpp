@@ -127,6 +127,20 @@ TEST(ExportOvito, ARunWithoutFramesGivesItsElementsUnloaded) {
   EXPECT_FALSE(fs::exists(scratch / "ovito/beams.dump"));
 }
 
+TEST(ExportOvito, LeavesNoDumpOfAnEarlierExport) {
+  const small_run::Scratch scratch;
+  fs::create_directories(scratch / "ovito");
+  for (const char* name : {"run.dump", "beams_lane7.dump", "notes.txt"})
+    small_run::put_bytes(scratch.path() / "ovito" / name, "earlier");
+  write_journal(scratch.path(), {RunHeader{R"({"lanes":2})"}, small_run::geometry(), small_run::frame(0, 0),
+                                 small_run::frame(0, 1)});
+  export_ovito(scratch.path());
+  EXPECT_TRUE(fs::exists(scratch / "ovito/run_lane1.dump"));
+  EXPECT_FALSE(fs::exists(scratch / "ovito/run.dump"));
+  EXPECT_FALSE(fs::exists(scratch / "ovito/beams_lane7.dump"));
+  EXPECT_EQ(small_run::bytes_of(scratch / "ovito/notes.txt"), "earlier");
+}
+
 TEST(ExportOvito, OfNoRunThrowsAndMakesNothing) {
   const small_run::Scratch scratch;
   EXPECT_THROW(export_ovito(scratch.path()), WorldError);

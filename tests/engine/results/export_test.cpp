@@ -1,6 +1,7 @@
 #include "engine/results/export.hpp"
 
 #include "engine/results/journal.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/world_error.hpp"
 #include "tests/engine/results/small_run.hpp"
 
@@ -129,6 +130,10 @@ TEST(ExportVtkhdf, IsTheRunsOwnOrMadeOfWhatIsWhole) {
   small_run::put_bytes(finished / "run.vtkhdf", "its own");
   EXPECT_EQ(export_vtkhdf(finished.path()), finished / "run.vtkhdf");
   EXPECT_EQ(bytes_of(finished / "run.vtkhdf"), "its own");
+  fs::create_directories(finished / "paraview");
+  small_run::put_bytes(finished / "paraview/run.vtkhdf", "of the run before it had ended");
+  EXPECT_EQ(export_vtkhdf(finished.path()), finished / "run.vtkhdf");
+  EXPECT_FALSE(fs::exists(finished / "paraview/run.vtkhdf"));
 }
 
 TEST(ExportPvd, TheCollectionNamesEachMomentAndItsTime) {
@@ -146,6 +151,26 @@ TEST(ExportPvd, TheCollectionNamesEachMomentAndItsTime) {
   const auto vtp = parse_vtp(scratch / "pvd/frame_000001.vtp");
   EXPECT_EQ(vtp.arrays.at("PointData/displacement_lane1").as<float>()[0], 310.0F);
   EXPECT_EQ(vtp.arrays.at("CellData/broken_lane0").as<std::uint8_t>().size(), 7U);
+}
+
+TEST(ExportPvd, LeavesNoFrameOfAnEarlierExport) {
+  const small_run::Scratch scratch;
+  fs::create_directories(scratch / "pvd");
+  small_run::put_bytes(scratch / "pvd/frame_000007.vtp", "earlier");
+  small_run::put_bytes(scratch / "pvd/notes.txt", "mine");
+  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0)});
+  export_pvd(scratch.path());
+  EXPECT_TRUE(fs::exists(scratch / "pvd/frame_000000.vtp"));
+  EXPECT_FALSE(fs::exists(scratch / "pvd/frame_000007.vtp"));
+  EXPECT_TRUE(fs::exists(scratch / "pvd/notes.txt"));
+}
+
+TEST(Export, IntoAFolderThatAnotherProcessWritesIsRefused) {
+  const small_run::Scratch scratch;
+  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0)});
+  fs::create_directories(scratch / "csv");
+  const FolderLock lock(scratch / "csv");
+  EXPECT_THROW(export_csv(scratch.path()), WorldError);
 }
 
 TEST(ExportPvd, WithoutFramesShowsTheGeometry) {

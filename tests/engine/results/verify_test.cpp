@@ -5,10 +5,12 @@
 #include "engine/results/checkpoint.hpp"
 #include "engine/results/child.hpp"
 #include "engine/results/journal.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/run_writer.hpp"
 #include "engine/results/world_error.hpp"
 #include "tests/engine/results/small_run.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -162,6 +164,57 @@ TEST(Verify, LeavesARunAloneThatIsBeingWritten) {
   EXPECT_TRUE(v.running);
   EXPECT_TRUE(fs::exists(run / "summary.json.part"));
   EXPECT_FALSE(fs::exists(run / archive_name));
+}
+
+// As when one run replaced the files of another that went on, and either was killed.
+TEST(Verify, KnowsASummaryAnArchiveAndACheckpointOfAnotherRun) {
+  const small_run::Scratch scratch;
+  const fs::path run = scratch / "run", other = scratch / "other";
+  write_run(run, false);
+  fs::create_directories(other);
+  {
+    RunWriter writer(other, {{"version", "0.1.0"}, {"lanes", 1}, {"preset", "other"}}, small_run::geometry());
+    writer.finish({{"scenarios", nlohmann::ordered_json::array()}}, {});
+  }
+  for (const char* name : {archive_name, summary_name}) fs::copy_file(other / name, run / name);
+  Checkpoint late;
+  late.notes = "{}", late.journal_bytes = fs::file_size(run / journal_name) + 1;
+  write_checkpoint(run, late);
+  const Verification looked = verify_run(run, false);
+  EXPECT_FALSE(is_whole(looked));
+  EXPECT_EQ(found_of(looked, summary_name), Found::damaged);
+  EXPECT_EQ(found_of(looked, checkpoint_name), Found::damaged);
+  EXPECT_EQ(text_of(looked, archive_name), "it belongs to another run");
+  (void)verify_run(run, true);
+  EXPECT_FALSE(fs::exists(run / summary_name));
+  EXPECT_FALSE(fs::exists(run / checkpoint_name));
+  EXPECT_TRUE(is_whole(verify_run(run, false)));
+}
+
+TEST(Verify, FollowsNoLinkAndLeavesNothingInTheFolderForTemporaryFiles) {
+  const small_run::Scratch scratch;
+  const fs::path run = scratch / "run", tmp = scratch / "tmp", victim = scratch / "victim";
+  write_run(run);
+  fs::create_directories(tmp);
+  put_bytes(victim, "mine");
+  fs::create_symlink(victim, tmp / fmt::format("rift_verify_{}.vtkhdf", getpid()));
+  const char* former = std::getenv("TMPDIR");
+  const std::string kept = former == nullptr ? "" : former;
+  setenv("TMPDIR", tmp.c_str(), 1);
+  const Verification v = verify_run(run, false);
+  former == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", kept.c_str(), 1);
+  EXPECT_TRUE(is_whole(v));
+  EXPECT_EQ(bytes_of(victim), "mine");
+  EXPECT_EQ(std::distance(fs::directory_iterator(tmp), fs::directory_iterator()), 1);
+}
+
+TEST(Verify, OfAFolderThatAnotherProcessOwnsOnlyLooks) {
+  const small_run::Scratch scratch;
+  write_run(scratch / "run");
+  fs::remove(scratch.path() / "run" / summary_name);
+  const FolderLock lock(scratch / "run");
+  EXPECT_TRUE(verify_run(scratch / "run", true).running);
+  EXPECT_FALSE(fs::exists(scratch.path() / "run" / summary_name));
 }
 
 TEST(Verify, AJournalOfAnotherVersionIsNamed) {

@@ -151,6 +151,31 @@ TEST(RunOut, ThatExistsIsRefusedAndLeftAsItWas) {
   EXPECT_EQ(read_text(plate.out() / "summary.json"), summary);
 }
 
+const std::string slow = "--quiet --checkpoint '0.1 s' --set solver.dt_fraction=0.002 --threads 1 ";
+
+TEST(RunOut, OfAKilledRunOffersToGoOn) {
+  const TinyPlate plate;
+  plate.run_and_kill("checkpoint.h5", slow);
+  const Ran ran = plate.run(slow);
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.err, "rift: " + plate.out().string() +
+                         " holds a run that has not come to its end: 'rift resume " + plate.out().string() +
+                         "' goes on with it, --force replaces it\n");
+}
+
+TEST(RunOut, OfARunThatGoesOnIsNotReplaced) {
+  const TinyPlate plate;
+  const std::string run = "env " + plate.environment() + " '" RIFT_EXE "' run '" + plate.preset().string() +
+                          "' --out '" + plate.out().string() + "' ";
+  const Ran ran = run_shell("(" + run + slow + ">/dev/null; echo first $?) & for k in $(seq 600); do [ -e '" +
+                            (plate.out() / "series.csv").string() + "' ] && break; sleep 0.02; done; " + run +
+                            "--quiet --force --set crack.technique=simple >/dev/null; echo second $?; wait");
+  EXPECT_EQ(ran.out, "second 1\nfirst 0\n");
+  EXPECT_EQ(ran.err, "rift: cannot write into " + plate.out().string() + ": another process is writing it\n");
+  EXPECT_EQ(summary_in(plate.out()).at("scenarios")[0].at("technique"), "progressive");
+  EXPECT_EQ(run_rift("verify '" + plate.out().string() + "' --check-only").exit_code, 0);
+}
+
 TEST(RunOut, IsReplacedWithForce) {
   const TinyPlate plate;
   ASSERT_EQ(plate.run().exit_code, 0);

@@ -1,8 +1,10 @@
+#include "engine/results/ownership.hpp"
 #include "studio/workbench/compare_screen.hpp"
 #include "studio/workbench/form_screen.hpp"
 #include "studio/workbench/home_screen.hpp"
 #include "studio/workbench/lesson_screen.hpp"
 #include "studio/workbench/open.hpp"
+#include "studio/workbench/panel_screen.hpp"
 #include "studio/workbench/study_screen.hpp"
 #include "tests/studio/commands/tiny_plate.hpp"
 
@@ -96,6 +98,11 @@ TEST(HomeScreen, DeletesARunOnlyAfterYes) {
   home.press({key_end});
   type(home, "dno\n");
   EXPECT_TRUE(fs::exists(shop.workshop.runs / "first"));
+  {
+    const results::FolderLock lock(shop.workshop.runs / "first");
+    type(home, "dyes\n");
+    EXPECT_TRUE(fs::exists(shop.workshop.runs / "first")) << "it is being written";
+  }
   type(home, "dyes\n");
   EXPECT_FALSE(fs::exists(shop.workshop.runs / "first"));
   home.press({key_home});
@@ -314,6 +321,22 @@ TEST(LessonScreen, EveryLessonsPresetIsShipped) {
     EXPECT_TRUE(preset.issues.empty()) << lesson.name;
     EXPECT_GE(preset.lanes.size(), 2U) << lesson.name;
   }
+}
+
+TEST(WatchScreen, ShowsTheRunThatHasTakenThePlaceOfTheFollowedOne) {
+  Shop shop;
+  ASSERT_EQ(shop.run("one").exit_code, 0);
+  WatchScreen screen(shop.workshop, shop.workshop.runs / "one");
+  (void)screen.look();
+  EXPECT_TRUE(contains(text_of(screen), "progressive"));
+  ASSERT_EQ(shop.run("one", "--force --set crack.technique=simple").exit_code, 0);
+  for (int k = 0; k < 2; ++k) (void)screen.look();
+  const std::string text = text_of(screen);
+  EXPECT_TRUE(contains(text, "another run has taken the place of the one that was shown"));
+  EXPECT_TRUE(contains(text, "simple"));
+  fs::remove_all(shop.workshop.runs / "one");
+  (void)screen.look();
+  EXPECT_TRUE(contains(text_of(screen), "another process has replaced or removed this run"));
 }
 
 }  // namespace
