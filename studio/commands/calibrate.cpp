@@ -68,7 +68,8 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
     return ExitCode::done;
   }
   const bool report = !options.out.empty();
-  if (report) check_report_folder(options.out, options.force);
+  std::optional<ReportFolder> folder;
+  if (report) folder.emplace(options.out, options.force);
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
   Cache cache = cache_for(options.scene);
@@ -76,7 +77,7 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
     const Calibration calibration = compute(options, preset, cache, line, stop);
     line.clear();
     print_notes(cache);
-    if (report) write_calibration_report(calibration, options.out);
+    if (report) write_calibration_report(calibration, folder->keep());
     if (options.scene.json) {
       fmt::print("{}\n", calibration_json(calibration).dump(2));
     } else {

@@ -1,6 +1,7 @@
 #include "studio/commands/common.hpp"
 
 #include "engine/ensemble/instruction_set.hpp"
+#include "engine/results/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/wording.hpp"
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <set>
 #include <system_error>
 #include <vector>
 
@@ -57,6 +59,27 @@ std::vector<std::string> preset_names() {
   throw InputError({Issue{.file = "rift", .key = {}, .text = text}});
 }
 
+/// Files of all kinds of reports, beside their charts.
+const std::set<std::string>& report_files() {
+  static const std::set<std::string> names{
+      "report.html",   "summary.json",           "table.csv",
+      "material.toml", "elements.csv",           "stress_intensity.csv",
+      "field.csv",     "toughness_position.csv", "toughness_velocity.csv"};
+  return names;
+}
+
+/// Whether the folder holds nothing but what a report of this kind leaves that was killed before its end.
+bool is_cut_off(const fs::path& folder, ReportKind kind) {
+  bool begun = false;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = results::target_name(entry.path().filename().string());
+    const bool run = kind.has_run && name == "run" && entry.is_directory();
+    if (!run && name != "charts" && (!report_files().contains(name) || name == "report.html")) return false;
+    begun = begun || run || name == "charts" || name == "summary.json";
+  }
+  return begun;
+}
+
 }  // namespace
 
 BuildInfo build_info() { return {RIFT_VERSION, std::string(compiler)}; }
@@ -93,15 +116,27 @@ fs::path resolve_preset(const std::string& preset) {
   refuse_preset(preset);
 }
 
-void check_report_folder(const std::filesystem::path& folder, bool force, const char* own) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored)) return;
-  const bool report = fs::exists(folder / "summary.json", ignored) &&
-                      fs::exists(folder / "charts", ignored) && fs::exists(folder / own, ignored);
-  if (report && force) return;
+void check_report(const fs::path& folder, bool force, ReportKind kind) {
+  if (fs::is_empty(folder)) return;
+  const bool report =
+      fs::exists(folder / "summary.json") && fs::exists(folder / "charts") && fs::exists(folder / kind.own);
+  const bool cut_off = !report && is_cut_off(folder, kind);
+  if ((report || cut_off) && force) return;
+  if (cut_off)
+    throw results::FolderExists(
+        fmt::format("{} holds what is left of {} that did not come to its end; --force begins it anew",
+                    folder.string(), kind.has_run ? "an experiment" : "a report"));
   throw results::FolderExists(fmt::format("{} exists and is not empty; --force replaces an earlier report{}",
                                           folder.string(), report ? "" : ", and this is none"));
+}
+
+ReportFolder::ReportFolder(const fs::path& folder, bool force, ReportKind kind)
+    : owned_(folder, [&](const fs::path& there) { check_report(there, force, kind); }) {}
+
+const fs::path& ReportFolder::keep() {
+  results::remove_report(owned_.path(), report_files());
+  owned_.keep();
+  return owned_.path();
 }
 
 void add_color_option(CLI::App& command, std::string& when) {

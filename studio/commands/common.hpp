@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/results/ownership.hpp"
 #include "engine/simulation/build_info.hpp"
 #include "studio/report/table.hpp"
 
@@ -33,10 +34,30 @@ std::filesystem::path own_presets_folder();
 /// ("quickstart") or among the user's own. Throws InputError, with the nearest name, where there is none.
 std::filesystem::path resolve_preset(const std::string& preset);
 
-/// Whether a report may be written into this folder: it is not there, empty, or holds an earlier report
-/// (summary.json) of the same kind and `force` says to replace that. Throws results::FolderExists.
-/// @param own  a file that only reports of this kind have; empty where nothing tells them apart
-void check_report_folder(const std::filesystem::path& folder, bool force, const char* own = "");
+/// What tells reports of a kind apart.
+struct ReportKind {
+  const char* own = "";  // a file that only they have; empty where nothing tells them apart
+  bool has_run = false;  // a run is recorded below, before the report is written
+};
+
+/// Throws results::FolderExists unless a report may be written into this folder: it is empty, or holds an
+/// earlier report of the same kind, or what is left of one that was cut off, and `force` says to replace
+/// that.
+void check_report(const std::filesystem::path& folder, bool force, ReportKind kind = {});
+
+/// The folder of a report: made and owned before the work, given back if nothing came of it.
+class ReportFolder {
+ public:
+  /// Throws as check_report(), and WorldError where it cannot be made or written to or another process writes
+  /// into it.
+  ReportFolder(const std::filesystem::path& folder, bool force, ReportKind kind = {});
+
+  /// The report is there and is about to be written: removes the files and charts of an earlier one.
+  const std::filesystem::path& keep();
+
+ private:
+  results::OwnedFolder owned_;
+};
 
 /// Adds --color auto|always|never to a command; `when` starts as and defaults to "auto".
 void add_color_option(CLI::App& command, std::string& when);

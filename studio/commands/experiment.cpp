@@ -106,9 +106,9 @@ ExitCode experiment(ExperimentCommand& command) {
   const fs::path folder = command.out.empty()
                               ? fs::path(fs::path(command.scene.preset).stem().string() + "_experiment")
                               : fs::path(command.out);
-  check_report_folder(folder, command.force, "toughness_velocity.csv");
   if (const std::string trouble = command.film->trouble_with(preset, true); !trouble.empty())
     refuse("rift experiment", trouble);
+  ReportFolder owned(folder, command.force, {.own = "toughness_velocity.csv", .has_run = true});
   const auto start = Clock::now();
   const StopSignal stop;
   ProgressLine line(progress_style(command.scene.quiet, command.scene.json));
@@ -143,7 +143,7 @@ ExitCode experiment(ExperimentCommand& command) {
   print_notes(cache);
   report.smoothing = smoothing_text(preset.scene, report.experiment.course);
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  const ExitCode code = finish(command, report, folder);
+  const ExitCode code = finish(command, report, owned.keep());
   if (!film.trouble.empty()) fmt::print(stderr, "rift experiment: no film: {}\n", film.trouble);
   return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
 }

@@ -4,6 +4,7 @@
 #include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_ending.hpp"
 #include "studio/commands/scene_options.hpp"
@@ -42,10 +43,7 @@ std::string command_text(const MeasureCommand& command) {
 
 /// In the run's folder, anew each time, or elsewhere, where nothing else may be.
 fs::path folder_of(const MeasureCommand& command) {
-  if (!command.out.empty()) {
-    check_report_folder(command.out, command.force, "stress_intensity.csv");
-    return command.out;
-  }
+  if (!command.out.empty()) return command.out;
   return fs::path(command.run) / (command.wishes.lane > 0 ? fmt::format("measure_lane{}", command.wishes.lane)
                                                           : std::string("measure"));
 }
@@ -65,44 +63,25 @@ void check(const InstrumentWishes& w) {
 /// field.csv, which is there only when all of it is; nothing is left of one that was given up.
 class FieldFile {
  public:
-  explicit FieldFile(const fs::path& folder) : folder_(folder), part_(folder / "field.csv.part") {}
-  ~FieldFile() {
-    if (!file_) return;
-    file_.reset();
-    std::error_code ignored;
-    fs::remove(part_, ignored);
-    for (const fs::path& made : made_)
-      if (fs::is_empty(made, ignored)) fs::remove(made, ignored);
+  explicit FieldFile(results::OwnedFolder& folder)
+      : folder_(folder), pending_(folder.path() / "field.csv"), file_(pending_.temporary(), 0) {
+    file_.append(field_csv_header());
   }
-  FieldFile(const FieldFile&) = delete;
-  FieldFile& operator=(const FieldFile&) = delete;
 
-  void append(const std::string& rows) {
-    if (!file_) open();
-    file_->append(rows);
-  }
+  void append(const std::string& rows) { file_.append(rows); }
   /// Takes the place of what was measured there before.
   void keep() {
-    file_->close();
-    file_.reset();
-    results::remove_measured(folder_);
-    fs::rename(part_, folder_ / "field.csv");
+    file_.close();
+    results::remove_report(folder_.path(),
+                           {"report.html", "summary.json", "field.csv", "stress_intensity.csv"});
+    folder_.keep();
+    pending_.commit();
   }
 
  private:
-  void open() {
-    std::error_code error;
-    for (fs::path p = folder_; !p.empty() && !fs::exists(p, error); p = p.parent_path()) made_.push_back(p);
-    fs::create_directories(folder_, error);
-    if (error) throw results::WorldError("create the folder", folder_, error.message());
-    fs::remove(part_, error);
-    file_.emplace(part_);
-    file_->append(field_csv_header());
-  }
-
-  fs::path folder_, part_;
-  std::vector<fs::path> made_;  // innermost first
-  std::optional<results::AppendFile> file_;
+  results::OwnedFolder& folder_;
+  results::PendingFile pending_;
+  results::AppendFile file_;
 };
 
 /// Reads the run, its fields into a file as they come; keeps one wherever the tip has run a step of the way
@@ -158,19 +137,23 @@ void check_run(const std::string& run) {
   if (!fs::exists(fs::path(run) / results::journal_name) && fs::exists(below / results::journal_name))
     throw InputError(
         {Issue{.file = run, .key = {}, .text = "holds no run: did you mean " + below.string() + "?"}});
+  if (!fs::exists(fs::path(run) / results::journal_name)) (void)preset_of_run(run);  // says why
 }
 
 ExitCode measure(const MeasureCommand& command) {
   check(command.wishes);
   check_run(command.run);
-  const fs::path folder = folder_of(command);
+  results::OwnedFolder owned(folder_of(command), [&](const fs::path& there) {
+    if (!command.out.empty()) check_report(there, command.force, {.own = "stress_intensity.csv"});
+  });
+  const fs::path& folder = owned.path();
   const StopSignal stop;
   ProgressLine line(progress_style(command.quiet, command.json));
   InstrumentsReport report;
   report.run = command.run, report.command = command_text(command), report.version = build_info().version;
   report.lane = command.wishes.lane;
   try {
-    FieldFile file(folder);
+    FieldFile file(owned);
     read_run(command, report, file, line, stop);
     report.trace = traces_of(report.seen);
     lay_over(report, command.against);

@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 namespace rift::studio {
 namespace {
@@ -52,7 +53,8 @@ ExitCode pack_specimen(const ReportOptions& options) {
     return ExitCode::done;
   }
   const bool report = !options.out.empty();
-  if (report) check_report_folder(options.out, options.force);
+  std::optional<ReportFolder> folder;
+  if (report) folder.emplace(options.out, options.force);
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
   Cache cache = cache_for(options.scene);
@@ -64,7 +66,7 @@ ExitCode pack_specimen(const ReportOptions& options) {
     line.clear();
     print_notes(cache);
     const nlohmann::ordered_json summary = packing_json(specimen);
-    if (report) write_packing_report(specimen, summary, options.out);
+    if (report) write_packing_report(specimen, summary, folder->keep());
     if (options.scene.json) {
       fmt::print("{}\n", summary.dump(2));
     } else {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 namespace rift::studio {
 namespace {
@@ -29,7 +30,8 @@ ExitCode stability(const StabilityOptions& options) {
         {Issue{.file = "rift stability",
                .key = {},
                .text = fmt::format("no family of cases has '{}' in its name", options.suite.only)}});
-  if (!options.out.empty()) check_report_folder(options.out, options.force);
+  std::optional<ReportFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out, options.force);
   const auto start = Clock::now();
   const StopSignal stop;
   ProgressLine line(progress_style(options.quiet, options.json));
@@ -49,7 +51,7 @@ ExitCode stability(const StabilityOptions& options) {
     fmt::print("{}", stability_text(report, wants_color(options.color, stdout)));
   if (stop.received() != 0) return static_cast<ExitCode>(128 + stop.received());
   if (!options.out.empty()) {
-    write_stability_report(report, options.out);
+    write_stability_report(report, folder->keep());
     if (!options.json) fmt::print("{}/  report.html, table.csv, summary.json, charts\n", options.out);
   }
   const bool all = std::all_of(report.rows.begin(), report.rows.end(),

@@ -71,6 +71,24 @@ TEST(ExperimentCommand, LeavesWhatWasFoundAsTablesChartsAndALawThatACrackTakes) 
   EXPECT_EQ(plate.experiment("--quiet").exit_code, 2);  // never replaced without --force
 }
 
+TEST(ExperimentCommand, ThatWasKilledDoesNotBlockItsFolder) {
+  const MeasuredPlate plate;
+  const std::string out = (plate.path() / "out").string();
+  std::filesystem::create_directories(plate.path() / "out" / "run");
+  write_text(plate.path() / "out" / "run" / "journal.rift", "RIFTJRNL");
+  const Ran again = plate.experiment("--quiet");
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_TRUE(contains(again.err,
+                       "holds what is left of an experiment that did not come to its end; --force "
+                       "begins it anew"));
+  const Ran forced = plate.experiment("--quiet --resamples 0 --no-application --force");
+  EXPECT_EQ(forced.exit_code, 0) << forced.err;
+  EXPECT_TRUE(std::filesystem::exists(plate.path() / "out" / "report.html"));
+  write_text(plate.path() / "out" / "charts" / "earlier.svg", "of an earlier report");
+  EXPECT_EQ(plate.experiment("--quiet --resamples 0 --no-application --force").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(plate.path() / "out" / "charts" / "earlier.svg"));
+}
+
 TEST(ExperimentCommand, SaysWhatItNeeds) {
   const Ran none = run_rift("experiment quickstart");
   EXPECT_EQ(none.exit_code, 2);
