@@ -8,6 +8,7 @@
 #include "engine/study/claims.hpp"
 #include "engine/study/paper_study.hpp"
 #include "engine/study/runner.hpp"
+#include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/draw_claim.hpp"
 #include "studio/commands/scene_options.hpp"
@@ -274,6 +275,8 @@ ExitCode reproduce(const ReproduceOptions& options) {
   const Effort effort = options.quick ? Effort::quick : Effort::full;
   const PaperStudy study = study_of(chosen, effort);
   check_folder(options.out);
+  open_shared(options.out);
+  results::check_target(fs::path(options.out) / "report.html");
   const StopSignal stop;
   const StudyResult result = compute(options, study, stop);
   if (result.outcome == Outcome::stopped) {

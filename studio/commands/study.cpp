@@ -104,6 +104,14 @@ void tell_finished(const StudyCommand& command, ProgressLine& line, const Summar
   }
 }
 
+/// What a study has left in its folder so far.
+std::string files_in(const fs::path& folder) {
+  std::string names;
+  for (const char* name : {"table.csv", "report.html", "charts", "runs"})
+    if (fs::exists(folder / name)) names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
+}
+
 void print_result(const StudyCommand& command, const Preset& preset, const StudyResult& result,
                   const fs::path& folder) {
   if (command.scene.json) {
@@ -117,12 +125,18 @@ void print_result(const StudyCommand& command, const Preset& preset, const Study
   if (table.rows.size() < result.rows.size())
     fmt::print("{} of {} scenarios are not computed yet\n", result.rows.size() - table.rows.size(),
                result.rows.size());
-  fmt::print("{} computed, {} found, {} in all; {}/  table.csv, report.html, charts\n", result.computed,
-             result.found, duration_text(result.wall_s), folder.string());
+  fmt::print("{} computed, {} found, {} in all; {}/  {}\n", result.computed, result.found,
+             duration_text(result.wall_s), folder.string(), files_in(folder));
+  if (!command.shard.empty())
+    fmt::print(
+        "when all parts have ended, the same command without --shard writes table, charts and report\n");
 }
 
-/// table.csv always; charts and report unless the user wants to be let go.
-ExitCode write_files(const Preset& preset, const StudyResult& result, const fs::path& folder) {
+/// table.csv always; charts and report unless the user wants to be let go. A part of a study leaves all of
+/// them to the call that gathers the parts.
+ExitCode write_files(const StudyCommand& command, const Preset& preset, const StudyResult& result,
+                     const fs::path& folder) {
+  if (!command.shard.empty()) return ExitCode::done;
   const std::string csv = study_csv(result.rows);
   if (csv.empty()) return ExitCode::done;
   results::write_whole_file(folder / "table.csv", csv);
@@ -156,7 +170,7 @@ ExitCode compute(const StudyCommand& command, const Preset& preset, const StudyO
   const StudyResult result = run_study(preset, options, cache, build_info(), observer);
   line.clear();
   for (const std::string& note : cache.notes) fmt::print(stderr, "note: {}\n", note);
-  const ExitCode files = write_files(preset, result, options.folder);
+  const ExitCode files = write_files(command, preset, result, options.folder);
   print_result(command, preset, result, options.folder);
   if (result.outcome == Outcome::stopped) {
     const bool by_signal = stop.received() != 0;
@@ -203,7 +217,7 @@ void add_study(CLI::App& app, ExitCode& exit_code) {
       "--out", options->out,
       "Folder of the study (default: studies/NAME); one that holds the same study is continued");
   command.add_option("--shard", options->shard,
-                     "i/n: compute the i-th part of n only; any call gathers all parts");
+                     "i/n: compute the i-th part of n only; a call without it gathers all parts");
   command.add_option("--budget", options->budget, "Stop after this time (\"10 min\"); the next call goes on");
   command.add_flag("--yes", options->yes, "Start a study of more than 10 minutes without being asked");
   command.callback([options, &exit_code] { exit_code = study(*options); });

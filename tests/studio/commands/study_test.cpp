@@ -1,8 +1,11 @@
+#include "engine/results/files.hpp"
 #include "tests/studio/commands/study_table.hpp"
 #include "tests/studio/commands/tiny_plate.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <regex>
+#include <string>
 #include <vector>
 
 namespace rift::studio {
@@ -100,7 +103,50 @@ TEST(StudyCommand, GathersShards) {
   EXPECT_TRUE(contains(first.out, "4 of 8 scenarios are not computed yet"));
   const Ran second = plate.study("--shard 1/2");
   EXPECT_TRUE(contains(second.out, "4 computed, 4 found"));
+  for (const char* name : {"table.csv", "report.html", "charts"})  // left to the call that gathers
+    EXPECT_FALSE(fs::exists(plate.out() / name)) << name;
+  const Ran all = plate.study();
+  EXPECT_TRUE(contains(all.out, "0 computed, 8 found"));
   EXPECT_EQ(table_in(plate.out()).size(), 8U);
+}
+
+// The Slurm array of docs/studies.md, all of its parts at once, and with them two calls for the whole.
+TEST(StudyCommand, PartsThatRunAtOnceDoNotDisturbEachOther) {
+  const TinyStudy plate;
+  std::string script;
+  for (int k = 1; k <= 4; ++k)
+    script += "(env " + plate.environment() + " '" RIFT_EXE "' " +
+              plate.command("--quiet --yes --threads 1 " +
+                                (k <= 2 ? "--shard " + std::to_string(k) + "/2" : std::string()),
+                            plate.out()) +
+              " >/dev/null; echo rc $?) & ";
+  const Ran ran = run_shell("bash -c \"" + script + "wait\"");
+  EXPECT_EQ(ran.out, "rc 0\nrc 0\nrc 0\nrc 0\n") << ran.err;
+  EXPECT_EQ(table_in(plate.out()).size(), 8U);
+  EXPECT_TRUE(contains(read_text(plate.out() / "report.html"), "</html>"));
+  for (const auto& entry : fs::recursive_directory_iterator(plate.out()))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+}
+
+TEST(StudyCommand, ThatWasStoppedNamesOnlyWhatIsThere) {
+  const TinyStudy plate;
+  const Ran ran = plate.study("--set solver.dt_fraction=0.001 --budget '0.5 s'");
+  ASSERT_EQ(ran.exit_code, 4);
+  for (const char* name : {"table.csv", "report.html", "charts"})
+    EXPECT_EQ(ran.out.find(name) != std::string::npos, fs::exists(plate.out() / name)) << name << ran.out;
+}
+
+TEST(StudyCommand, RemovesWhatAKilledProcessHasLeft) {
+  const TinyStudy plate;
+  fs::create_directories(plate.out() / "runs");
+  ASSERT_EQ(plate.study().exit_code, 0);
+  const Ran gone = run_shell("sh -c 'echo $$'");
+  const std::string name = results::temporary_name(plate.out() / "runs" / "a.json").filename().string();
+  const std::string dead = std::regex_replace(name, std::regex("-[0-9]+-([0-9a-f]{8})"),
+                                              "-" + std::to_string(std::stoi(gone.out)) + "-$1");
+  write_text(plate.out() / "runs" / dead, "half");
+  ASSERT_EQ(plate.study().exit_code, 0);
+  EXPECT_FALSE(fs::exists(plate.out() / "runs" / dead));
 }
 
 struct StudyMistake {
