@@ -2,14 +2,15 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/journal_index.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/results/ownership.hpp"
 #include "viz/png.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
-#include <system_error>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace rift::viz {
 namespace {
@@ -18,6 +19,16 @@ constexpr std::size_t ahead = 3;  // frames that are drawn while one is looked a
 
 void ask_whether_to_go_on(const Making& making, std::size_t done, std::size_t all) {
   if (making.go_on && !making.go_on(done, all)) throw Stopped{};
+}
+
+/// What an earlier film has left in a folder of frames.
+void remove_frames(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> frames;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("frame_") && name.ends_with(".png")) frames.push_back(entry.path());
+  }
+  for (const auto& frame : frames) std::filesystem::remove(frame);
 }
 
 }  // namespace
@@ -42,12 +53,12 @@ void make_film(const Job& job, std::span<const double> times_s, double frames_pe
 
 void make_pictures(const Job& job, std::span<const double> times_s, const std::filesystem::path& folder,
                    const Making& making) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw results::WorldError("create the folder", folder, error.message());
+  const results::OwnedFolder owned(folder);
   int number = 0;
-  draw_each(job, times_s, making,
-            [&](const Image& frame) { write_png(folder / fmt::format("frame_{:06}.png", number++), frame); });
+  draw_each(job, times_s, making, [&](const Image& frame) {
+    if (number == 0) remove_frames(folder);
+    write_png(folder / fmt::format("frame_{:06}.png", number++), frame);
+  });
 }
 
 void make_picture(const Job& job, double time_s, const std::filesystem::path& path, const Making& making) {

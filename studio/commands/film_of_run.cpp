@@ -1,6 +1,8 @@
 #include "studio/commands/film_of_run.hpp"
 
 #include "engine/results/archive.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/ownership.hpp"
 #include "engine/results/world_error.hpp"
 #include "studio/commands/film_options.hpp"
 
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <thread>
 
 namespace rift::studio {
@@ -24,6 +27,7 @@ struct FilmOfRun::Maker {
   bool asked = false, core_free = true;
   std::string film;
   FilmOptions options;
+  std::optional<results::HeldFile> former;  // journal of a run that this one replaces
   std::atomic<bool> run_ended = false, given_up = false, made = false;
   std::atomic<std::size_t> done = 0, all = 1;
   std::size_t frames_expected = 0;
@@ -64,8 +68,11 @@ struct FilmOfRun::Maker {
 
   /// A plan needs a frame, which the run may not have stored yet.
   viz::Plan first_plan() {
-    while (!run_ended && !given_up && !fs::exists(options.wish.runs.front() / results::journal_name))
-      std::this_thread::sleep_for(between_looks);
+    const auto to_come = [&] {
+      return !fs::exists(options.wish.runs.front() / results::journal_name) ||
+             (former && former->is_still_there());
+    };
+    while (!run_ended && !given_up && to_come()) std::this_thread::sleep_for(between_looks);
     for (;;) {
       const bool last = run_ended || given_up;
       try {
@@ -119,6 +126,11 @@ std::string FilmOfRun::trouble_with(const Preset& preset, bool force) {
     return fmt::format("--film {}: must end in .mp4, .webm or .gif", maker_->film);
   if (!force && !maker_->film.empty() && fs::exists(maker_->film))
     return fmt::format("{} is there already: --force replaces it", maker_->film);
+  try {
+    if (!maker_->film.empty()) results::check_target(maker_->film);
+  } catch (const results::WorldError& error) {
+    return error.what();
+  }
   if (scene.output.frames < 2)
     return fmt::format("--render: output.frames = {} makes no film", scene.output.frames);
   if (!stored(field->stored))
@@ -135,6 +147,8 @@ void FilmOfRun::begin(const fs::path& run, bool core_free) {
   if (!maker_->wanted()) return;
   maker_->core_free = core_free;
   maker_->options.wish.runs = {run};
+  if (const fs::path journal = run / results::journal_name; fs::exists(journal))
+    maker_->former.emplace(journal);
   maker_->thread = std::jthread([maker = maker_.get()] { maker->run(); });
 }
 

@@ -1,3 +1,4 @@
+#include "engine/results/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/units.hpp"
 #include "studio/commands/commands.hpp"
@@ -49,7 +50,15 @@ std::vector<double> times_of(const RenderOptions& options, const viz::Plan& plan
   return options.frames > 0 ? viz::evenly_chosen(times, options.frames) : times;
 }
 
-void refuse_to_overwrite(const fs::path& path, bool force) {
+/// Before anything is drawn: a file that is there is kept without --force, and a new one needs its folder.
+void check_file(const fs::path& path, bool force) {
+  if (!force && fs::exists(path))
+    throw results::FolderExists(fmt::format("{} is there already: --force replaces it", path.string()));
+  results::check_target(path);
+}
+
+/// A folder of pictures, which is made where it is not there.
+void check_folder_of_pictures(const fs::path& path, bool force) {
   if (force || !fs::exists(path) || (fs::is_directory(path) && fs::is_empty(path))) return;
   throw results::FolderExists(fmt::format("{} is there already: --force replaces it", path.string()));
 }
@@ -79,7 +88,7 @@ double poster_time(const viz::Plan& plan) {
 
 void draw_picture(const RenderOptions& options, const viz::Plan& plan, double time_s, const fs::path& path,
                   const viz::Making& making) {
-  refuse_to_overwrite(path, options.force);
+  check_file(path, options.force);
   viz::make_picture(plan.job, time_s, path, making);
   fmt::print("{}\n", path.string());
 }
@@ -87,9 +96,7 @@ void draw_picture(const RenderOptions& options, const viz::Plan& plan, double ti
 /// Where ffmpeg fails, the frames are drawn as pictures instead.
 ExitCode draw_film(const RenderOptions& options, const viz::Plan& plan, const std::vector<double>& times,
                    const fs::path& path, ProgressLine& line, const StopSignal& stop) {
-  if (!viz::is_film_name(path))
-    throw viz::BadWish(fmt::format("--film {}: must end in .mp4, .webm or .gif", path.string()));
-  refuse_to_overwrite(path, options.force);
+  check_file(path, options.force);
   try {
     viz::make_film(plan.job, times, rate_of(options.look, times.size()), path,
                    making_of(options, line, stop, path.filename().string()));
@@ -102,12 +109,21 @@ ExitCode draw_film(const RenderOptions& options, const viz::Plan& plan, const st
     folder.replace_extension();
     folder += "_frames";
     fmt::print(stderr, "rift render: {}; the frames are drawn as pictures instead\n", failure.what());
-    refuse_to_overwrite(folder, options.force);
+    check_folder_of_pictures(folder, options.force);
     viz::make_pictures(plan.job, times, folder, making_of(options, line, stop, folder.filename().string()));
     line.clear();
     fmt::print("{}\n", folder.string());
     return ExitCode::world_failed;
   }
+}
+
+/// The files that are asked for by name, before the first of them is drawn.
+void check_files(const RenderOptions& options) {
+  if (!options.film.empty() && !viz::is_film_name(options.film))
+    throw viz::BadWish(fmt::format("--film {}: must end in .mp4, .webm or .gif", options.film));
+  for (const std::string& file : {options.film, options.picture})
+    if (!file.empty()) check_file(file, options.force);
+  if (!options.pictures.empty()) check_folder_of_pictures(options.pictures, options.force);
 }
 
 ExitCode draw(const RenderOptions& options, const viz::Plan& plan, ProgressLine& line,
@@ -123,7 +139,7 @@ ExitCode draw(const RenderOptions& options, const viz::Plan& plan, ProgressLine&
   }
   const std::vector<double> times = times_of(options, plan);
   if (!options.pictures.empty()) {
-    refuse_to_overwrite(options.pictures, options.force);
+    check_folder_of_pictures(options.pictures, options.force);
     viz::make_pictures(plan.job, times, options.pictures, making_of(options, line, stop, "pictures"));
     fmt::print("{}\n", options.pictures);
   }
@@ -144,6 +160,7 @@ ExitCode draw(const RenderOptions& options, const viz::Plan& plan, ProgressLine&
 
 ExitCode render(RenderOptions options) try {
   for (const std::string& note : read_wish(options.look)) fmt::print(stderr, "rift render: {}\n", note);
+  check_files(options);
   for (const std::string& run : options.runs) options.look.wish.runs.emplace_back(run);
   const viz::Plan plan = viz::plan_of(options.look.wish);
   for (const std::string& note : plan.notes) fmt::print(stderr, "rift render: {}\n", note);

@@ -98,7 +98,8 @@ TEST(Render, KeepsTheFramesWhereFfmpegIsMissingOrDies) {
   EXPECT_TRUE(contains(killed.err,
                        "ffmpeg was killed by signal 9 (Killed); the frames are drawn as pictures instead"));
   EXPECT_TRUE(fs::exists(folder / "b_frames" / "frame_000005.png"));
-  EXPECT_FALSE(fs::exists(folder / "b.mp4") || fs::exists(folder / "b.mp4.part"));
+  for (const auto& entry : fs::directory_iterator(folder / "."))
+    EXPECT_FALSE(entry.path().filename().string().starts_with("b.mp4")) << entry.path();
 }
 
 TEST(Render, IntoAFolderThatIsNotThereFailsWithAReason) {
@@ -107,6 +108,23 @@ TEST(Render, IntoAFolderThatIsNotThereFailsWithAReason) {
   const Ran ran = render_in(folder, "run --size 320x180 --at 0 --picture nowhere/a.png");
   EXPECT_EQ(ran.exit_code, 1);
   EXPECT_TRUE(contains(ran.err, "nowhere/a.png"));
+  const Ran film = render_in(folder, "run --size 320x180 --film no/such/a.mp4");
+  EXPECT_EQ(film.exit_code, 1);
+  EXPECT_EQ(film.err, "rift: cannot write no/such/a.mp4: there is no folder no/such\n") << "before any frame";
+  EXPECT_FALSE(fs::exists(folder / "no"));
+}
+
+TEST(Render, TwoAtOnceLeaveAWholeFilm) {
+  const Folder folder;
+  write_run(folder / "run");
+  const std::string once =
+      "(env HOME=/nowhere '" RIFT_EXE "' render run --size 320x180 --film a.mp4 >/dev/null; echo rc $?) & ";
+  const Ran ran = run_shell("cd '" + (folder / ".").string() + "' && bash -c \"" + once + once + "wait\"");
+  EXPECT_EQ(ran.out, "rc 0\nrc 0\n") << ran.err;
+  EXPECT_EQ(run_shell("ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv '" +
+                      (folder / "a.mp4").string() + "'")
+                .out,
+            "stream,6\n");
 }
 
 /// `rift run` of a tiny plate.
