@@ -1,5 +1,7 @@
 #include "engine/ensemble/ensemble.hpp"
 
+#include "engine/fracture/notch.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -29,7 +31,7 @@ Ensemble<Real>::Ensemble(const Lattice& lattice, const CrackPath& path, double n
       held_(scenario_.size(), 0.0),
       inherited_(scenario_.size(), 0.0) {
   assert(!scenario_.empty() && static_cast<int>(scenario_.size()) <= lanes_);
-  for (const Crossing& c : met_) notched_.push_back(c.position <= notch_end);
+  for (const Crossing& c : met_) notched_.push_back(in_notch(c, notch_end));
   booked_.assign(met_.size() * lanes_, 0.0);
   factor_.resize(booked_.size());
   softening_.reserve(booked_.size());

@@ -1,6 +1,7 @@
 #include "engine/simulation/prestress.hpp"
 
 #include "engine/calibration/calibrate.hpp"
+#include "engine/fracture/notch.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/lattice/cached_packing.hpp"
 #include "engine/lattice/stiffness.hpp"
@@ -179,11 +180,9 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
   std::vector<char> notched(present);
   std::string notch;
-  if (scene.crack.start > 0.0) {
-    for (const Crossing& c : crossings(p.path, p.lattice))
-      if (c.position <= scene.crack.start) notched[c.beam] = 0;
-    notch = notch_key(scene);
-  }
+  if (scene.crack.start > 0.0) notch = notch_key(scene);
+  for (const Crossing& c : crossings(p.path, p.lattice))
+    if (in_notch(c, scene.crack.start)) notched[c.beam] = 0;
   const std::optional<double> force = force_at_start(scene);
   p.pulled =
       force ? displacement_under(*force, statics, p.lattice, notched, notch) : displacement_at_start(scene);

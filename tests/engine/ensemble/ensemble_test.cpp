@@ -5,7 +5,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace rift {
@@ -219,6 +221,22 @@ TEST(Release, DamagesNoBeamInOneJump) {
     }
     EXPECT_LE(largest, most * (1.0 + 1e-9));
     EXPECT_GT(largest, 0.9 * most);
+  }
+}
+
+// The pre-stress, which has no notch to cut then, leaves such beams whole, too.
+TEST(Notch, WithoutLengthCutsNoBeamThatIsCrossedAtItsEnd) {
+  const Prepared p = small_plate({});
+  const Eigen::Vector2d from = p.lattice.centre[p.lattice.centre.size() / 2].head<2>();
+  const CrackPath path{{from, from + Eigen::Vector2d(10e-3, 0.0)}};  // from an element's centre on
+  const auto at_its_end = [](const Crossing& crossing) { return crossing.position == 0.0; };
+  const std::vector<Crossing> met = crossings(path, p.lattice);
+  ASSERT_GT(std::count_if(met.begin(), met.end(), at_its_end), 0);
+  for (const auto& [notch, left] : {std::pair{0.0, 1.0}, std::pair{1e-6, 0.0}}) {
+    Ensemble<double> s(p.lattice, path, notch, p.step.dt, {p.lane[0].scenario});
+    s.start_from(p.displacement);
+    for (std::size_t k = 0; k < met.size(); ++k)
+      if (at_its_end(met[k])) EXPECT_EQ(s.factor(static_cast<int>(k), 0), left) << "notch of " << notch;
   }
 }
 
