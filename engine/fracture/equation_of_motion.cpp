@@ -4,17 +4,30 @@
 #include <cmath>
 
 namespace rift {
+namespace {
+
+/// What a beam counts in a window behind the tip [J].
+double weighted_energy(const ReleasedBeam& beam, double tip, double window) {
+  const double x = (tip - beam.position) / window;
+  if (x <= 0.0 || x >= 1.0) return 0.0;
+  return 6.0 * x * (1.0 - x) * beam.energy / response_to_velocity(beam.over_cr);
+}
+
+}  // namespace
 
 double response_to_velocity(double over_cr) { return 1.0 - over_cr; }
 
 double driving_force(const std::vector<ReleasedBeam>& released, double tip, double window, double thickness) {
   double energy = 0.0;
-  for (const ReleasedBeam& beam : released) {
-    const double x = (tip - beam.position) / window;
-    if (x <= 0.0 || x >= 1.0) continue;
-    energy += 6.0 * x * (1.0 - x) * beam.energy / response_to_velocity(beam.over_cr);
-  }
+  for (const ReleasedBeam& beam : released) energy += weighted_energy(beam, tip, window);
   return energy / (thickness * window);
+}
+
+double driving_force_error(const std::vector<ReleasedBeam>& released, double tip, double window,
+                           double thickness) {
+  double squares = 0.0;
+  for (const ReleasedBeam& beam : released) squares += std::pow(weighted_energy(beam, tip, window), 2);
+  return std::sqrt(squares) / (thickness * window);
 }
 
 double critical_rate(const CriticalRate& toughness, double over_cr, double rayleigh_speed, double position) {

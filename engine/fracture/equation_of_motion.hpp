@@ -25,6 +25,12 @@ double response_to_velocity(double over_cr);
 /// @param[in] thickness  b [m], of all tips that advance together
 double driving_force(const std::vector<ReleasedBeam>& released, double tip, double window, double thickness);
 
+/// How far chance may have moved it [J/m2]: the standard error that the weighted energies would have if each
+/// beam's were drawn by itself. It falls with the root of the window's length. Neighbours share what there
+/// is, so that the true error is smaller.
+double driving_force_error(const std::vector<ReleasedBeam>& released, double tip, double window,
+                           double thickness);
+
 /// G_c [J/m2] at a velocity and a position [m].
 double critical_rate(const CriticalRate& toughness, double over_cr, double rayleigh_speed, double position);
 

@@ -1,10 +1,12 @@
 #include "engine/simulation/change_lane.hpp"
 
+#include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -28,12 +30,36 @@ void plan_anew(LanePlan& lane, const Prepared& prepared, std::int64_t now) {
   lane.schedule = std::move(planned);
 }
 
+/// Until the slowest waves have been to the far end and back, or so long after the load has stopped to
+/// change: nothing comes after them.
+std::int64_t steps_of_rest(const LanePlan& lane, const Prepared& prepared, double time) {
+  const LoadCurve& curve = lane.scene.loading.curve;
+  double rest = 2.0 * prepared.lattice.box.length / (prepared.rayleigh_speed * lane.units.time);
+  if (grip_moves(lane.scene)) {
+    const double clock = load_time(lane.scene) + std::max(0.0, time * lane.units.time - lane.lead);
+    rest += std::max(0.0, curve.row.back()[0] - clock) / lane.units.time;
+  }
+  return static_cast<std::int64_t>(std::ceil(rest / prepared.step.dt));
+}
+
+void stop(LanePlan& lane, const Prepared& prepared, double time, std::int64_t now) {
+  turn_to(lane.scenario.history, time, 0.0);
+  const std::int64_t end = now + steps_of_rest(lane, prepared, time);
+  lane.schedule.fracture = end - lane.schedule.crack_start();
+  lane.schedule.samples = joined(lane.schedule.samples, {end}, now);
+  if (!lane.schedule.frames.empty()) lane.schedule.frames = joined(lane.schedule.frames, {end}, now);
+}
+
 }  // namespace
 
 std::string change_lane(LanePlan& lane, const Change& change, const Prepared& prepared, std::int64_t step) {
   if (step < lane.schedule.crack_start()) return "the crack has not started yet";
   const double time = static_cast<double>(step - lane.schedule.crack_start()) * prepared.step.dt;
   const double tip = tip_at(lane.scenario.history, time);
+  if (change.axis == tip_stops) {
+    stop(lane, prepared, time, step);
+    return {};
+  }
   if (std::string wrong = steer(lane.scene, change, tip); !wrong.empty()) return wrong;
   if (change.axis == "damping_alpha") {
     set_damping(lane.scenario, lane.scene);

@@ -4,8 +4,13 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace rift {
+
+/// The axis of a change that only a crack that runs by itself makes: its tip rests from now on, and the lane
+/// ends once nothing can come any more that would set it going again.
+inline constexpr std::string_view tip_stops = "tip_stops";
 
 /// Changes the plan of a lane whose crack runs, from the next step on: its scene, its scenario (the beams not
 /// yet reached get the new law) and, with a new velocity, what of its schedule is to come.

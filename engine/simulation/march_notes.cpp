@@ -54,6 +54,20 @@ LaneResult lane_of(const Json& j) {
   return r;
 }
 
+Json json_of(const Rest& r) {
+  return {{"since", r.since}, {"driving", r.driving}, {"reference", r.reference},
+          {"sum", r.sum},     {"looks", r.looks},     {"restarted_m", r.restarted_m}};
+}
+
+Rest rest_of(const Json& j) {
+  return {.since = j.at("since"),
+          .driving = j.at("driving"),
+          .reference = j.at("reference"),
+          .sum = j.at("sum"),
+          .looks = j.at("looks"),
+          .restarted_m = j.at("restarted_m")};
+}
+
 }  // namespace
 
 std::string to_json(const MarchNotes& n) {
@@ -62,7 +76,8 @@ std::string to_json(const MarchNotes& n) {
     seats.push_back({{"scenario", s.scenario},
                      {"next_sample", s.next_sample},
                      {"next_frame", s.next_frame},
-                     {"framed_at", s.framed_at}});
+                     {"framed_at", s.framed_at},
+                     {"rest", json_of(s.rest)}});
   for (const LaneResult& r : n.lane) lanes.push_back(json_of(r));
   return Json{{"lanes", n.lanes},
               {"instructions", n.instructions},
@@ -89,7 +104,8 @@ MarchNotes march_notes(const std::string& text) try {
   n.wall_prestress_s = j.at("wall_prestress_s");
   n.wall_fracture_s = j.at("wall_fracture_s");
   for (const Json& s : j.at("seats"))
-    n.seats.push_back({s.at("scenario"), s.at("next_sample"), s.at("next_frame"), s.at("framed_at")});
+    n.seats.push_back({s.at("scenario"), s.at("next_sample"), s.at("next_frame"), s.at("framed_at"),
+                       s.contains("rest") ? rest_of(s.at("rest")) : Rest{}});
   for (const Json& r : j.at("lane")) n.lane.push_back(lane_of(r));
   return n;
 } catch (const Json::exception& error) {

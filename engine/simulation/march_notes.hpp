@@ -8,6 +8,16 @@
 
 namespace rift {
 
+/// A tip that runs by itself and has come to rest, or the last place where it did.
+struct Rest {
+  std::int64_t since = -1;  // the step at which it stopped; -1 while it runs
+  double driving = 0;       // G* then [J/m2]
+  double reference = 0;     // strain energy ahead of it once its field has spread; 0: not yet known
+  double sum = 0;           // of that energy over the looks since the last comparison
+  std::int64_t looks = 0;
+  double restarted_m = 0;  // tip position of the last restart; 0: none
+};
+
 /// Where a march was, beside the state of its ensemble: the words of a checkpoint.
 struct MarchNotes {
   int lanes = 0;  // of the kernel
@@ -20,6 +30,7 @@ struct MarchNotes {
     int scenario = -1;
     std::size_t next_sample = 0, next_frame = 0;
     std::int64_t framed_at = -1;
+    Rest rest = {};
   };
   std::vector<Seat> seats = {};
   std::vector<LaneResult> lane = {};  // without their books, which the journal holds

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 /// Cracks that run by themselves.
@@ -13,8 +15,14 @@ namespace {
 
 /// New velocities over one window of the release rate.
 constexpr double decisions_in_window = 6.0;
-/// A tip that would be slower, in c_r, is taken for arrested: its history would have no end.
+/// A tip that would be slower, in c_r, stops: its history would have no end.
 constexpr double slowest = 0.01;
+/// Lengths of the windows that must agree that the tip stops, in windows.
+constexpr std::array<double, 3> windows_that_agree{1.0, 2.0, 4.0};
+/// Standard errors by which G* must fall short of G_c for a stop while the longest window is not full.
+constexpr double errors_beyond_doubt = 3.0;
+/// Looks at the beams ahead of a resting tip in the time that a Rayleigh wave takes over a window.
+constexpr std::int64_t looks_in_window = 32;
 
 }  // namespace
 
@@ -23,21 +31,113 @@ void Run<Real>::find_velocity(Seat& seat) {
   const LanePlan& lane = plan(seat);
   const Scene::Crack& crack = lane.scene.crack;
   if (crack.toughness.row.empty() || !ensemble_.cracking() || ended(seat)) return;
-  const double window = crack.toughness_window * prepared_.lattice.mean_radius;
+  if (seat.rest.since >= 0) return await_restart(seat);
+  const double window = toughness_window(seat);
   const double tip = ensemble_.tip(index(seat)), moved = ensemble_.speed(index(seat)) * ensemble_.dt();
   const auto decision = [&](double at) {
     return std::floor((at - crack.start) * decisions_in_window / window);
   };
-  if (tip < crack.start + window || decision(tip) == decision(tip - moved)) return;
-  const double driving = driving_force(released(seat, tip - window), tip, window,
-                                       prepared_.scale.thickness * prepared_.path.tips);
-  const double velocity =
-      velocity_over_cr(driving, in_window(crack.toughness, tip, window), prepared_.rayleigh_speed, tip,
-                       std::max(fastest_by_itself, slowest));
-  if (velocity < slowest) return arrest(seat, tip);
+  if (tip < runs_from(seat) + window || decision(tip) == decision(tip - moved)) return;
+  if (const auto velocity = velocity_of(seat, tip))
+    turn(seat, *velocity);
+  else
+    stop_tip(seat, tip);
+}
+
+/// By the shortest window that lets it run: a dip that a longer one does not show is noise.
+template <class Real>
+std::optional<double> Run<Real>::velocity_of(const Seat& seat, double tip) const {
+  const double thickness = prepared_.scale.thickness * prepared_.path.tips, from = runs_from(seat);
+  const CriticalRate toughness =
+      in_window(lane_[seat.scenario].scene.crack.toughness, tip, toughness_window(seat));
+  const double at_rest = critical_rate(toughness, 0.0, prepared_.rayleigh_speed, tip);
+  bool beyond_doubt = false;
+  for (const double windows : windows_that_agree) {
+    const double window = windows * toughness_window(seat);
+    if (tip < from + window) break;
+    const std::vector<ReleasedBeam> beams = released(seat, tip - window);
+    const double driving = driving_force(beams, tip, window, thickness);
+    const double velocity = velocity_over_cr(driving, toughness, prepared_.rayleigh_speed, tip,
+                                             std::max(fastest_by_itself, slowest));
+    if (velocity >= slowest) return velocity;
+    beyond_doubt =
+        windows == windows_that_agree.back() ||
+        driving + errors_beyond_doubt * driving_force_error(beams, tip, window, thickness) < at_rest;
+  }
+  return beyond_doubt ? std::nullopt : std::optional(slowest);
+}
+
+template <class Real>
+void Run<Real>::turn(Seat& seat, double over_cr) {
   const std::string refused =
-      make(seat, {seat.scenario, steps(seat), "crack_velocity", fmt::format("{} c_r", velocity)});
+      make(seat, {seat.scenario, steps(seat), "crack_velocity", fmt::format("{} c_r", over_cr)});
   if (!refused.empty()) throw std::logic_error("a crack that runs by itself: " + refused);
+}
+
+template <class Real>
+double Run<Real>::toughness_window(const Seat& seat) const {
+  return lane_[seat.scenario].scene.crack.toughness_window * prepared_.lattice.mean_radius;
+}
+
+template <class Real>
+double Run<Real>::runs_from(const Seat& seat) const {
+  return std::max(lane_[seat.scenario].scene.crack.start, seat.rest.restarted_m);
+}
+
+template <class Real>
+void Run<Real>::stop_tip(Seat& seat, double tip) {
+  const double from = runs_from(seat);
+  double window = toughness_window(seat);
+  for (const double windows : windows_that_agree)
+    if (tip >= from + windows * toughness_window(seat)) window = windows * toughness_window(seat);
+  seat.rest = {.since = steps(seat),
+               .driving = driving_force(released(seat, tip - window), tip, window,
+                                        prepared_.scale.thickness * prepared_.path.tips),
+               .restarted_m = seat.rest.restarted_m};
+  if (const std::string refused = make(seat, {seat.scenario, steps(seat), std::string(tip_stops), ""});
+      !refused.empty())
+    throw std::logic_error("a crack that runs by itself: " + refused);
+  lane_of(seat).arrested_m = tip;
+  if (lane_of(seat).books.empty() || lane_of(seat).books.back().step != steps(seat)) read_books(seat);
+}
+
+/// G* of the moment at which it stopped, times what the strain energy of the beams ahead has become: the
+/// field around a resting tip scales with its K, and K^2 with G. The first window's time is left out, in
+/// which the resting tip's field spreads over the beams [Freund 1990, section 7.4], the second one is the
+/// reference.
+template <class Real>
+void Run<Real>::await_restart(Seat& seat) {
+  Rest& rest = seat.rest;
+  const LanePlan& lane = plan(seat);
+  const double window = toughness_window(seat), tip = ensemble_.tip(index(seat));
+  const double passing = window / (prepared_.rayleigh_speed * lane.units.time * ensemble_.dt());  // in steps
+  const std::int64_t apart = std::max<std::int64_t>(1, static_cast<std::int64_t>(passing) / looks_in_window);
+  const std::int64_t rested = steps(seat) - rest.since;
+  if (rested % apart != 0 || rested < looks_in_window * apart) return;
+  rest.sum += energy_ahead(seat, tip, window);
+  if (++rest.looks < looks_in_window) return;
+  const double energy = rest.sum / looks_in_window;
+  rest.sum = 0.0, rest.looks = 0;
+  if (rest.reference == 0.0) {
+    rest.reference = energy;
+    return;
+  }
+  const double velocity =
+      velocity_over_cr(rest.driving * energy / rest.reference, lane.scene.crack.toughness,
+                       prepared_.rayleigh_speed, tip, std::max(fastest_by_itself, slowest));
+  if (velocity < slowest) return;
+  read_books(seat);
+  rest = {.restarted_m = tip};
+  lane_of(seat).arrested_m = std::numeric_limits<double>::quiet_NaN();
+  turn(seat, velocity);
+}
+
+template <class Real>
+double Run<Real>::energy_ahead(const Seat& seat, double tip, double window) const {
+  double energy = 0.0;
+  for (const Crossing& c : ensemble_.met())
+    if (c.position > tip && c.position <= tip + window) energy += ensemble_.beam_energy(c.beam, index(seat));
+  return energy;
 }
 
 template <class Real>
@@ -54,17 +154,6 @@ std::vector<ReleasedBeam> Run<Real>::released(const Seat& seat, double from) con
                      speed_at(history, time_of_arrival(history, met[k].position)) / unit});
   }
   return beams;
-}
-
-template <class Real>
-void Run<Real>::arrest(Seat& seat, double tip) {
-  LanePlan& lane = plan(seat);
-  const std::int64_t now = steps(seat);
-  total_ += now - lane.schedule.total();
-  lane.schedule.fracture = now - lane.schedule.crack_start();
-  lane_of(seat).arrested_m = tip;
-  if (lane_of(seat).books.empty() || lane_of(seat).books.back().step != now) read_books(seat);
-  if (!lane.schedule.frames.empty()) tell_frame(seat);
 }
 
 template void Run<double>::find_velocity(Seat&);

@@ -18,7 +18,7 @@ results::Checkpoint Run<Real>::checkpoint() {
                    .wall_prestress_s = result_.wall_prestress_s,
                    .wall_fracture_s = seconds_since(crack_started_) - waited_};
   for (const Seat& seat : seat_)
-    notes.seats.push_back({seat.scenario, seat.next_sample, seat.next_frame, seat.framed_at});
+    notes.seats.push_back({seat.scenario, seat.next_sample, seat.next_frame, seat.framed_at, seat.rest});
   notes.lane = result_.lane;
   return {to_json(notes), ensemble_.state(), 0};
 }
@@ -38,7 +38,7 @@ void Run<Real>::go_on(const Resumption& from) {
       (void)change_lane(lane_[k], change, prepared_, change.step);
   for (std::size_t k = 0; k < seat_.size(); ++k) {
     const MarchNotes::Seat& s = notes.seats[k];
-    seat_[k] = {s.scenario, s.next_sample, s.next_frame, s.framed_at};
+    seat_[k] = {s.scenario, s.next_sample, s.next_frame, s.framed_at, s.rest};
     if (s.scenario >= 0) ensemble_.steer(static_cast<int>(k), lane_[s.scenario].scenario);
   }
   const std::vector<DampedBeam> damped = damped_beams(prepared_, lane_);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,7 @@ struct Seat {
   int scenario = -1;  // none: the lane is idle
   std::size_t next_sample = 0, next_frame = 0;
   std::int64_t framed_at = -1;  // the step of the last frame
+  Rest rest = {};
   Clock::time_point since = Clock::now();
 };
 
@@ -124,11 +126,19 @@ class Run {
   }
 
   // Cracks that run by themselves (march_own_way.cpp).
-  /// A new velocity where it is time for one, or the end where there is none.
+  /// A new velocity where it is time for one; a stop where the windows agree on it; a restart.
   void find_velocity(Seat& seat);
+  /// The tip's velocity in c_r by what it has released; none where it stops.
+  std::optional<double> velocity_of(const Seat& seat, double tip) const;
+  void turn(Seat& seat, double over_cr);
+  void stop_tip(Seat& seat, double tip);
+  void await_restart(Seat& seat);
+  /// The strain energy that the beams of the path in a window ahead of the tip would have undamaged.
+  double energy_ahead(const Seat& seat, double tip, double window) const;
+  double toughness_window(const Seat& seat) const;  // [m]
+  double runs_from(const Seat& seat) const;         // [m] crack.start, or where the tip restarted last
   /// The beams that the tip has released from a position on [m].
   std::vector<ReleasedBeam> released(const Seat& seat, double from) const;
-  void arrest(Seat& seat, double tip);
 
   // What is asked of it on the way (march_steering.cpp).
   /// Whether to go on; if not, every lane stops where it is.

@@ -3,6 +3,7 @@
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/scene/crack_text.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/simulation/change_lane.hpp"
 #include "engine/theory/references.hpp"
 
 #include <nlohmann/json.hpp>
@@ -202,7 +203,7 @@ bool changed_in_window(const Prepared& prepared, const RunResult& result, int la
   const std::vector<Change>& changes = result.lane[lane].changes;
   const bool by_itself = !plan.scene.crack.toughness.row.empty();
   return std::any_of(changes.begin(), changes.end(), [&](const Change& change) {
-    if (by_itself && change.axis == "crack_velocity") return false;
+    if (by_itself && (change.axis == "crack_velocity" || change.axis == tip_stops)) return false;
     const auto steps = static_cast<double>(change.step - plan.schedule.crack_start());
     const double tip = tip_at(plan.scenario.history, steps * prepared.step.dt);
     return tip > plan.window[0] && tip < plan.window[1];

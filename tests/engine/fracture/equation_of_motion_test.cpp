@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace rift {
 namespace {
 
@@ -14,6 +16,18 @@ TEST(DrivingForce, OfAnEvenReleaseIsWhatIsReleasedAtRest) {
   for (int k = 0; k < 1000; ++k) beams.push_back({0.02 + 1e-5 * (k + 0.5), 900.0 * 2e-3 * 1e-5, 0.25});
   EXPECT_NEAR(driving_force(beams, 0.03, 0.01, 2e-3), 1200.0, 1e-3);
   EXPECT_NEAR(driving_force(beams, 0.025, 0.005, 2e-3), 1200.0, 1e-2);  // those ahead and behind do not count
+}
+
+TEST(DrivingForce, IsKnownTheBetterTheLongerItsWindow) {
+  // Beams of 0 and 2 J in turns, 1 J/mm in the mean: sqrt(2 x 1.2 / N) of it.
+  std::vector<ReleasedBeam> beams;
+  for (int k = 0; k < 4000; ++k) beams.push_back({1e-5 * (k + 0.5), k % 2 == 0 ? 0.0 : 2.0, 0.0});
+  const double short_window =
+      driving_force_error(beams, 0.04, 0.01, 1.0) / driving_force(beams, 0.04, 0.01, 1.0);
+  const double long_window =
+      driving_force_error(beams, 0.04, 0.04, 1.0) / driving_force(beams, 0.04, 0.04, 1.0);
+  EXPECT_NEAR(short_window, std::sqrt(2.4 / 1000.0), 1e-4);
+  EXPECT_NEAR(long_window, 0.5 * short_window, 1e-4);
 }
 
 TEST(CriticalRateAt, IsStraightBetweenRowsAndConstantBeyond) {

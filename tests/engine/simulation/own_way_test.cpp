@@ -1,19 +1,23 @@
 #include "engine/scene/derived.hpp"
+#include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/summary.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 namespace rift {
 namespace {
 
 /// A small plate whose crack runs by itself, and what its strip holds [J/m2].
 Prepared by_itself(const std::string& toughness, std::vector<std::string> more = {}) {
-  more.insert(more.end(), {"crack.toughness=" + toughness, "crack.velocity=0.2 c_r",
-                           "crack.damage_zone_ratio=3", "crack.toughness_window=8"});
+  more.insert(more.begin(), {"crack.toughness=" + toughness, "crack.velocity=0.2 c_r",
+                             "crack.damage_zone_ratio=3", "crack.toughness_window=8"});
   return small_plate(more);
 }
 
@@ -55,6 +59,99 @@ TEST(OwnWay, IsArrestedWhereTheMaterialWithstandsMoreThanThereIs) {
               1.4 * p.lattice.mean_radius);
   EXPECT_EQ(lane.books.back().tip_m, lane.arrested_m);
   EXPECT_EQ(lane.steps, lane.books.back().step);
+}
+
+// 0.8 of what is stored: a steady crack is slow but runs on, and the estimate over one window dips below G_c.
+TEST(OwnWay, IsNotArrestedByADipOfItsEstimate) {
+  for (const int seed : {1, 2}) {
+    const Prepared p =
+        by_itself(fmt::format("[[\"0 c_r\", \"{} J/m2\"]]", 0.8 * stored()),
+                  {fmt::format("specimen.seed={}", seed), "crack.damage_zone_ratio=1", "crack.end=40 mm"});
+    const RunResult run = march(p, {}, {.threads = 1});
+    EXPECT_EQ(std::count_if(run.lane[0].changes.begin(), run.lane[0].changes.end(),
+                            [](const Change& change) { return change.axis == tip_stops; }),
+              0)
+        << "seed " << seed;
+    EXPECT_TRUE(std::isnan(run.lane[0].arrested_m)) << "seed " << seed << ' ' << run.lane[0].arrested_m;
+    EXPECT_LT(run.lane[0].worst_residual, 1e-10);
+    EXPECT_GT(run.lane[0].books.back().tip_m, 39e-3) << "seed " << seed;
+  }
+}
+
+/// Half of what is stored, and from 14 mm on three times of it.
+std::string tough_strip() {
+  return fmt::format("[[\"0 m\", \"{} J/m2\"], [\"14 mm\", \"{} J/m2\"], [\"14.1 mm\", \"{} J/m2\"]]",
+                     0.5 * stored(), 0.5 * stored(), 3.0 * stored());
+}
+
+TEST(OwnWay, IsArrestedInAToughStripAndItsTipRestsThere) {
+  const Prepared p = by_itself(tough_strip());
+  const RunResult run = march(p, {}, {.threads = 1});
+  ASSERT_EQ(run.outcome, Outcome::finished);
+  const LaneResult& lane = run.lane[0];
+  ASSERT_TRUE(std::isfinite(lane.arrested_m));
+  EXPECT_GT(lane.arrested_m, 14e-3);
+  EXPECT_LT(lane.arrested_m, 14e-3 + 8.0 * p.lattice.mean_radius);
+  EXPECT_EQ(lane.books.back().tip_m, lane.arrested_m);
+  EXPECT_EQ(lane.books.back().velocity_m_s, 0.0);
+  EXPECT_LT(lane.worst_residual, 1e-10);
+  // Until the slowest waves have been to the far end and back.
+  const results::Sample& stopped = *(lane.books.end() - 2);
+  EXPECT_EQ(stopped.tip_m, lane.arrested_m);
+  EXPECT_NEAR(lane.books.back().time_s - stopped.time_s, 2.0 * 48e-3 / p.rayleigh_speed, 2.0 * p.step.dt);
+}
+
+/// The same under a grip that pulls on while the tip rests, to 2.5 times the displacement.
+Prepared pulled_on() {
+  return by_itself(tough_strip(), {"loading.curve=[[\"0 us\", \"0.6 mm\"], [\"40 us\", \"0.6 mm\"], "
+                                   "[\"140 us\", \"1.5 mm\"]]"});
+}
+
+TEST(OwnWay, StartsAgainWhereTheLoadRises) {
+  const Prepared p = pulled_on();
+  const RunResult run = march(p, {}, {.threads = 1});
+  ASSERT_EQ(run.outcome, Outcome::finished);
+  const LaneResult& lane = run.lane[0];
+  EXPECT_LT(lane.worst_residual, 1e-10);
+  const auto stop = std::find_if(lane.changes.begin(), lane.changes.end(),
+                                 [](const Change& change) { return change.axis == tip_stops; });
+  ASSERT_NE(stop, lane.changes.end());
+  ASSERT_NE(stop + 1, lane.changes.end());
+  EXPECT_EQ((stop + 1)->axis, "crack_velocity");
+  // The rate grows with the square of the displacement from what it was at the stop: not more than what is
+  // stored, not less than the half that it ran on. So 3 times what is stored is there between sqrt(3) and
+  // sqrt(6) of the displacement, 89 and 137 us, and is seen two windows later at most.
+  const double restart = static_cast<double>((stop + 1)->step) * p.step.dt;
+  EXPECT_GT(restart, 89e-6);
+  EXPECT_LT(restart, 137e-6 + 2.0 * 8.0 * p.lattice.mean_radius / p.rayleigh_speed);
+  EXPECT_GT(lane.books.back().tip_m, 20e-3);
+}
+
+TEST(OwnWay, GoesOnFromACheckpointOfARestingTipToTheSameBits) {
+  const Prepared p = pulled_on();
+  const RunResult whole = march(p, {}, {.threads = 1});
+  const auto stop = std::find_if(whole.lane[0].changes.begin(), whole.lane[0].changes.end(),
+                                 [](const Change& change) { return change.axis == tip_stops; });
+  ASSERT_NE(stop, whole.lane[0].changes.end());
+  const std::int64_t resting = (stop->step + (stop + 1)->step) / 2;
+  Resumption from;
+  Observer observer;
+  observer.steer = [&](const Moment& moment) {
+    Orders orders;
+    orders.steps = 1;
+    orders.stop = moment.progress.step >= resting;
+    return orders;
+  };
+  observer.sample = [&](const results::Sample& s) { from.books.push_back(s); };
+  observer.checkpoint = [&](const auto& make, bool stopping) {
+    if (stopping) from.checkpoint = make();
+  };
+  ASSERT_EQ(march(p, observer, {.threads = 1}).outcome, Outcome::stopped);
+  const RunResult again = march(p, {}, {.threads = 1}, &from);
+  ASSERT_EQ(again.lane[0].books.size(), whole.lane[0].books.size());
+  EXPECT_EQ(again.lane[0].changes, whole.lane[0].changes);
+  for (std::size_t k = 0; k < whole.lane[0].books.size(); ++k)
+    EXPECT_EQ(again.lane[0].books[k].fracture_j, whole.lane[0].books[k].fracture_j);
 }
 
 TEST(OwnWay, RunsAtTheHighestVelocityWhereNothingHoldsIt) {
