@@ -1,5 +1,6 @@
 #include "engine/simulation/march.hpp"
 
+#include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/frame.hpp"
 #include "engine/simulation/march_run.hpp"
@@ -18,6 +19,19 @@ constexpr double largest_residual_inertia = 0.01;  // of the ramp: kinetic over 
 constexpr std::int64_t between_refills = 64;
 /// Steps from one look at the books to the next where no sample is due. A look costs about two steps.
 constexpr std::int64_t between_watches = 128;
+
+/// Whether the grip, which all lanes have, moves as they march: they must start together then.
+bool moves_one_grip(const Prepared& p) {
+  return p.lane.front().schedule.ramp > 0 || grip_moves(p.preset.scene);
+}
+
+/// Scenarios side by side: as many as fill a register, beyond which a lane is slower and waits better. Those
+/// that share a moving grip cannot wait.
+template <class Real>
+int most_side_by_side(const Prepared& p, int wished) {
+  if (wished > 0) return wished;
+  return moves_one_grip(p) ? most_lanes<Real> : lanes_in_register<Real>(instruction_set());
+}
 
 }  // namespace
 
@@ -49,7 +63,7 @@ template <class Real>
 Ensemble<Real> Run<Real>::make_ensemble(const Prepared& p, const MarchOptions& options) {
   const int threads =
       options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-  const int most = options.lanes > 0 ? options.lanes : most_lanes<Real>;
+  const int most = most_side_by_side<Real>(p, options.lanes);
   std::vector<LaneScenario> first;
   for (const LanePlan& lane : p.lane)
     if (static_cast<int>(first.size()) < most) first.push_back(lane.scenario);
@@ -276,14 +290,15 @@ double ledger_limit(Kinematics kinematics, Precision precision) {
 }
 
 void check_grip(const Prepared& p, int side_by_side) {
+  if (!moves_one_grip(p)) return;
   const bool ramp = p.lane.front().schedule.ramp > 0;
-  if (!ramp && !grip_moves(p.preset.scene)) return;
   const auto refuse = [&](const std::string& why) {
     throw InputError({issue_at(p.preset, ramp ? "loading.method" : "loading.curve",
                                "moves the grip of all lanes at once: " + why)});
   };
   const bool in_double = p.preset.scene.solver.precision == Precision::double_precision;
-  const int most = side_by_side > 0 ? side_by_side : in_double ? most_lanes<double> : most_lanes<float>;
+  const int most =
+      in_double ? most_side_by_side<double>(p, side_by_side) : most_side_by_side<float>(p, side_by_side);
   if (static_cast<int>(p.lane.size()) > most)
     refuse(fmt::format("at most {} go side by side, not {}", most, p.lane.size()));
   if (ramp) return;

@@ -98,7 +98,7 @@ struct Resumption {
 /// How to march; of no influence on the results, but for the last bits by the instruction set.
 struct MarchOptions {
   int threads = 0;           // 0 for one per core
-  int lanes = 0;             // scenarios side by side; 0 for all of them, as far as there are kernels
+  int lanes = 0;             // scenarios side by side; 0 for as many as fill a register
   double checkpoint_s = 30;  // between two checkpoints of a recorded run
 };
 

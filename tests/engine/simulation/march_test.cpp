@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 namespace rift {
@@ -143,6 +144,29 @@ TEST(March, ReportsEachReleasedBeamOnceWithItsFractureEnergy) {
       EXPECT_LT(sum, end.fracture_j);  // the beams in the zone have given some already
       EXPECT_GT(sum, 0.8 * end.fracture_j);
     }
+  }
+}
+
+// Wider kernels are slower a lane: beyond a register the others wait for a lane to end.
+TEST(March, FillsARegisterWithLanesAndLetsTheOthersWait) {
+  ::setenv("RIFT_SIMD", "baseline", 1);
+  std::vector<Scene> scenes;
+  for (const char* velocity : {"0.4 c_r", "0.5 c_r", "0.6 c_r", "0.7 c_r", "0.8 c_r"})
+    scenes.push_back(small_preset({std::string("crack.velocity=") + velocity, "crack.end=12 mm",
+                                   "output.window=[0.1, 0.2]"})
+                         .scene);
+  Cache none;
+  const Prepared p = prepare(small_preset({"crack.end=12 mm", "output.window=[0.1, 0.2]"}), scenes, none);
+  const RunResult narrow = march(p, {}, {.threads = 1}), wide = march(p, {}, {.threads = 1, .lanes = 8});
+  EXPECT_EQ(narrow.lanes, lanes_in_register<double>(InstructionSet::baseline));
+  EXPECT_EQ(wide.lanes, 5);
+  ::unsetenv("RIFT_SIMD");
+  ASSERT_EQ(narrow.lane.size(), 5U);
+  for (std::size_t k = 0; k < 5; ++k) {
+    ASSERT_EQ(narrow.lane[k].books.size(), wide.lane[k].books.size());
+    ASSERT_FALSE(narrow.lane[k].books.empty());
+    EXPECT_EQ(narrow.lane[k].books.back().fracture_j, wide.lane[k].books.back().fracture_j) << k;
+    EXPECT_EQ(narrow.lane[k].books.back().elastic_j, wide.lane[k].books.back().elastic_j) << k;
   }
 }
 
