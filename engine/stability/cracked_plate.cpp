@@ -4,8 +4,11 @@
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/summary.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace rift {
 namespace {
@@ -27,8 +30,32 @@ frames = 0
 window = [0.2, 0.5]
 )";
 
+/// The beams of the plate that a tip on the straight path has passed, by their ends alone.
+std::int64_t beams_passed(const Prepared& p, double tip) {
+  const double height = p.path.point.front().y();
+  std::int64_t passed = 0;
+  for (const auto& [i, j] : p.lattice.ends) {
+    const Eigen::Vector3d &a = p.lattice.centre[i], &b = p.lattice.centre[j];
+    if ((a.y() >= height) == (b.y() >= height)) continue;
+    const double x = a.x() + (height - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    passed += x <= tip;
+  }
+  return passed;
+}
+
+/// The releases of each lane, counted as the march reports them.
+struct Releases {
+  std::vector<std::int64_t> of_lane;
+  explicit Releases(const Prepared& p) : of_lane(p.lane.size(), 0) {}
+  Observer observer() {
+    Observer observer;
+    observer.event = [this](const results::ReleaseEvent& event) { ++of_lane[event.lane]; };
+    return observer;
+  }
+};
+
 /// What marching came to, of one lane.
-Seen seen_of(const Prepared& p, const RunResult& result, int lane) {
+Seen seen_of(const Prepared& p, const RunResult& result, const Releases& releases, int lane) {
   const LaneResult& r = result.lane[lane];
   const Scene& scene = p.lane[lane].scene;
   Seen seen;
@@ -43,8 +70,23 @@ Seen seen_of(const Prepared& p, const RunResult& result, int lane) {
     return seen;
   }
   seen.ending = seen.residual <= seen.limit ? Ending::closes : Ending::open;
-  const Plateau plateau = rates_of(p, result, lane).plateau;
-  if (plateau.reached && plateau.mean.ratio_with_damping != 0.0) seen.ratio = plateau.mean.ratio_with_damping;
+  const results::Sample& last = r.books.back();
+  seen.stored = r.energy_at_crack_start;
+  seen.damped = last.damping_j / r.energy_at_crack_start;
+  seen.time_s = last.time_s;
+  const auto passed = static_cast<double>(beams_passed(p, last.tip_m));
+  seen.claims.push_back({"beams released", passed, passed, static_cast<double>(releases.of_lane[lane])});
+  const Rates rates = rates_of(p, result, lane);
+  if (rates.plateau.reached) {
+    seen.ratio = rates.plateau.mean.ratio_with_damping;
+    return seen;
+  }
+  // Rows of large steps lie beside the window's ends.
+  std::vector<results::Sample> rows;
+  std::copy_if(r.books.begin(), r.books.end(), std::back_inserter(rows),
+               [](const results::Sample& row) { return row.phase == results::Phase::fracture; });
+  const auto& [from, to] = p.lane[lane].window;
+  seen.ratio = rate_around(rows, 0.5 * (from + to), to - from, scale_of(p, p.lane[lane])).ratio_with_damping;
   return seen;
 }
 
@@ -75,7 +117,8 @@ Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, 
   Cache none;
   Prepared p = prepare(preset, none);
   if (plate) plate(p);
-  return seen_of(p, march(p, {}), 0);
+  Releases releases(p);
+  return seen_of(p, march(p, releases.observer()), releases, 0);
 } catch (const InputError& error) {
   return refused(error.what());
 }
@@ -89,8 +132,9 @@ Seen SideBySide::of(int lane, Precision precision) {
     for (const SceneChange& change : lanes_) scenes.push_back(with(preset.scene, change, precision));
     Cache none;
     const Prepared p = prepare(preset, scenes, none);
-    const RunResult result = march(p, {});
-    for (int k = 0; k < static_cast<int>(lanes_.size()); ++k) seen.push_back(seen_of(p, result, k));
+    Releases releases(p);
+    const RunResult result = march(p, releases.observer());
+    for (int k = 0; k < static_cast<int>(lanes_.size()); ++k) seen.push_back(seen_of(p, result, releases, k));
   }
   return seen.at(static_cast<std::size_t>(lane));
 }

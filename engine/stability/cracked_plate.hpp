@@ -19,7 +19,8 @@ Preset plate_preset(const std::vector<std::string>& overrides = {});
 using SceneChange = std::function<void(Scene&)>;
 using PlateChange = std::function<void(Prepared&)>;
 
-/// Prepares and marches it; what refuses it is what was seen.
+/// Prepares and marches it; what refuses it is what was seen. Claims that every beam which the tip has passed
+/// was released, once.
 Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, const PlateChange& plate,
            Precision precision);
 

@@ -19,14 +19,19 @@ HighestMode highest_mode(const Lattice& lattice);
 /// (omega dt)^2 [physics.md §3; paper eqs. (1), (2)]
 double growth_of_mode(double omega_dt, double beta);
 
+/// By what angle one step turns the mode in the plane of its position and its speed [rad]: that of the same
+/// matrix's complex roots, 0 or pi where they are real.
+double turn_of_mode(double omega_dt, double beta);
+
 /// Marches the lattice from rest in its highest mode, nothing cracked, and measures what a step does to it:
 /// the spectral radius of the matrix that fits all steps best. It diverges where that is above 1; where it is
-/// not the books must close.
+/// not the books must close, and the mode must turn as turn_of_mode() says.
 /// @param[in] steps  at most; it ends earlier where the amplitude has grown or shrunk 1e6-fold
 Seen vibrate(const Lattice& lattice, const HighestMode& mode, double dt, double beta, std::int64_t steps,
              Precision precision);
 
-/// Marches the lattice from rest in a mixture of all motions and looks at the books a hundred times.
+/// Marches the lattice from rest in a mixture of all motions and looks at the books a hundred times: half of
+/// K + U - C is kinetic in the mean (the virial theorem, as velocity Verlet keeps it).
 Seen vibrate_freely(const Lattice& lattice, double dt, std::int64_t steps, Precision precision);
 
 }  // namespace rift

@@ -1,5 +1,6 @@
 #include "engine/stability/stability_case.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace rift {
@@ -10,10 +11,22 @@ Seen timed(const StabilityCase& one, Precision precision) {
   Seen seen = one.run(precision);
   if (seen.wall_s == 0.0)
     seen.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (one.claims)
+    for (Claim& claim : one.claims(seen, precision)) seen.claims.push_back(std::move(claim));
   return seen;
 }
 
 }  // namespace
+
+Claim claim_near(std::string what, double seen, double expected, double tolerance) {
+  return {std::move(what), expected - tolerance, expected + tolerance, seen};
+}
+
+const Seen& Remembered::of(Precision precision) {
+  std::optional<Seen>& seen = seen_[precision == Precision::single_precision];
+  if (!seen) seen = run_(precision);
+  return *seen;
+}
 
 const char* name_of(Ending ending) {
   switch (ending) {
@@ -35,6 +48,8 @@ bool is_as_expected(const StabilityCase& expected, const Seen& seen, Precision p
     return false;
   if (seen.ending == Ending::refused) return seen.said.find(expected.names) != std::string::npos;
   if (seen.ending == Ending::diverges && seen.caught_within > caught_at_most) return false;
+  if (!std::all_of(seen.claims.begin(), seen.claims.end(), [](const Claim& claim) { return claim.holds(); }))
+    return false;
   const double tolerance = growth_tolerance * (single ? 10.0 : 1.0);
   return std::isnan(expected.growth) || std::abs(seen.growth - expected.growth) <= tolerance;
 }
@@ -43,6 +58,9 @@ StabilityRow try_case(const StabilityCase& one) {
   StabilityRow row{one.family, one.name, one.expected, one.growth, {}, {}, false};
   row.in_double = timed(one, Precision::double_precision);
   row.in_single = timed(one, Precision::single_precision);
+  if (std::isfinite(row.in_double.ratio) && row.in_single.ending != Ending::diverges)
+    row.in_single.claims.push_back(claim_near(
+        "ratio, single less double", row.in_single.ratio - row.in_double.ratio, 0.0, single_ratio_tolerance));
   row.as_expected = is_as_expected(one, row.in_double, Precision::double_precision) &&
                     is_as_expected(one, row.in_single, Precision::single_precision);
   return row;

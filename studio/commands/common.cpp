@@ -61,10 +61,16 @@ std::vector<std::string> preset_names() {
 
 /// Files of all kinds of reports, beside their charts.
 const std::set<std::string>& report_files() {
-  static const std::set<std::string> names{
-      "report.html",   "summary.json",           "table.csv",
-      "material.toml", "elements.csv",           "stress_intensity.csv",
-      "field.csv",     "toughness_position.csv", "toughness_velocity.csv"};
+  static const std::set<std::string> names{"report.html",
+                                           "summary.json",
+                                           "table.csv",
+                                           "claims.csv",
+                                           "material.toml",
+                                           "elements.csv",
+                                           "stress_intensity.csv",
+                                           "field.csv",
+                                           "toughness_position.csv",
+                                           "toughness_velocity.csv"};
   return names;
 }
 

@@ -52,7 +52,8 @@ ExitCode stability(const StabilityOptions& options) {
   if (stop.received() != 0) return static_cast<ExitCode>(128 + stop.received());
   if (!options.out.empty()) {
     write_stability_report(report, folder->keep());
-    if (!options.json) fmt::print("{}/  report.html, table.csv, summary.json, charts\n", options.out);
+    if (!options.json)
+      fmt::print("{}/  report.html, table.csv, claims.csv, summary.json, charts\n", options.out);
   }
   const bool all = std::all_of(report.rows.begin(), report.rows.end(),
                                [](const StabilityRow& row) { return row.as_expected; });
@@ -68,7 +69,8 @@ void add_stability(CLI::App& app, ExitCode& exit_code) {
   command.add_flag("--quick", options->suite.quick,
                    "10,000 steps of free vibration in place of a million, and no cracks below 0.01 c_r");
   command.add_option("--only", options->suite.only, "Families whose name contains this");
-  command.add_option("--out", options->out, "Folder for report.html, table.csv, summary.json and charts");
+  command.add_option("--out", options->out,
+                     "Folder for report.html, table.csv, claims.csv, summary.json and charts");
   command.add_flag("--force", options->force, "Replace the report that is in the folder");
   command.add_flag("--quiet", options->quiet, "No progress on stderr");
   command.add_flag("--json", options->json, "Progress as JSON lines on stderr, the result as JSON on stdout");

@@ -42,8 +42,62 @@ std::string csv_text(const std::string& text) {
   return quoted + "\"";
 }
 
+/// What of a claim a reader wants: a number where one is expected, or the bounds.
+std::string bounds_text(const Claim& claim) {
+  const double middle = 0.5 * (claim.low + claim.high), slack = 0.5 * (claim.high - claim.low);
+  if (!std::isfinite(claim.high)) return fmt::format("at least {:.6g}", claim.low);
+  if (slack == 0.0) return fmt::format("{:.6g}", middle);
+  if (slack <= 0.05 * std::abs(middle) || middle == 0.0) return fmt::format("{:.6g} ± {:.1g}", middle, slack);
+  return fmt::format("{:.6g} to {:.6g}", claim.low, claim.high);
+}
+
+/// A number that is all but another one is shown by what they differ in.
+std::string seen_text(const Claim& claim) {
+  const double middle = 0.5 * (claim.low + claim.high), off = claim.seen - middle;
+  const bool close = std::isfinite(middle) && std::abs(off) < 1e-5 * std::abs(middle);
+  return (close && off != 0.0 ? fmt::format("{:.6g} {:+.0e}", middle, off)
+                              : fmt::format("{:.6g}", claim.seen)) +
+         (claim.holds() ? "" : " FAILS");
+}
+
+/// Each claim of a row with what was seen in either precision; a precision without it has none.
+struct SeenClaim {
+  const Claim *in_double = nullptr, *in_single = nullptr;
+  const Claim& any() const { return in_double ? *in_double : *in_single; }
+};
+
+std::vector<SeenClaim> claims_of(const StabilityRow& row) {
+  std::vector<SeenClaim> all;
+  for (const Claim& claim : row.in_double.claims) all.push_back({&claim, nullptr});
+  for (const Claim& claim : row.in_single.claims) {
+    const auto same = std::find_if(all.begin(), all.end(), [&](const SeenClaim& other) {
+      return other.in_double && !other.in_single && other.in_double->what == claim.what;
+    });
+    if (same == all.end())
+      all.push_back({nullptr, &claim});
+    else
+      same->in_single = &claim;
+  }
+  return all;
+}
+
+/// How many of a row's claims hold.
+std::string claims_text(const StabilityRow& row) {
+  std::size_t held = 0, all = 0;
+  for (const Seen* seen : {&row.in_double, &row.in_single})
+    for (const Claim& claim : seen->claims) ++all, held += claim.holds() ? 1 : 0;
+  return all == 0 ? "" : fmt::format("{} of {}", held, all);
+}
+
 Json json_of(const Seen& seen) {
   const auto value = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
+  Json claims = Json::array();
+  for (const Claim& claim : seen.claims)
+    claims.push_back({{"claim", claim.what},
+                      {"low", value(claim.low)},
+                      {"high", value(claim.high)},
+                      {"seen", value(claim.seen)},
+                      {"holds", claim.holds()}});
   return {{"seen", name_of(seen.ending)},
           {"ledger_residual", value(seen.residual)},
           {"ledger_limit", seen.limit},
@@ -52,6 +106,7 @@ Json json_of(const Seen& seen) {
           {"steps", seen.steps},
           {"caught_within", seen.caught_within < 0 ? Json(nullptr) : Json(seen.caught_within)},
           {"said", seen.said},
+          {"claims", claims},
           {"wall_s", seen.wall_s}};
 }
 
@@ -72,6 +127,18 @@ std::string csv_of(const std::vector<StabilityRow>& rows) {
   return csv;
 }
 
+std::string claims_csv(const std::vector<StabilityRow>& rows) {
+  std::string csv = "family,case,precision,claim,low,high,seen,holds\n";
+  const auto value = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
+  for (const StabilityRow& row : rows)
+    for (const bool single : {false, true})
+      for (const Claim& claim : (single ? row.in_single : row.in_double).claims)
+        csv += fmt::format("{},{},{},{},{},{},{},{}\n", csv_text(row.family), csv_text(row.name),
+                           single ? "single" : "double", csv_text(claim.what), value(claim.low),
+                           value(claim.high), value(claim.seen), claim.holds() ? 1 : 0);
+  return csv;
+}
+
 std::size_t as_expected(const std::vector<StabilityRow>& rows) {
   return static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [](const StabilityRow& row) { return row.as_expected; }));
@@ -86,7 +153,7 @@ std::string verdict(const StabilityReport& report) {
 
 Table stability_table(const std::vector<StabilityRow>& rows) {
   Table table{{"case", "", "expected", "seen", "books, double", "single", "growth", "theory", "ratio",
-               "single", "s", ""},
+               "single", "shows", "s", ""},
               {}};
   std::string family;
   for (const StabilityRow& row : rows) {
@@ -96,15 +163,31 @@ Table stability_table(const std::vector<StabilityRow>& rows) {
                           first == second ? first : first + " / " + second, number(a.residual, "{:.0e}"),
                           number(b.residual, "{:.0e}"), number(a.growth, "{:.5f}"),
                           number(row.growth, "{:.5f}"), number(a.ratio, "{:.4f}"),
-                          number(b.ratio - a.ratio, "{:+.0e}"), number(a.wall_s + b.wall_s, "{:.1f}"),
-                          row.as_expected ? "" : "NOT AS EXPECTED"});
+                          number(b.ratio - a.ratio, "{:+.0e}"), claims_text(row),
+                          number(a.wall_s + b.wall_s, "{:.1f}"), row.as_expected ? "" : "NOT AS EXPECTED"});
     family = row.family;
+  }
+  return table;
+}
+
+Table claims_table(const std::vector<StabilityRow>& rows) {
+  Table table{{"case", "", "must show", "expected", "double", "single"}, {}};
+  for (const StabilityRow& row : rows) {
+    bool first = true;
+    for (const SeenClaim& claim : claims_of(row)) {
+      table.rows.push_back({first ? row.family : "", first ? row.name : "", claim.any().what,
+                            bounds_text(claim.any()), claim.in_double ? seen_text(*claim.in_double) : "",
+                            claim.in_single ? seen_text(*claim.in_single) : ""});
+      first = false;
+    }
   }
   return table;
 }
 
 std::string stability_text(const StabilityReport& report, bool color) {
   std::string text = plain_table(stability_table(report.rows), color);
+  if (const Table claims = claims_table(report.rows); !claims.rows.empty())
+    text += "\n" + heading("What each case must show", color) + "\n" + plain_table(claims, color);
   std::string said;
   for (const StabilityRow& row : report.rows)
     if (const std::string words = remark(row); !words.empty())
@@ -134,6 +217,7 @@ void write_stability_report(const StabilityReport& report, const std::filesystem
   std::filesystem::create_directories(folder);
   results::write_whole_file(folder / "summary.json", stability_json(report).dump(2) + "\n");
   results::write_whole_file(folder / "table.csv", csv_of(report.rows));
+  results::write_whole_file(folder / "claims.csv", claims_csv(report.rows));
   std::string figures;
   std::optional<results::WorldError> failure;
   for (const NamedChart& named : stability_charts(report)) {
@@ -151,6 +235,7 @@ void write_stability_report(const StabilityReport& report, const std::filesystem
       html_paragraph(fmt::format("{}. Made by `rift stability`, rift {} ({}).", verdict(report),
                                  report.build.version, report.build.compiler));
   body += html_section("Charts", figures) + html_section("Cases", html_table(stability_table(report.rows)));
+  body += html_section("What each case must show", html_table(claims_table(report.rows)));
   body += html_section("What was said", html_table(said));
   results::write_whole_file(folder / "report.html", html_page("Stiff and extreme cases", body));
   if (failure) throw results::WorldError(*failure);

@@ -23,12 +23,15 @@ struct StabilityReport {
 /// A line per case: expected, seen in both precisions, how far the books are open, growth, what was said.
 Table stability_table(const std::vector<StabilityRow>& rows);
 
-/// The table, and how many are as expected.
+/// A line per claim: what physics expects of it, and what was seen in both precisions.
+Table claims_table(const std::vector<StabilityRow>& rows);
+
+/// Both tables, and how many cases are as expected.
 std::string stability_text(const StabilityReport& report, bool color);
 
 nlohmann::ordered_json stability_json(const StabilityReport& report);
 
-/// report.html, table.csv, summary.json and charts/. Throws WorldError.
+/// report.html, table.csv, claims.csv, summary.json and charts/. Throws WorldError.
 void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder);
 
 }  // namespace rift::studio

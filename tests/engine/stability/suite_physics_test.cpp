@@ -70,6 +70,43 @@ TEST(Suite, SeesThatACaseIsNotAsExpected) {
   EXPECT_FALSE(try_case(one).as_expected);
 }
 
+TEST(Suite, ACaseThatClosesButShowsAnotherNumberIsNotAsExpected) {
+  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](Precision) {
+                      Seen seen;
+                      seen.ending = Ending::closes;
+                      seen.ratio = 0.5;
+                      return seen;
+                    }};
+  const auto expect = [&](double low, double high, double factor) {
+    one.claims = [=](const Seen& seen, Precision) {
+      return std::vector<Claim>{{"ratio", low, high, factor * seen.ratio}};
+    };
+    return try_case(one).as_expected;
+  };
+  EXPECT_TRUE(expect(0.5, 0.5, 1.0));
+  EXPECT_FALSE(expect(0.6, 0.7, 1.0));
+  EXPECT_FALSE(expect(0.0, 1.0, std::nan("")));
+}
+
+TEST(Suite, ARatioThatSinglePrecisionChangesIsNotAsExpected) {
+  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](Precision precision) {
+                      Seen seen;
+                      seen.ending = Ending::closes;
+                      seen.ratio = precision == Precision::double_precision ? 0.5 : 0.502;
+                      return seen;
+                    }};
+  EXPECT_FALSE(try_case(one).as_expected);
+}
+
+TEST(Suite, CountsTheBeamsThatTheTipOfAPlateHasPassed) {
+  const Seen seen = crack({}, {}, {}, Precision::double_precision);
+  ASSERT_EQ(seen.claims.size(), 1U);
+  EXPECT_EQ(seen.claims[0].what, "beams released");
+  EXPECT_GT(seen.claims[0].low, 20.0);
+  EXPECT_EQ(seen.claims[0].low, seen.claims[0].high);
+  EXPECT_TRUE(seen.claims[0].holds());
+}
+
 TEST(Suite, ARefusalMustSayWhy) {
   StabilityCase one{"f", "c", Ending::refused, std::nan(""), "the limit is", [](Precision) {
                       Seen seen;

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace rift::studio {
 namespace {
 
@@ -97,9 +99,17 @@ TEST(StabilityCommand, LeavesAReport) {
   const std::string out = (folder.path() / "report").string();
   const Ran ran = run_rift("stability --quick --only density --quiet --json --out '" + out + "'");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_EQ(nlohmann::json::parse(ran.out).at("of"), 2);
-  for (const char* file :
-       {"report.html", "table.csv", "summary.json", "charts/growth.svg", "charts/residuals.png"})
+  const nlohmann::json summary = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(summary.at("of"), 2);
+  const nlohmann::json& claims = summary.at("cases").at(0).at("double").at("claims");
+  const auto ratio = std::find_if(claims.begin(), claims.end(), [](const nlohmann::json& claim) {
+    return claim.at("claim") == "ratio over that of x 1";
+  });
+  ASSERT_NE(ratio, claims.end());
+  EXPECT_NEAR(ratio->at("low").get<double>(), 1.0, 1e-11);
+  EXPECT_NEAR(ratio->at("seen").get<double>(), 1.0, 1e-11);
+  for (const char* file : {"report.html", "table.csv", "claims.csv", "summary.json", "charts/growth.svg",
+                           "charts/residuals.png"})
     EXPECT_TRUE(fs::exists(fs::path(out) / file)) << file;
   EXPECT_EQ(run_rift("stability --quick --only density --out '" + out + "'").exit_code, 2);
 }
