@@ -58,13 +58,14 @@ bool differs(const std::vector<Scenario>& scenarios, const char* name) {
 std::vector<std::string> lane_titles(const std::vector<Scenario>& scenarios) {
   std::vector<std::string> titles;
   for (const Scenario& s : scenarios) {
-    std::string& title = titles.emplace_back(technique(s));
-    const auto add = [&](const std::string& text) {
-      title += (title.empty() || text.empty() ? "" : ", ") + text;
-    };
-    add(velocity(s));
+    std::vector<std::string> apart, common;
+    (differs(scenarios, "technique") ? apart : common).push_back(technique(s));
+    (differs(scenarios, "crack_velocity_over_cr") ? apart : common).push_back(velocity(s));
     for (const char* name : distinctions)
-      if (differs(scenarios, name)) add(distinction(s, name));
+      if (differs(scenarios, name)) apart.push_back(distinction(s, name));
+    apart.insert(apart.end(), common.begin(), common.end());
+    std::erase(apart, "");
+    titles.push_back(fmt::format("{}", fmt::join(apart, ", ")));
   }
   return titles;
 }

@@ -112,11 +112,26 @@ const Column columns[] = {
      }},
 };
 
+/// How many letters of the titles it takes to tell them apart.
+int letters_that_tell_apart(const std::vector<LiveLane>& lanes) {
+  std::vector<std::u32string> titles;
+  for (const LiveLane& lane : lanes) titles.push_back(letters_of(lane.title));
+  std::ranges::sort(titles);
+  std::ptrdiff_t needed = 0;
+  for (std::size_t k = 1; k < titles.size(); ++k) {
+    const auto common = std::ranges::mismatch(titles[k - 1], titles[k]).in2 - titles[k].begin();
+    needed = std::max(needed, common + 1);
+  }
+  return static_cast<int>(needed);
+}
+
 void draw_table(Canvas& canvas, const Area& area, const Live& live, const LiveLook& look) {
   if (area.empty()) return;
   int title = area.width, shown = 0;  // as many columns as leave room for the title
+  const int number = static_cast<int>(std::to_string(live.lanes.size()).size()) + 1;
+  const int needed = std::max(20, number + letters_that_tell_apart(live.lanes) + 1);
   for (const Column& column : columns) {
-    if (title - column.width < 20 && shown > 0) break;
+    if (title - column.width < needed && shown > 0) break;
     title -= column.width, ++shown;
   }
   const auto line = [&](int y, const std::string& name, const Style& style, auto&& text_of) {

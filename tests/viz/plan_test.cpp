@@ -140,10 +140,10 @@ TEST(LaneTitle, SaysTechniqueAndVelocityAndWhatTellsThemApart) {
   using Titles = std::vector<std::string>;
   EXPECT_EQ(results::lane_titles({simple}), (Titles{"simple release, 0.1 c_r"}));
   EXPECT_EQ(results::lane_titles({simple, progressive}),
-            (Titles{"simple release, 0.1 c_r", "progressive release, 0.1 c_r, r_l = 5"}));
+            (Titles{"simple release, 0.1 c_r", "progressive release, r_l = 5, 0.1 c_r"}));
   EXPECT_EQ(
       results::lane_titles({simple, damped}),
-      (Titles{"simple release, 0.1 c_r, undamped", "simple release, 0.1 c_r, alpha = 0.0002 everywhere"}));
+      (Titles{"undamped, simple release, 0.1 c_r", "alpha = 0.0002 everywhere, simple release, 0.1 c_r"}));
 }
 
 }  // namespace

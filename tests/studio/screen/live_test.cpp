@@ -51,6 +51,21 @@ Live run_of(int lanes) {
   return live;
 }
 
+TEST(LiveTable, LeavesColumnsOutForWhatTellsLanesApart) {
+  Live live = run_of(3);
+  live.lanes[0].title = "progressive release, r_l = 1, 0.5 c_r";
+  live.lanes[1].title = "progressive release, r_l = 4, 0.5 c_r";
+  live.lanes[2].title = "simple release, 0.5 c_r";
+  for (const int width : {80, 120}) {
+    Canvas canvas(width, 24);
+    draw_live(canvas, live, {}, Glyphs::unicode);
+    const std::string text = text_of(canvas);
+    EXPECT_NE(text.find("1 progressive release, r_l = 1"), std::string::npos) << text;
+    EXPECT_NE(text.find("2 progressive release, r_l = 4"), std::string::npos) << text;
+    EXPECT_NE(text.find("tip mm"), std::string::npos) << text;
+  }
+}
+
 TEST(LiveLayout, AllPartsHaveRoomOnAnOrdinaryTerminal) {
   for (const auto& [width, height] : {std::pair{80, 24}, {120, 40}, {200, 60}}) {
     const LiveLayout l = live_layout(width, height, 2, true);
