@@ -59,6 +59,7 @@ StudyManifest manifest_of(const Preset& preset, const std::vector<StudyItem>& it
                          .version = build.version,
                          .instruction_set = std::string(name_of(instruction_set())),
                          .preset = preset.name,
+                         .preset_text = preset_text(preset),
                          .axes = {},
                          .rows = Json::array()};
   for (const auto& [name, text] : preset.study.front().axes) manifest.axes.push_back(name);

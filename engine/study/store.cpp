@@ -56,7 +56,8 @@ Json to_json(const StudyManifest& manifest) {
           {"instruction_set", manifest.instruction_set},
           {"preset", manifest.preset},
           {"axes", manifest.axes},
-          {"scenarios", manifest.rows}};
+          {"scenarios", manifest.rows},
+          {"preset_text", manifest.preset_text}};
 }
 
 std::string check_of(const std::string& key, const Json& scenario, const std::string& series_hash) {
@@ -69,7 +70,7 @@ fs::path series_file(fs::path result) { return result.replace_extension(".csv");
 
 void open_study(const fs::path& folder, const StudyManifest& manifest, std::vector<std::string>& notes) {
   make_folder(folder);
-  const fs::path file = folder / "study.json";
+  const fs::path file = folder / study_name;
   const bool anything = holds_files(folder);
   if (fs::exists(file)) {
     const Json there = Json::parse(results::read_whole_file(file), nullptr, false);

@@ -12,9 +12,13 @@
 /// that follows from what is in it.
 namespace rift {
 
+inline constexpr const char* study_name = "study.json";
+
 /// What study.json says of a study.
 struct StudyManifest {
   std::string hash, version, instruction_set, preset;
+  std::string
+      preset_text;  // the effective preset with its study, so that the folder alone can be gone on with
   std::vector<std::string> axes;
   nlohmann::ordered_json rows;  // [{"axes": {name: text}, "file": "runs/<hash>.json"}]
 };

@@ -2,6 +2,7 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
+#include "engine/study/store.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -51,12 +52,27 @@ void read_outcome(RunEntry& entry, const Json& summary) {
   }
 }
 
+/// "12 of 30" scenarios, by their files alone.
+std::string computed_of_study(const fs::path& folder) {
+  try {
+    const Json manifest = Json::parse(results::read_whole_file(folder / study_name));
+    const Json& scenarios = manifest.at("scenarios");
+    const auto there = std::count_if(scenarios.begin(), scenarios.end(), [&](const Json& scenario) {
+      return fs::exists(folder / scenario.at("file").get<std::string>());
+    });
+    return fmt::format("{} of {}", there, scenarios.size());
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
 std::optional<RunEntry> entry_of(const fs::path& folder) {
   std::error_code error;
   RunEntry entry{folder.filename().string(), folder, "unfinished", "", fs::last_write_time(folder, error)};
   if (error) return std::nullopt;
-  if (fs::exists(folder / "study.json", error)) {
+  if (fs::exists(folder / study_name, error)) {
     entry.outcome = "study";
+    entry.result = computed_of_study(folder);
     return entry;
   }
   if (!fs::exists(folder / results::journal_name, error)) return std::nullopt;

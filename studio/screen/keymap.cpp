@@ -15,13 +15,15 @@ using enum Action;
 using W = Where;
 
 constexpr std::array table{
-    Binding{W::home, open, key_enter, key_right, "enter", "open", "Open the preset as a form, or the run"},
+    Binding{W::home, open, key_enter, key_right, "enter", "open",
+            "Open the preset as a form, the run or the study"},
     Binding{W::home, run, 'r', key_none, "r", "run", "Run the preset as it is"},
     Binding{W::home, next, key_tab, key_none, "tab", "group", "The next group"},
     Binding{W::home, search, '/', key_none, "/", "search", "Show only what holds these letters"},
     Binding{W::home, mark, ' ', key_none, "space", "mark", "Mark a run to be compared"},
     Binding{W::home, compare, 'c', key_none, "c", "compare", "Compare the marked runs"},
-    Binding{W::home, resume, 'u', key_none, "u", "resume", "Go on with a run that was stopped or killed"},
+    Binding{W::home, resume, 'u', key_none, "u", "resume",
+            "Go on with a run or study that was stopped or killed"},
     Binding{W::home, film, 'm', key_none, "m", "film", "Make a film of the run"},
     Binding{W::home, remove, 'd', key_delete, "d", "delete", "Delete the run, after a question"},
     Binding{W::form, open, key_enter, key_right, "enter", "edit", "Change the value"},
@@ -50,6 +52,7 @@ constexpr std::array table{
     Binding{W::watch, frame, 'f', key_none, "f", "frame", "A picture of the last stored moment"},
     Binding{W::watch, film, 'm', key_none, "m", "film", "A film of the run"},
     Binding{W::watch, export_tables, 'e', key_none, "e", "export", "Write the tables as CSV"},
+    Binding{W::study, resume, 'u', key_none, "u", "resume", "Go on with a study that was stopped"},
     Binding{W::study, stop, 's', key_none, "s", "stop", "Stop the study; it can be continued"},
     Binding{W::lesson, next, key_enter, key_right, "enter", "next", "Go on"},
     Binding{W::lesson, previous, key_left, key_backspace, "left", "back", "The page before"},

@@ -2,6 +2,8 @@
 
 #include "engine/scene/issue.hpp"
 #include "engine/scene/preset.hpp"
+#include "engine/study/store.hpp"
+#include "engine/study/stored_study.hpp"
 #include "studio/workbench/compare_screen.hpp"
 #include "studio/workbench/form_screen.hpp"
 #include "studio/workbench/lesson_screen.hpp"
@@ -33,14 +35,13 @@ std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const fs::path& pat
 }
 
 std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const fs::path& run) {
-  if (fs::exists(run / "study.json"))
-    throw InputError({Issue{.file = run.string(),
-                            .key = {},
-                            .text = "is a study: its report.html shows it, and its preset goes on with it"}});
+  if (fs::exists(run / study_name)) return std::make_unique<StudyScreen>(workshop, read_study(run), run);
   return std::make_unique<WatchScreen>(workshop, run);
 }
 
 std::unique_ptr<Screen> resumption_of(Workshop& workshop, const fs::path& run) {
+  if (fs::exists(run / study_name))
+    return std::make_unique<StudyScreen>(workshop, read_study(run).preset, run);
   if (has_ended(run))
     throw InputError(
         {Issue{.file = run.string(), .key = {}, .text = "has come to its end: nothing is left of it"}});

@@ -14,9 +14,10 @@ std::unique_ptr<Screen> form_of_preset(Workshop& workshop, const std::filesystem
 /// Starts it: a run or a study. @param overrides  as of --set
 std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const std::filesystem::path& preset,
                                          const std::vector<std::string>& overrides);
-/// Of a folder with a run in it, going on or ended.
+/// Of a folder with a run or a study in it, going on or ended; a study is shown as far as it has been
+/// computed.
 std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const std::filesystem::path& run);
-/// Goes on with a run that was stopped or killed.
+/// Goes on with a run or a study that was stopped or killed.
 std::unique_ptr<Screen> resumption_of(Workshop& workshop, const std::filesystem::path& run);
 std::unique_ptr<Screen> comparison_of(Workshop& workshop, const std::vector<std::filesystem::path>& runs);
 /// @param name  of a lesson

@@ -49,10 +49,30 @@ StudyScreen::StudyScreen(Workshop& workshop, Preset preset, std::filesystem::pat
       preset_(std::move(preset)),
       folder_(std::move(folder)),
       rows_(preset_.study.size()) {
-  thread_ = std::jthread([this] { work(); });
+  begin();
+}
+
+StudyScreen::StudyScreen(Workshop& workshop, StoredStudy stored, std::filesystem::path folder)
+    : workshop_(workshop),
+      preset_(std::move(stored.preset)),
+      folder_(std::move(folder)),
+      ended_(true),
+      rows_(std::move(stored.rows)),
+      shown_(rows_) {
+  const bool complete =
+      std::none_of(rows_.begin(), rows_.end(), [](const SummaryRow& row) { return row.is_null(); });
+  message_ = !stored.notes.empty() ? stored.notes.front()
+             : complete            ? fmt::format("{}/report.html", folder_.string())
+                                   : "u goes on with it";
 }
 
 StudyScreen::~StudyScreen() { stop_ = true; }
+
+/// Starts the thread that computes; the one before, if any, has ended.
+void StudyScreen::begin() {
+  stop_ = ended_ = false;
+  thread_ = std::jthread([this] { work(); });
+}
 
 void StudyScreen::work() {
   StudyObserver observer;
@@ -73,7 +93,7 @@ void StudyScreen::work() {
     if (const std::string csv = study_csv(result.rows); !csv.empty())
       results::write_whole_file(folder_ / "table.csv", csv);
     if (result.outcome != Outcome::stopped) write_study_report(preset_, workshop_.build, result, folder_);
-    message = result.outcome == Outcome::stopped ? "stopped; rift study goes on from here"
+    message = result.outcome == Outcome::stopped ? "stopped; u goes on from here"
                                                  : fmt::format("done: {}/report.html", folder_.string());
   } catch (const std::exception& error) {
     message = error.what();
@@ -208,6 +228,9 @@ void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) c
 
 Turn StudyScreen::press(const Press& press) {
   switch (action_of(Where::study, press.key)) {
+    case Action::resume:
+      if (ended_) begin();
+      return {};
     case Action::stop:
       stop_ = true;
       return {};
@@ -221,7 +244,8 @@ Turn StudyScreen::press(const Press& press) {
 }
 
 std::string StudyScreen::last_words() const {
-  return fmt::format("the study is in {}: the same preset goes on from there\n", folder_.string());
+  return fmt::format("the study is in {}: the workbench or the same preset goes on from there\n",
+                     folder_.string());
 }
 
 }  // namespace rift::studio

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/study/runner.hpp"
+#include "engine/study/stored_study.hpp"
 #include "studio/workbench/screen.hpp"
 
 #include <atomic>
@@ -18,6 +19,8 @@ class StudyScreen : public Screen {
  public:
   /// Begins, or goes on, in a thread of its own.
   StudyScreen(Workshop& workshop, Preset preset, std::filesystem::path folder);
+  /// Shows what has been computed, and goes on only where it is asked to.
+  StudyScreen(Workshop& workshop, StoredStudy stored, std::filesystem::path folder);
   /// Stops it: what has been computed is kept.
   ~StudyScreen() override;
 
@@ -28,6 +31,7 @@ class StudyScreen : public Screen {
   [[nodiscard]] std::string last_words() const override;
 
  private:
+  void begin();
   void work();
   void draw_grid(Canvas& canvas, const Area& area) const;
   void draw_velocities(Canvas& canvas, const Area& area, Glyphs glyphs) const;

@@ -5,9 +5,13 @@
 #include "engine/study/plan.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
-#include "tests/studio/run_rift.hpp"
+#include "engine/study/stored_study.hpp"
+#include "tests/expectations.hpp"
+#include "tests/shared_cache.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <set>
@@ -17,9 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using studio::read_text;
-using studio::TemporaryFolder;
-using studio::write_text;
 
 const BuildInfo build{"0.1.0", "a compiler"};
 
@@ -63,12 +64,6 @@ std::string undamped_text() {
 
 Preset tiny_study() { return preset_from(study_text); }
 
-Cache& shared_cache() {
-  static const TemporaryFolder folder;
-  static Cache cache{folder.path(), {}};
-  return cache;
-}
-
 StudyOptions into(const fs::path& folder) {
   StudyOptions options;
   options.folder = folder;
@@ -78,6 +73,20 @@ StudyOptions into(const fs::path& folder) {
 
 StudyResult compute(const StudyOptions& options, const StudyObserver& observer = {}) {
   return run_study(tiny_study(), options, shared_cache(), build, observer);
+}
+
+/// The whole study in an empty folder: computed once for all test processes, copied from there, and found.
+StudyResult found(const fs::path& folder) {
+  const fs::path kept = shared_cache_home() / "computed_study";
+  if (!fs::exists(kept)) {
+    const fs::path mine = kept.string() + "." + std::to_string(::getpid());
+    compute(into(mine));
+    std::error_code another_was_first;
+    fs::rename(mine, kept, another_was_first);
+    if (another_was_first) fs::remove_all(mine);
+  }
+  fs::copy(kept, folder, fs::copy_options::recursive);
+  return compute(into(folder));
 }
 
 /// A row without what depends on when and beside what it was computed.
@@ -99,6 +108,7 @@ std::vector<Json> lasting(const std::vector<SummaryRow>& rows) {
 
 void expect_as_run_alone(const Preset& preset, const StudyResult& result, const fs::path& folder) {
   const std::vector<Scene> scenes = scenes_of_study(preset);
+  ASSERT_FALSE(scenes.empty());
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     Preset alone = preset;
     alone.study.clear();
@@ -137,16 +147,18 @@ TEST(Study, WithARampGivesEachScenarioBitForBitAsRunAlone) {
 TEST(Study, RowsSayWhichScenarioTheyAre) {
   const TemporaryFolder folder;
   const Preset preset = tiny_study();
-  const StudyResult result = compute(into(folder.path()));
+  const StudyResult result = found(folder.path());
+  ASSERT_FALSE(result.rows.empty());
   for (std::size_t k = 0; k < result.rows.size(); ++k) {
     EXPECT_EQ(result.rows[k].at("row"), k);
-    for (const auto& [name, text] : preset.study[k].axes) EXPECT_EQ(result.rows[k].at("axes").at(name), text);
+    for (const auto& [name, text] : not_empty(preset.study[k].axes))
+      EXPECT_EQ(result.rows[k].at("axes").at(name), text);
   }
 }
 
 TEST(Study, FindsWhatIsThereAndComputesNothingAgain) {
   const TemporaryFolder folder;
-  const StudyResult first = compute(into(folder.path()));
+  const StudyResult first = found(folder.path());
   int told = 0;
   StudyObserver observer;
   observer.finished = [&](const SummaryRow&, int done, int of) {
@@ -155,14 +167,14 @@ TEST(Study, FindsWhatIsThereAndComputesNothingAgain) {
   };
   const StudyResult again = compute(into(folder.path()), observer);
   EXPECT_EQ(again.computed, 0);
-  EXPECT_EQ(again.found, first.computed);
+  EXPECT_EQ(again.found, static_cast<int>(tiny_study().study.size()));
   EXPECT_EQ(told, again.found);
   EXPECT_EQ(again.rows, first.rows);  // wall times too: they are those of the computation
 }
 
 TEST(Study, StoppedAgainAndAgainComesToTheSame) {
   const TemporaryFolder folder, whole;
-  const std::vector<Json> expected = lasting(compute(into(whole.path())).rows);
+  const std::vector<Json> expected = lasting(found(whole.path()).rows);
   StudyResult result;
   int computed = 0, stops = 0;
   do {
@@ -195,7 +207,7 @@ TEST(Study, ProgressNeverGoesBackAndStaysWithinOne) {
 
 TEST(StudyShards, AreGatheredByAnyCallAndShareOutAllScenarios) {
   const TemporaryFolder folder, whole;
-  const std::vector<Json> expected = lasting(compute(into(whole.path())).rows);
+  const std::vector<Json> expected = lasting(found(whole.path()).rows);
   StudyOptions options = into(folder.path());
   options.shards = 3;
   int computed = 0;
@@ -217,7 +229,7 @@ TEST(StudyShards, KeepScenariosOfOneLatticeTogether) {
   const std::vector<StudyItem> items = plan_study(preset_from(text), "0.1.0");
   std::set<int> groups;
   for (int shard = 1; shard <= 4; ++shard)
-    for (const StudyItem& item : part_of(items, shard, 4)) {
+    for (const StudyItem& item : not_empty(part_of(items, shard, 4))) {
       EXPECT_EQ(item.group, shard - 1);
       groups.insert(item.group);
     }
@@ -228,7 +240,7 @@ class DamagedResult : public testing::TestWithParam<const char*> {};
 
 TEST_P(DamagedResult, IsNotedAndComputedAgain) {
   const TemporaryFolder folder;
-  const StudyResult first = compute(into(folder.path()));
+  const StudyResult first = found(folder.path());
   const Scene scene = scenes_of_study(tiny_study())[2];
   const fs::path file =
       result_file(folder.path(), result_key(scene, build.version)).replace_extension(GetParam());
@@ -261,7 +273,7 @@ std::string refusal(const fs::path& folder, const Preset& preset, const BuildInf
 
 TEST(StudyFolder, OfAnotherStudyVersionOrKindIsRefusedAndLeftAsItWas) {
   const TemporaryFolder folder, other;
-  compute(into(folder.path()));
+  found(folder.path());
   const std::string manifest = read_text(folder.path() / "study.json");
   std::string text = study_text;
   text.replace(text.find("0.9 c_r"), 7, "0.8 c_r");
@@ -282,7 +294,7 @@ TEST(StudyFolder, OfAnotherStudyVersionOrKindIsRefusedAndLeftAsItWas) {
 
 TEST(StudyFolder, WithADamagedManifestIsGoneOnWith) {
   const TemporaryFolder folder;
-  compute(into(folder.path()));
+  found(folder.path());
   const std::string manifest = read_text(folder.path() / "study.json");
   write_text(folder.path() / "study.json", manifest.substr(0, 40));
   const StudyResult again = compute(into(folder.path()));
@@ -299,6 +311,52 @@ TEST(StudyHash, IsOfTheScenariosAndNotOfTheirWording) {
   EXPECT_NE(study_hash(preset_from(text)), study_hash(preset));
 }
 
+/// The summaries of rows without what a study adds to them, null where there is none.
+std::vector<Json> summaries(std::vector<SummaryRow> rows) {
+  for (SummaryRow& row : rows)
+    for (const char* name : {"axes", "row", "series"})
+      if (row.is_object()) row.erase(name);
+  return {rows.begin(), rows.end()};
+}
+
+TEST(StoredStudy, IsThePresetAndTheResultsOfItsFolder) {
+  const TemporaryFolder folder;
+  std::vector<SummaryRow> rows = found(folder.path()).rows;
+  const StoredStudy whole = read_study(folder.path());
+  EXPECT_EQ(study_hash(whole.preset), study_hash(tiny_study()));
+  EXPECT_EQ(whole.preset.name, "tiny.toml");
+  EXPECT_EQ(summaries(whole.rows), summaries(rows));
+  EXPECT_TRUE(whole.notes.empty());
+  const auto file_of = [&](std::size_t k) {
+    return result_file(folder.path(), result_key(scenes_of_study(tiny_study())[k], build.version));
+  };
+  fs::remove(file_of(1));
+  write_text(file_of(2), "{");
+  rows[1] = rows[2] = nullptr;
+  const StoredStudy part = read_study(folder.path());
+  EXPECT_EQ(summaries(part.rows), summaries(rows));
+  EXPECT_EQ(part.notes, (std::vector<std::string>{file_of(2).string() + ": damaged"}));
+}
+
+TEST(StoredStudy, WithoutAPresetOrDamagedSaysHowToGoOn) {
+  const TemporaryFolder folder;
+  found(folder.path());
+  const fs::path file = folder.path() / "study.json";
+  const auto complaint = [&](const std::string& text) {
+    write_text(file, text);
+    try {
+      (void)read_study(folder.path());
+      return std::string("was read");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  Json manifest = Json::parse(read_text(file));
+  manifest.erase("preset_text");
+  EXPECT_TRUE(contains(complaint(manifest.dump()), "study.json: holds no preset"));
+  EXPECT_TRUE(contains(complaint("{"), "study.json: is damaged"));
+}
+
 // The unsound scenario is said, and the sound ones are kept all the same.
 TEST(Study, TellsScenariosThatCannotRunAfterTheOthers) {
   std::string text = study_text;
@@ -310,8 +368,7 @@ TEST(Study, TellsScenariosThatCannotRunAfterTheOthers) {
     ADD_FAILURE() << "nothing was said";
   } catch (const InputError& error) {
     ASSERT_EQ(error.issues.size(), 1U);
-    EXPECT_TRUE(
-        studio::contains(to_text(error.issues[0]), "tiny.toml: solver.dt_fraction = 0.99: makes a step"));
+    EXPECT_TRUE(contains(to_text(error.issues[0]), "tiny.toml: solver.dt_fraction = 0.99: makes a step"));
   }
   // Six scenarios of the other step, two files each.
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "runs"), fs::directory_iterator()), 12);
