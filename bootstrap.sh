@@ -100,5 +100,10 @@ if [ "$what" = demo ]; then
 else
   build all
   say 'testing'
-  ctest --preset release
+  results=build/release/test_results.xml
+  rm -f "$results"
+  failed=0
+  ctest --preset release --output-junit "$PWD/$results" || failed=1
+  tests/unexpected_skips.sh "$results" tests/expected_skips.txt || failed=1
+  exit $failed
 fi
