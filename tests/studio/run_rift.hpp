@@ -1,14 +1,15 @@
 #pragma once
 
+#include "tests/expectations.hpp"
+#include "tests/shared_cache.hpp"
+#include "tests/temporary_folder.hpp"
+
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -19,41 +20,6 @@ struct Ran {
   std::string out, err;
   int exit_code = -1;
 };
-
-/// A folder of its own for one test, removed with all that is in it at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "rift_test_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot create " + name);
-    path_ = name;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string read_text(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-inline void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
-
-/// Whether `text` contains `part`, as in EXPECT_TRUE(contains(ran.err, "must lie in")).
-inline testing::AssertionResult contains(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "no \"" << part << "\" in:\n" << text;
-}
 
 /// Runs a shell command whose last part may be any program. Standard input is empty; standard output and
 /// error are a pipe and a file, never a terminal.
@@ -71,10 +37,10 @@ inline Ran run_shell(const std::string& command) {
   return ran;
 }
 
-/// Runs `rift ARGUMENTS`; quote what the shell would take apart. `environment` holds assignments such as
-/// "NO_COLOR=1".
+/// Runs `rift ARGUMENTS` with the cache of all tests; quote what the shell would take apart. `environment`
+/// holds assignments such as "NO_COLOR=1".
 inline Ran run_rift(const std::string& arguments, const std::string& environment = "") {
-  return run_shell("env " + environment + " '" RIFT_EXE "' " + arguments);
+  return run_shell("env " + shared_cache_environment() + " " + environment + " '" RIFT_EXE "' " + arguments);
 }
 
 }  // namespace rift::studio

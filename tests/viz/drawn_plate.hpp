@@ -2,18 +2,17 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/journal.hpp"
+#include "tests/temporary_folder.hpp"
 #include "viz/colour_map.hpp"
 #include "viz/layout.hpp"
 #include "viz/renderer.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <stdlib.h>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 
 /// A run whose pictures are known: a plate of 40 x 8 touching elements, pulled evenly, cut along its middle
@@ -24,23 +23,7 @@ constexpr int columns = 40, rows = 8;
 constexpr float diameter = 1e-3F;
 constexpr double length = columns * 1e-3, height = rows * 1e-3, pulled = 0.4e-3;
 
-/// A folder of its own, gone with the object.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "rift_viz_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using Folder = TemporaryFolder;
 
 inline int element(int column, int row) { return row * columns + column; }
 

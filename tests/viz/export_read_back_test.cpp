@@ -52,6 +52,7 @@ TEST(ExportPvd, IsReadByTheDistributionsVtk) {
       EXPECT_EQ(static_cast<float>(displacement->GetComponent(i, 1)), shown.displacement[i][1]);
       EXPECT_EQ(static_cast<float>(velocity->GetComponent(i, 0)), shown.velocity[i][0]);
     }
+    ASSERT_FALSE(g.crossing.empty());
     for (std::size_t k = 0; k < g.crossing.size(); ++k)
       EXPECT_EQ(static_cast<float>(factor->GetTuple1(columns * rows + g.crossing[k])),
                 shown.damage_factor[k]);

@@ -1,5 +1,7 @@
 #include "viz/field.hpp"
 
+#include "tests/expectations.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -54,7 +56,7 @@ TEST(Field, DamageIsOneLessTheFactorAtBothEndsOfABeam) {
 }
 
 TEST(Field, AFrameWithoutWhatAFieldNeedsGivesNoValues) {
-  for (const Field& field : fields())
+  for (const Field& field : not_empty(fields()))
     EXPECT_TRUE(values_of(field, {}, two_elements(), header).empty()) << field.name;
 }
 
@@ -73,7 +75,7 @@ TEST(Field, ARangeLeavesOutliersAndIsSymmetricWhereItsScaleIs) {
 
 TEST(Field, NoFieldHasAnUnknownName) {
   EXPECT_EQ(find_field("pressure"), nullptr);
-  for (const Field& field : fields()) EXPECT_EQ(find_field(field.name), &field);
+  for (const Field& field : not_empty(fields())) EXPECT_EQ(find_field(field.name), &field);
 }
 
 }  // namespace

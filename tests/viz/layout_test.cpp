@@ -41,6 +41,7 @@ TEST(Layout, NothingOverlapsAndNothingLeavesTheFrame) {
             Job job = job_of(panes, width, height, chart, large);
             job.look.camera = camera;
             const std::vector<Box> boxes = boxes_of(layout_of(job, paper_plate));
+            ASSERT_FALSE(boxes.empty());
             for (std::size_t a = 0; a < boxes.size(); ++a) {
               EXPECT_GT(boxes[a].width(), 0)
                   << panes << " panes, " << width << "x" << height << ", box " << a;
@@ -48,6 +49,7 @@ TEST(Layout, NothingOverlapsAndNothingLeavesTheFrame) {
                   << panes << " panes, " << width << "x" << height << ", box " << a;
               EXPECT_TRUE(boxes[a].x0 >= 0 && boxes[a].y0 >= 0 && boxes[a].x1 <= width &&
                           boxes[a].y1 <= height);
+              ASSERT_FALSE(boxes.empty());
               for (std::size_t b = a + 1; b < boxes.size(); ++b)
                 EXPECT_FALSE(overlap(boxes[a], boxes[b]))
                     << panes << " panes, " << width << "x" << height << ", boxes " << a << " and " << b;

@@ -1,5 +1,6 @@
 #include "engine/calibration/pull.hpp"
 #include "engine/mechanics/free_body.hpp"
+#include "tests/engine/lattice/packed_once.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -18,7 +19,8 @@ namespace {
 constexpr double thickness = 10e-3, length = 40e-3, margin = 2e-3;
 
 Packing block_packing(const Box& box) {
-  return pack({.box = box, .elements = 14'000, .radius_spread = 0.125, .coordination = 6.0, .seed = 1});
+  return packed_once(
+      {.box = box, .elements = 14'000, .radius_spread = 0.125, .coordination = 6.0, .seed = 1});
 }
 
 Lattice lattice_of(const Packing& packing, const Box& box) {

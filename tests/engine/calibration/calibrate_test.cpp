@@ -60,6 +60,7 @@ TEST(PressCylinders, AreTheSameWithAnyThreadsAndFromTheCache) {
     return true;
   });
   EXPECT_EQ(told, 1.0);
+  ASSERT_FALSE(tests.empty());
   for (std::size_t k = 0; k < tests.size(); ++k)
     for (std::size_t b = 0; b < 2; ++b) {
       EXPECT_EQ(one[k].responses[b].young_over_micro, two[k].responses[b].young_over_micro);

@@ -1,6 +1,7 @@
 #include "engine/calibration/homogenise.hpp"
 
 #include "tests/engine/calibration/cubic_lattice.hpp"
+#include "tests/engine/lattice/packed_once.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ TEST(Homogenisation, OfACubicLatticeIsExact) {
 Lattice random_box(std::uint64_t seed) {
   const Box box{10e-3, 10e-3, 10e-3, Walls::periodic};
   const Packing packing =
-      pack({.box = box, .elements = 800, .radius_spread = 0.125, .coordination = 6.0, .seed = seed});
+      packed_once({.box = box, .elements = 800, .radius_spread = 0.125, .coordination = 6.0, .seed = seed});
   return make_lattice(make_free_specimen(packing, box, 1.0), {356e9, 0.3, 0.3}, 1000.0);
 }
 

@@ -247,6 +247,7 @@ TEST(FaceContact, IsTheSameBesideOthersAndForAnyThreads) {
       alone.step();
       if (n % 50 == 0) alone.sample(0, results::Phase::fracture);  // looking changes nothing
     }
+    ASSERT_FALSE(p.lattice.centre.empty());
     for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
       ASSERT_EQ(together.motion(i, lane), threaded.motion(i, lane));
       ASSERT_EQ(together.motion(i, lane), alone.motion(i, 0)) << lane;
@@ -263,6 +264,7 @@ TEST(FaceContact, StartsAnewInARefilledLane) {
   const double contact = s.sample(1, results::Phase::fracture).contact_j;
   s.refill(1, p.lane[0].scenario);
   for (int n = 0; n < 300; ++n) s.step();
+  ASSERT_FALSE(first.empty());
   for (int i = 0; i < static_cast<int>(first.size()); ++i) ASSERT_EQ(s.motion(i, 1), first[i]);
   EXPECT_EQ(s.sample(1, results::Phase::fracture).contact_j, contact);
 }

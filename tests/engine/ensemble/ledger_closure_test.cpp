@@ -89,6 +89,7 @@ TEST(Books, AreReadFromTheStateAndChangeNothing) {
     read.sample(0, results::Phase::fracture);
     unread.step();
   }
+  ASSERT_FALSE(p.lattice.centre.empty());
   for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
     ASSERT_EQ(read.motion(i, 0), unread.motion(i, 0));
     ASSERT_EQ(read.velocity(i, 0), unread.velocity(i, 0));

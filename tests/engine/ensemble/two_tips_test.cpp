@@ -56,6 +56,7 @@ TEST(TwoTips, ReleaseASymmetricLatticeSymmetrically) {
   EXPECT_NEAR(s.tip(0), 2.8, 1e-12);
 
   int gone = 0, softened = 0;
+  ASSERT_FALSE(s.met().empty());
   for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
     EXPECT_EQ(s.factor(k, 0), stiffness_left(lane.law, s.tip(0), s.met()[k].position));
     gone += s.factor(k, 0) == 0.0 ? 1 : 0;
@@ -67,6 +68,7 @@ TEST(TwoTips, ReleaseASymmetricLatticeSymmetrically) {
   EXPECT_EQ(softened, 2 * 2 + 2 * (2 + 2));
 
   double moved = 0.0;
+  ASSERT_FALSE(lattice.centre.empty());
   for (int i = 0; i < static_cast<int>(lattice.centre.size()); ++i) {
     moved = std::max(moved, (s.motion(i, 0) - base[i]).norm());
     // 0.1 by solves true to 1e-13, marched 80 steps

@@ -17,9 +17,8 @@ Preset measured_preset() {
 }
 
 Experiment small_experiment(const Preset& preset, const ExperimentWishes& wishes) {
-  const studio::TemporaryFolder folder;
-  Cache cache{folder.path() / "cache", {}};
-  return run_experiment(preset, wishes, folder.path(), cache, {},
+  const TemporaryFolder folder;
+  return run_experiment(preset, wishes, folder.path(), shared_cache(), {},
                         [](std::string_view, double) { return true; });
 }
 
@@ -50,7 +49,7 @@ TEST(Experiment, ReadsWhatTheCrackReleasesAndCorrectsItByWhatTheLatticeTakes) {
 TEST(Experiment, WithoutNoiseAndOtherSpecimensHasTheWindowsBandOnly) {
   const Experiment e = small_experiment(measured_preset(),
                                         {.resamples = 0, .specimens = 1, .application = false, .threads = 1});
-  for (const CriticalPoint& p : e.along) {
+  for (const CriticalPoint& p : not_empty(e.along)) {
     EXPECT_EQ(p.of_noise, 0.0);
     EXPECT_EQ(p.of_packing, 0.0);
     EXPECT_EQ(p.uncertainty, p.of_window);
@@ -60,7 +59,7 @@ TEST(Experiment, WithoutNoiseAndOtherSpecimensHasTheWindowsBandOnly) {
 
 TEST(Experiment, LawRises) {
   const Experiment e = small_experiment(measured_preset(), {.resamples = 0, .specimens = 1, .threads = 1});
-  ASSERT_FALSE(e.law.empty());
+  ASSERT_GT(e.law.size(), 1U);
   for (std::size_t k = 1; k < e.law.size(); ++k) {
     EXPECT_GT(e.law[k][0], e.law[k - 1][0]);
     EXPECT_GE(e.law[k][1], e.law[k - 1][1]);

@@ -41,6 +41,7 @@ TEST(Resampled, RowsScatterAsTheirUncertaintiesSayOrAsTheRowsDid) {
     EXPECT_GT(expected, 1e-4);
     EXPECT_NEAR(deviation(histories, scene, course), expected, 0.05 * expected);
     for (const auto& rows : histories) {
+      ASSERT_FALSE(rows.empty());
       EXPECT_EQ(rows.front().position, 0.01);  // the notch's end is known
       for (std::size_t k = 0; k < rows.size(); ++k) EXPECT_EQ(rows[k].time, scene.crack.history[k].time);
     }

@@ -1,7 +1,7 @@
 #include "engine/experiment/traces.hpp"
 
 #include "engine/scene/issue.hpp"
-#include "tests/studio/run_rift.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST(Traces, AreOfGripGaugesAndFieldInTheMeasurementsClock) {
 class TracesFile : public testing::Test {
  protected:
   std::vector<Trace> read(const std::string& text) {
-    studio::write_text(folder_.path() / "measured.csv", text);
+    write_text(folder_.path() / "measured.csv", text);
     return read_traces(folder_.path() / "measured.csv", traces_of(some_instruments()));
   }
   /// The first line of what is said, after the folder.
@@ -64,7 +64,7 @@ class TracesFile : public testing::Test {
     }
     return "nothing";
   }
-  studio::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(TracesFile, HoldsCurvesInTheirUnits) {

@@ -1,5 +1,7 @@
 #include "engine/fracture/wake.hpp"
 
+#include "tests/expectations.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,6 +48,7 @@ TEST(Wake, ARigidMotionIsAllInTheLargestCells) {
 TEST(Wake, NeighboursAgainstEachOtherAreAllInTheSmallest) {
   const Wake wake = of_motion([](int i, int) { return i % 2 == 0 ? 1.0 : -1.0; });
   EXPECT_NEAR(wake.kinetic_j.front(), 1024.0, 1e-9);
+  ASSERT_GT(wake.kinetic_j.size(), 1U);
   for (std::size_t band = 1; band < wake.kinetic_j.size(); ++band) EXPECT_EQ(wake.kinetic_j[band], 0.0);
 }
 
@@ -61,7 +64,7 @@ TEST(Wake, BandsAddUpToTheEnergyOfTheStretch) {
   for (int i = 16; i < 48; ++i)
     for (int k = 0; k < 16; ++k) energy += rough(i, k) * rough(i, k);
   EXPECT_NEAR(std::accumulate(wake.kinetic_j.begin(), wake.kinetic_j.end(), 0.0) / energy, 1.0, 1e-12);
-  for (double band : wake.kinetic_j) EXPECT_GE(band, -1e-9);
+  for (double band : not_empty(wake.kinetic_j)) EXPECT_GE(band, -1e-9);
 }
 
 TEST(Wake, OutOfPlaneIsTheMeanOfACellNotOfAnElement) {

@@ -83,6 +83,7 @@ TEST(MeasuredCourse, WithoutSmoothingGoesThroughEveryRow) {
   const std::vector<HistoryPoint> rows{{0, 0.01, 0}, {4e-6, 0.012, 0}, {6e-6, 0.012, 0}, {7e-6, 0.0125, 0}};
   const Course course = course_of(rows, 0.01, Smoothing::none);
   const std::vector<double> at = positions_at_rows(course, rows);
+  ASSERT_FALSE(rows.empty());
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_NEAR(at[i], rows[i].position, 1e-15);
   EXPECT_EQ(speed_at(course.history, 5e-6), 0.0);
   EXPECT_NEAR(time_of_arrival(course.history, 0.012), 4e-6, 1e-18);  // first there, not when it leaves

@@ -55,6 +55,7 @@ TEST(Lattice, SharesTheMassByVolumeAsSolidSpheres) {
 TEST(Lattice, HasBeamsOfRadiusRatioTimesTheMeanOfTheirElements) {
   const Specimen specimen = tangle(50);
   const Lattice lattice = make_lattice(specimen, micro, 667.05);
+  ASSERT_FALSE(specimen.beam.empty());
   ASSERT_EQ(lattice.beam.size(), specimen.beam.size());
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
     const auto& [i, j] = specimen.beam[b];

@@ -78,6 +78,7 @@ TEST(ColumnOrder, TakesEveryPointOnceColumnByColumnAndUpwards) {
   std::sort(sorted.begin(), sorted.end());
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(sorted[i], i);
   int columns = 1;
+  ASSERT_GT(order.size(), 1U);
   for (std::size_t k = 1; k < order.size(); ++k) {
     const Eigen::Vector3d &here = points[order[k]], &before = points[order[k - 1]];
     const double column = std::floor(here.x() / cell), column_before = std::floor(before.x() / cell);

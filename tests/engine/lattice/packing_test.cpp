@@ -95,6 +95,7 @@ TEST(Packing, FillsItsBoxWithSpheresInside) {
   const Eigen::Array3d size(request.box.length, request.box.height, request.box.thickness);
   double solid = 0.0, deepest = 0.0;
   Eigen::Array3d low = size, high = Eigen::Array3d::Zero();
+  ASSERT_FALSE(packing.radius.empty());
   for (std::size_t i = 0; i < packing.radius.size(); ++i) {
     const Eigen::Array3d p = packing.centre[i].array();
     ASSERT_TRUE((p > 0.0).all() && (p < size).all()) << "element " << i;

@@ -50,6 +50,7 @@ TEST(Camera, LooksAtOneFaceOfTheCrackOnly) {
   const auto seen =
       camera.see(tip, [&](int i) { return Eigen::Vector3d(0, at[i].y() >= 0.5 ? 1.0 : -1.0, 0); });
   int smeared = 0;
+  ASSERT_FALSE(seen.empty());
   for (std::size_t p = 0; p < seen.size(); ++p) {
     ASSERT_TRUE(seen[p]) << p;
     const Eigen::Vector2d& point = grid.point[p];

@@ -1,13 +1,9 @@
 #pragma once
 
 #include "engine/results/schema.hpp"
-
-#include <stdlib.h>
+#include "tests/temporary_folder.hpp"
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -54,31 +50,12 @@ inline Frame frame(std::int64_t step, std::int32_t lane) {
   return frame;
 }
 
-/// A folder of its own, gone with the object.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "rift_results_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("mkdtemp failed");
-    path_ = name;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() { std::filesystem::remove_all(path_); }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+using Scratch = TemporaryFolder;
 
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+inline std::string bytes_of(const std::filesystem::path& path) { return read_text(path); }
 
 inline void put_bytes(const std::filesystem::path& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+  write_text(path, bytes);
 }
 
 }  // namespace rift::results::small_run

@@ -1,5 +1,7 @@
 #include "engine/scene/axes.hpp"
 
+#include "tests/expectations.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -8,7 +10,7 @@ namespace rift {
 namespace {
 
 TEST(Axes, EachVaryARowOfTheParameterTable) {
-  for (const Axis& axis : axes()) {
+  for (const Axis& axis : not_empty(axes())) {
     EXPECT_NE(find_parameter(axis.key), nullptr) << axis.name;
     EXPECT_EQ(find_axis(axis.name), &axis);
   }

@@ -1,8 +1,10 @@
 #include "engine/scene/parameters.hpp"
 
+#include "engine/scene/derived.hpp"
 #include "engine/scene/parameters_page.hpp"
 #include "engine/scene/preset.hpp"
 #include "engine/scene/toml_text.hpp"
+#include "tests/expectations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +26,7 @@ TEST(ParameterTable, HasEveryKeyOnceInTableOrder) {
   std::set<std::string_view> keys;
   std::set<std::string> opened;
   std::string table;
-  for (const Parameter& row : parameters()) {
+  for (const Parameter& row : not_empty(parameters())) {
     EXPECT_TRUE(keys.insert(row.key).second) << row.key;
     if (table_of(row) != table) {
       table = table_of(row);
@@ -46,41 +48,36 @@ TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
       return slot.p;
     }
   };
-  for (const Parameter& row : parameters()) {
+  for (const Parameter& row : not_empty(parameters())) {
     EXPECT_TRUE(members.insert(std::visit(address, row.slot(scene))).second) << row.key;
   }
 }
 
 TEST(ParameterTable, EveryDefaultLiesInItsOwnRange) {
-  for (const Parameter& row : parameters()) {
+  int tried = 0;
+  for (const Parameter& row : not_empty(parameters())) {
     if (row.standard.empty()) continue;
     Scene scene{};
     EXPECT_EQ(assign(scene, row, value_from_text(row.standard)), "") << row.key;
+    ++tried;
   }
+  EXPECT_GT(tried, 30);
 }
 
+// Two layers of elements of 0.49 mm in a plate of 200 x 40 x 2 mm, 667 kg/m3 for 2200 m/s, pulled by 5 %, a
+// crack at half the Rayleigh speed in its middle (physics.md sections 1 and 5).
 TEST(DefaultScene, IsThePlateOfThePaper) {
   const Scene s = default_scene();
-  EXPECT_EQ(s.specimen.length, 0.2);
-  EXPECT_EQ(s.specimen.height, 0.04);
-  EXPECT_EQ(s.specimen.layers, 2.0);
-  EXPECT_FALSE(s.specimen.thickness);
-  EXPECT_EQ(s.specimen.elements, 20000);
-  EXPECT_EQ(s.specimen.radius_spread, 0.125);
-  EXPECT_EQ(s.material.young_modulus, 10e9);
-  EXPECT_EQ(s.material.plane, Plane::stress);
-  EXPECT_EQ(s.material.rayleigh_speed, 2200.0);
-  EXPECT_FALSE(s.material.density);
-  EXPECT_EQ(s.material.stiffness, StiffnessChoice::in_situ);
-  EXPECT_EQ(s.loading.displacement, 0.002);
-  EXPECT_EQ(s.loading.method, LoadingMethod::static_solve);
-  EXPECT_EQ(s.crack.velocity, (std::vector<VelocityPiece>{{{0.5, true}, {}}}));
-  EXPECT_EQ(s.crack.path, (CrackLine{0.5, true}));
-  EXPECT_EQ(s.crack.technique, Technique::progressive);
-  EXPECT_EQ(s.crack.relaxation, 1.0);
-  EXPECT_EQ(s.damping.region, DampingRegion::none);
-  EXPECT_EQ(s.solver.beta, 1.0);
-  EXPECT_EQ(s.output.fields, (std::vector<std::string>{"displacement", "damage"}));
+  EXPECT_NEAR(s.specimen.length * s.specimen.height * thickness_m(s), 0.2 * 0.04 * 2e-3, 1e-15);
+  EXPECT_EQ(s.specimen.length, 5.0 * s.specimen.height);
+  EXPECT_NEAR(expected_mean_radius_m(s), 0.487e-3, 0.0005e-3);
+  EXPECT_NEAR(density(s), 667, 0.5);
+  EXPECT_NEAR(s.loading.displacement / s.specimen.height, 0.05, 1e-12);
+  EXPECT_EQ(highest_velocity(s), 0.5);
+  EXPECT_EQ(speed_m_s(s.crack.velocity.front().speed, rayleigh_speed(s)), 1100.0);
+  const auto points = path_points_m(s);
+  EXPECT_EQ(points.front()[1], 0.02);
+  EXPECT_EQ(points.back()[1], 0.02);
 }
 
 TEST(Assign, WordsNameTheEnumerators) {
@@ -105,7 +102,8 @@ TEST(Assign, WordsNameTheEnumerators) {
 }
 
 TEST(Assign, RejectsAboveAndBelowEveryRangeAndKeepsTheScene) {
-  for (const Parameter& row : parameters()) {
+  int tried = 0;
+  for (const Parameter& row : not_empty(parameters())) {
     if (row.range.lower == 0.0 && row.range.upper == 0.0) continue;  // no number
     Scene scene = default_scene();
     const std::string before = toml_value(scene, row);
@@ -114,8 +112,10 @@ TEST(Assign, RejectsAboveAndBelowEveryRangeAndKeepsTheScene) {
                            -std::numeric_limits<double>::infinity()}) {
       EXPECT_NE(assign(scene, row, {x}), "") << row.key << " " << x;
       EXPECT_EQ(toml_value(scene, row), before) << row.key;
+      ++tried;
     }
   }
+  EXPECT_GT(tried, 5 * 30) << "more than thirty parameters are numbers";
 }
 
 TEST(Assign, ObservesOpenAndClosedEnds) {
@@ -180,7 +180,7 @@ TEST(ParametersPage, IsUpToDate) {
 
 TEST(ParametersPage, NamesEveryKey) {
   const std::string page = parameters_markdown();
-  for (const Parameter& row : parameters()) {
+  for (const Parameter& row : not_empty(parameters())) {
     EXPECT_NE(page.find("| `" + name_of(row) + "` |"), std::string::npos) << row.key;
   }
 }

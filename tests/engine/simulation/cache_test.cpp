@@ -1,6 +1,7 @@
 #include "engine/cache.hpp"
 
-#include "tests/studio/run_rift.hpp"
+#include "tests/expectations.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,6 @@ namespace rift {
 namespace {
 
 namespace fs = std::filesystem;
-using studio::contains;
-using studio::read_text;
-using studio::TemporaryFolder;
-using studio::write_text;
 
 const std::string key = "packing 1 box 0x1p-3";
 
@@ -99,6 +96,7 @@ TEST(CacheFile, IsNotUsedWhenCutShortOrGrown) {
   remember(cache, "packing", key, numbers());
   const fs::path file = cache_file(cache, "packing", key);
   const std::string whole = read_text(file);
+  ASSERT_FALSE(whole.empty());
   for (std::size_t size = 0; size < whole.size(); ++size) {
     write_text(file, whole.substr(0, size));
     ASSERT_FALSE(recall(cache, "packing", key)) << "cut to " << size;

@@ -38,6 +38,7 @@ TEST(March, ReadsTheBooksAtEverySampleOfItsSchedule) {
   const RunResult result = march(p, heard.observer());
   EXPECT_EQ(result.outcome, Outcome::finished);
   EXPECT_EQ(result.lane[0].steps, p.lane[0].schedule.total());
+  ASSERT_GT(heard.samples.size(), 50U);
   ASSERT_EQ(heard.samples.size(), p.lane[0].schedule.samples.size());
   ASSERT_EQ(result.lane[0].books.size(), p.lane[0].schedule.samples.size());
   for (std::size_t k = 0; k < heard.samples.size(); ++k) {
@@ -75,7 +76,7 @@ TEST(March, WritesFramesOfTheFieldsAskedFor) {
   EXPECT_GT(std::count(heard.frames[4].damage_factor.begin(), heard.frames[4].damage_factor.end(), 0.0F), 20);
   Heard bare;
   march(small_plate({"output.fields=[]"}), bare.observer());
-  for (const auto& frame : bare.frames)
+  for (const auto& frame : not_empty(bare.frames))
     EXPECT_TRUE(frame.displacement.empty() && frame.velocity.empty() && frame.damage_factor.empty());
 }
 
@@ -91,7 +92,7 @@ TEST(March, SpreadsTheElasticEnergyOfItsBooksOverTheElements) {
     ASSERT_EQ(heard.frames.size(), 5U);
     int compared = 0;
     for (const results::Frame& frame : heard.frames)
-      for (const results::Sample& sample : heard.samples) {
+      for (const results::Sample& sample : not_empty(heard.samples)) {
         if (sample.step != frame.step) continue;
         double sum = 0;
         for (const float energy : frame.elastic_energy) sum += energy;
@@ -113,6 +114,7 @@ TEST(March, GivesTheDamageOfAFrameToTheRightBeams) {
   std::map<int, double> position;
   for (const Crossing& c : crossings(p.path, p.lattice)) position[c.beam] = c.position;
   ASSERT_EQ(frame.damage_factor.size(), g.crossing.size());
+  ASSERT_FALSE(g.crossing.empty());
   for (std::size_t k = 0; k < g.crossing.size(); ++k)
     EXPECT_EQ(frame.damage_factor[k], frame.tip_m >= position.at(g.crossing[k]) ? 0.0F : 1.0F);
 }
@@ -196,14 +198,17 @@ TEST(March, OfARampGoesThroughThreePhases) {
   const RunResult result = march(p, heard.observer());
   ASSERT_EQ(result.outcome, Outcome::finished) << result.lane[0].where;
   EXPECT_EQ(heard.samples.size(), p.lane[0].schedule.samples.size());
+  int before_the_crack = 0;
   for (const results::Sample& s : heard.samples) {
     EXPECT_EQ(s.phase, s.step < 1500   ? results::Phase::loading
                        : s.step < 2500 ? results::Phase::hold
                                        : results::Phase::fracture);
     if (s.step > 2500) continue;
+    ++before_the_crack;
     EXPECT_DOUBLE_EQ(s.tip_m, tip_at(p.lane[0].scenario.history, 0.0));
     EXPECT_EQ(s.fracture_j, 0.0);
   }
+  EXPECT_GT(before_the_crack, 10);
   EXPECT_NEAR(heard.samples.front().elastic_j, 0.0, 1e-30);
   // Numerical damping is taken out before the crack starts: not a joule more of it from then on.
   const auto start = std::find_if(heard.samples.begin(), heard.samples.end(),

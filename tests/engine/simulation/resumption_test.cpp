@@ -28,6 +28,7 @@ Resumption stopped_at(const Prepared& p, std::int64_t steps, const MarchOptions&
 }
 
 void expect_same(const RunResult& a, const RunResult& b) {
+  ASSERT_FALSE(a.lane.empty());
   ASSERT_EQ(a.lane.size(), b.lane.size());
   EXPECT_EQ(a.outcome, b.outcome);
   EXPECT_EQ(a.lane_steps, b.lane_steps);
@@ -37,6 +38,7 @@ void expect_same(const RunResult& a, const RunResult& b) {
     EXPECT_EQ(x.worst_residual, y.worst_residual);
     EXPECT_EQ(x.energy_at_crack_start, y.energy_at_crack_start);
     EXPECT_EQ(x.wake.kinetic_j, y.wake.kinetic_j);
+    ASSERT_FALSE(x.books.empty());
     ASSERT_EQ(x.books.size(), y.books.size());
     for (std::size_t n = 0; n < x.books.size(); ++n) {
       EXPECT_EQ(x.books[n].step, y.books[n].step);
@@ -88,9 +90,7 @@ TEST(Resumption, LanesThatHaveEndedAndThoseThatWaitGoOnToo) {
     lanes.push_back(preset.scene);
     lanes.back().crack.velocity.front().speed.value = v;
   }
-  static const studio::TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
-  const Prepared p = prepare(preset, lanes, cache);
+  const Prepared p = prepare(preset, lanes, shared_cache());
   std::int64_t total = 0;
   for (const LanePlan& lane : p.lane) total += lane.schedule.total();
   for (const int width : {4, 2}) {
@@ -131,7 +131,7 @@ TEST(Resumption, ACheckpointOfAnotherRunIsRefused) {
 }
 
 TEST(CheckpointFile, ComesBackToTheBitAndIsSealed) {
-  const studio::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const results::Checkpoint written{
       R"({"a":1,"b":[0.1]})",
       {{"x", {0.1, -0.0, 1e-308, 3e300}}, {"none", {}}, {"many", std::vector<double>(5000, 0.3)}},
@@ -148,18 +148,18 @@ TEST(CheckpointFile, ComesBackToTheBitAndIsSealed) {
   results::write_checkpoint(folder.path(), later);
   EXPECT_EQ(results::read_checkpoint(folder.path(), 1000, damaged)->journal_bytes, 99U);
   const std::filesystem::path file = folder.path() / results::checkpoint_name;
-  std::string bytes = studio::read_text(file);
+  std::string bytes = read_text(file);
   for (const std::size_t at : {std::size_t{20}, bytes.size() / 2, bytes.size() - 3}) {
     std::string broken = bytes;
     broken[at] = static_cast<char>(broken[at] ^ 4);
-    studio::write_text(file, broken);
+    write_text(file, broken);
     damaged.clear();
     read = results::read_checkpoint(folder.path(), 1000, damaged);
     ASSERT_TRUE(read);
     EXPECT_EQ(read->journal_bytes, 77U);  // the one before
     EXPECT_NE(damaged.find("checkpoint.h5"), std::string::npos) << damaged;
   }
-  studio::write_text(file, bytes.substr(0, bytes.size() / 2));
+  write_text(file, bytes.substr(0, bytes.size() / 2));
   EXPECT_EQ(results::read_checkpoint(folder.path(), 1000, damaged)->journal_bytes, 77U);
   results::remove_checkpoints(folder.path());
   EXPECT_FALSE(results::read_checkpoint(folder.path(), 1000, damaged));

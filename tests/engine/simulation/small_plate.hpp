@@ -2,7 +2,9 @@
 
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/simulation/march.hpp"
-#include "tests/studio/run_rift.hpp"
+#include "tests/expectations.hpp"
+#include "tests/shared_cache.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +15,7 @@
 namespace rift {
 
 /// A plate of 700 elements, 48 x 12 mm and two layers thick, pulled by the paper's 5 %; the crack runs at 0.5
-/// c_r to 24 mm, 25 mean radii past the start of its window. Packs in 0.2 s, a step takes 0.2 ms.
+/// c_r to 24 mm, 25 mean radii past the start of its window. A step takes 0.2 ms.
 inline Preset small_preset(const std::vector<std::string>& overrides = {}) {
   std::string text = R"(
 [specimen]
@@ -40,10 +42,7 @@ frames = 5
 }
 
 inline Prepared small_plate(const std::vector<std::string>& overrides = {}) {
-  static const studio::TemporaryFolder
-      folder;  // of this process: tests that prepare several plates pack once
-  Cache cache{folder.path(), {}};
-  return prepare(small_preset(overrides), cache);
+  return prepare(small_preset(overrides), shared_cache());
 }
 
 /// An ensemble at rest under the pre-stress, its crack about to start.

@@ -39,6 +39,7 @@ Steered steered(const Prepared& p, std::vector<Change> wishes) {
 }
 
 void expect_same_books(const RunResult& a, const RunResult& b) {
+  ASSERT_FALSE(a.lane[0].books.empty());
   ASSERT_EQ(a.lane[0].books.size(), b.lane[0].books.size());
   for (std::size_t k = 0; k < a.lane[0].books.size(); ++k) {
     EXPECT_EQ(a.lane[0].books[k].step, b.lane[0].books[k].step);
@@ -95,6 +96,7 @@ TEST(Steering, AChangeOfVelocityMovesTheTipFromThatStepOn) {
   EXPECT_NEAR(books.back().tip_m, lane.crack_end, p.step.dt * books.back().velocity_m_s);
   EXPECT_GT(s.result.lane[0].steps, p.lane[0].schedule.total() * 2);
   ASSERT_EQ(lane.scene.crack.velocity.size(), 2U);
+  ASSERT_GT(books.size(), 1U);
   for (std::size_t k = 1; k < books.size(); ++k) EXPECT_GT(books[k].step, books[k - 1].step);
 }
 

@@ -32,12 +32,6 @@ g_i0_reference = "griffith"
   return preset;
 }
 
-Cache& shared_cache() {
-  static const studio::TemporaryFolder folder;
-  static Cache cache{folder.path(), {}};
-  return cache;
-}
-
 struct Opened {
   Prepared prepared;
   RunResult result;

@@ -131,8 +131,7 @@ TEST(Suite, ADivergenceMustBeCaughtInTime) {
 TEST(Divergence, IsCaughtBetweenTwoSamplesByStepElementBeamAndLane) {
   Preset preset = plate_preset({"crack.velocity=0.005 c_r", "crack.end=22 mm", "output.samples=10"});
   ASSERT_TRUE(preset.issues.empty());
-  Cache none;
-  Prepared p = prepare(preset, {preset.scene, preset.scene}, none);
+  Prepared p = prepare(preset, {preset.scene, preset.scene}, shared_cache());
   force_step(p, 1.01 * p.stable.critical);
   const RunResult result = march(p, {});
   EXPECT_EQ(result.outcome, Outcome::diverged);

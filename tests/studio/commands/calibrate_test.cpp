@@ -16,9 +16,7 @@ constexpr const char* small =
 
 class Calibrate : public testing::Test {
  protected:
-  Ran calibrate(const std::string& arguments) const {
-    return run_rift("calibrate " + arguments, "XDG_CACHE_HOME='" + folder_.path().string() + "/cache'");
-  }
+  Ran calibrate(const std::string& arguments) const { return run_rift("calibrate " + arguments); }
   std::string out() const { return "'" + (folder_.path() / "out").string() + "'"; }
   TemporaryFolder folder_;
 };
@@ -37,8 +35,7 @@ TEST_F(Calibrate, LeavesAMaterialThatAPresetTakes) {
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   const fs::path folder = folder_.path() / "out";
   const Ran check = run_rift("check '" + (folder / "material.toml").string() +
-                                 "' --set specimen.elements=900 --set specimen.coordination=5.7 --json",
-                             "XDG_CACHE_HOME='" + folder_.path().string() + "/cache'");
+                             "' --set specimen.elements=900 --set specimen.coordination=5.7 --json");
   EXPECT_EQ(check.exit_code, 0) << check.err;
   const Json summary = Json::parse(read_text(folder / "summary.json"));
   EXPECT_NEAR(summary.at("measured_poisson_ratio").at("mean").get<double>(), 0.25, 2e-4);
@@ -77,7 +74,7 @@ TEST_F(Calibrate, NamesWhatIsMissing) {
 
 TEST_F(Calibrate, StopsWhenInterruptedAndKeepsWhatItHas) {
   const Ran ran = run_shell("env XDG_CACHE_HOME='" + folder_.path().string() +
-                            "/cache' timeout -s INT 2 '" RIFT_EXE
+                            "/cache' timeout -s INT 1 '" RIFT_EXE
                             "' calibrate --young '3 GPa' --poisson 0.3 --set calibration.elements=60000");
   EXPECT_EQ(ran.exit_code, 124);  // timeout's own word for it
   EXPECT_TRUE(contains(ran.err, "rift calibrate: stopped while packing; what was computed is in the cache"));

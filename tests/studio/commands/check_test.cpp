@@ -69,7 +69,7 @@ TEST(Check, JsonAgreesWithTheRunItForesees) {
 }
 
 TEST(Check, PrintsTheEffectivePresetWithoutPacking) {
-  const TinyPlate plate;
+  const TinyPlate plate(CacheOf::this_test);
   const Ran ran = plate.check("--print-config --set specimen.seed=7");
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_TRUE(contains(ran.out, "seed = 7"));
@@ -77,7 +77,7 @@ TEST(Check, PrintsTheEffectivePresetWithoutPacking) {
 }
 
 TEST(Check, KeepsItsPackingForTheRun) {
-  const TinyPlate plate;
+  const TinyPlate plate(CacheOf::this_test);
   ASSERT_EQ(plate.check().exit_code, 0);
   ASSERT_EQ(plate.run().exit_code, 0);
   const Json done = Json::parse(read_text(plate.out() / "summary.json")).at("scenarios")[0];

@@ -40,8 +40,7 @@ frames = 4
   std::filesystem::path path() const { return folder_.path(); }
   Ran experiment(const std::string& arguments) const {
     return run_rift("experiment '" + (path() / "small.toml").string() + "' --out '" +
-                        (path() / "out").string() + "' " + arguments,
-                    "XDG_CACHE_HOME='" + path().string() + "/cache'");
+                    (path() / "out").string() + "' " + arguments);
   }
 
  private:

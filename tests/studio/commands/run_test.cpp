@@ -52,7 +52,7 @@ TEST(Run, SummaryHoldsEveryNameOfTheInterface) {
       "wall_packing_s wall_prestress_s wall_fracture_s wall_pass_s wall_total_s element_steps_per_s "
       "beam_steps_per_s memory_peak_bytes tips g_i0_reference echo_free_over_length");
   for (std::string name; names >> name;) EXPECT_TRUE(scenario.contains(name)) << name;
-  for (const auto& [name, value] : scenario.items())
+  for (const auto& [name, value] : not_empty(scenario).items())
     EXPECT_EQ(value.is_null(), name == "error_converged" || name == "outcome_where") << name;
 }
 
@@ -101,7 +101,7 @@ TEST(Run, SimpleReleaseLeavesNullWhatDoesNotApply) {
 }
 
 TEST(Run, IsTheSameToTheLastBitFromTheCacheAndWithout) {
-  const TinyPlate plate;
+  const TinyPlate plate(CacheOf::this_test);
   ASSERT_EQ(plate.run().exit_code, 0);
   const std::string series = read_text(plate.out() / "series.csv");
   EXPECT_EQ(summary_in(plate.out()).at("scenarios")[0].at("packing_from_cache"), false);
@@ -114,7 +114,7 @@ TEST(Run, IsTheSameToTheLastBitFromTheCacheAndWithout) {
 }
 
 TEST(Run, NotesADamagedCacheFileAndRebuildsIt) {
-  const TinyPlate plate;
+  const TinyPlate plate(CacheOf::this_test);
   ASSERT_EQ(plate.run().exit_code, 0);
   int damaged = 0;
   for (const auto& entry : fs::directory_iterator(plate.path() / "cache" / "rift")) {
@@ -132,7 +132,7 @@ TEST(Run, NotesADamagedCacheFileAndRebuildsIt) {
 }
 
 TEST(Run, CannotWriteItsCacheAndRunsAllTheSame) {
-  const TinyPlate plate;
+  const TinyPlate plate(CacheOf::this_test);
   write_text(plate.path() / "cache", "a file in the way");
   const Ran ran = plate.run();
   EXPECT_EQ(ran.exit_code, 0);
@@ -321,13 +321,13 @@ TEST(PrintConfig, IsAPresetThatGivesTheSameAgainAndTheSameRun) {
   EXPECT_EQ(read_text(plate.out() / "series.csv"), series);
 }
 
-// Runs of minutes on any machine, stopped after a few seconds: progress begins after one second.
+// Runs of minutes on any machine, stopped after two seconds: progress begins after one second.
 constexpr const char* long_run =
-    "--set solver.dt_fraction=0.003 --set 'crack.velocity=0.01 c_r' --set output.samples=50000";
+    "--threads 1 --set solver.dt_fraction=0.003 --set 'crack.velocity=0.01 c_r' --set output.samples=50000";
 
 TEST(RunJson, IsTheSummaryOnStdoutAndJsonLinesOrNothingOnStderr) {
   const TinyPlate plate;
-  const Ran ran = plate.run_under("timeout --preserve-status -s INT 3", std::string("--json ") + long_run);
+  const Ran ran = plate.run_under("timeout --preserve-status -s INT 2", std::string("--json ") + long_run);
   ASSERT_EQ(ran.exit_code, 130);
   EXPECT_EQ(Json::parse(ran.out), summary_in(plate.out()));
   std::istringstream lines(ran.err);
@@ -342,7 +342,7 @@ TEST(RunJson, IsTheSummaryOnStdoutAndJsonLinesOrNothingOnStderr) {
 
 TEST(RunProgress, IsPlainLinesWithRateAndFinishClockAwayFromATerminal) {
   const TinyPlate plate;
-  const Ran ran = plate.run_under("timeout --preserve-status -s INT 3", long_run);
+  const Ran ran = plate.run_under("timeout --preserve-status -s INT 2", long_run);
   ASSERT_EQ(ran.exit_code, 130);
   EXPECT_TRUE(contains(ran.err, "crack"));
   EXPECT_TRUE(contains(ran.err, " left, done at "));
@@ -353,7 +353,7 @@ TEST(RunProgress, IsPlainLinesWithRateAndFinishClockAwayFromATerminal) {
 
 TEST(RunProgress, IsNoneWhenQuiet) {
   const TinyPlate plate;
-  const Ran ran = plate.run_under("timeout --preserve-status -s INT 3", std::string("--quiet ") + long_run);
+  const Ran ran = plate.run_under("timeout --preserve-status -s INT 2", std::string("--quiet ") + long_run);
   ASSERT_EQ(ran.exit_code, 130);
   EXPECT_EQ(ran.err, "");
 }
@@ -381,7 +381,7 @@ TEST(RunStopped, BySignalEndsTheRunInGoodOrder) {
 }
 
 TEST(RunStopped, WhilePackingLeavesNoFolder) {
-  const TinyPlate plate;
+  const TinyPlate plate(CacheOf::this_test);
   const Ran ran =
       plate.run_under("timeout --preserve-status -s INT 0.7",
                       "--set specimen.elements=20000 --set specimen.coordination=6 "

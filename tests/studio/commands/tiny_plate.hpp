@@ -6,11 +6,14 @@
 
 namespace rift::studio {
 
-/// A preset of 900 elements, 60 x 12 mm, that packs in 0.2 s and runs in 0.1 s, with a cache and a place for
-/// runs of its own.
+/// Where a plate's packing is looked for: in the cache of all tests, or in one that starts empty, of a test
+/// that watches what is packed.
+enum class CacheOf { all_tests, this_test };
+
+/// A preset of 900 elements, 60 x 12 mm, that packs in 0.2 s and runs in 0.1 s, and a place for its runs.
 class TinyPlate {
  public:
-  TinyPlate() {
+  explicit TinyPlate(CacheOf cache = CacheOf::all_tests) : cache_(cache) {
     write_text(preset(), R"(# A tiny plate
 [specimen]
 length = "60 mm"
@@ -35,7 +38,10 @@ frames = 4
   std::filesystem::path path() const { return folder_.path(); }
   std::filesystem::path preset() const { return folder_.path() / "tiny.toml"; }
   std::filesystem::path out() const { return folder_.path() / "out"; }
-  std::string environment() const { return "XDG_CACHE_HOME='" + folder_.path().string() + "/cache'"; }
+  std::string environment() const {
+    return cache_ == CacheOf::all_tests ? shared_cache_environment()
+                                        : "XDG_CACHE_HOME='" + folder_.path().string() + "/cache'";
+  }
 
   /// `rift run PRESET --out OUT ARGUMENTS`
   Ran run(const std::string& arguments = "") const {
@@ -61,6 +67,7 @@ frames = 4
   }
 
  private:
+  CacheOf cache_;
   TemporaryFolder folder_;
 };
 

@@ -29,7 +29,7 @@ struct Slow {
 
   explicit Slow(const std::vector<std::string>& overrides = {}, bool paused = true) {
     RunWish wish{.preset = small_preset(overrides), .folder = folder.path() / "run"};
-    wish.cache = Cache{folder.path() / "cache", {}};
+    wish.cache = shared_cache();
     run.emplace(std::move(wish));
     if (paused) run->pause(true);
   }
@@ -116,8 +116,7 @@ TEST(LiveRun, AChangeIsToldKeptAndRepeatable) {
   const Preset again = read_preset(slow.run->folder() / results::steering_name);
   EXPECT_TRUE(again.issues.empty());
   ASSERT_EQ(again.steering.size(), 1U);
-  Cache cache{slow.folder.path() / "cache", {}};
-  const RunResult replayed = march(prepare(again, cache), {});
+  const RunResult replayed = march(prepare(again, shared_cache()), {});
   EXPECT_EQ(replayed.lane[0].books.back().elastic_j, recorded->result.lane[0].books.back().elastic_j);
   EXPECT_EQ(recorded->summary.at("scenarios")[0].at("steering")[0].at("step"), 21);
 }
@@ -153,8 +152,7 @@ TEST(LiveRun, StoppedItKeepsWhatThereIs) {
 TEST(LiveRun, StoppedBeforeItsFirstStepItLeavesNoFolder) {
   TemporaryFolder folder;
   {
-    RunWish wish{.preset = small_preset({"specimen.elements=4000"}),
-                 .folder = folder.path() / "run"};
+    RunWish wish{.preset = small_preset({"specimen.elements=4000"}), .folder = folder.path() / "run"};
     LiveRun run(std::move(wish));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "run"));
     run.stop();
