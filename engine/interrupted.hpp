@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -9,5 +10,13 @@ namespace rift {
 struct Interrupted : std::runtime_error {
   explicit Interrupted(const std::string& what) : std::runtime_error("stopped while " + what) {}
 };
+
+/// Told the fraction done in [0, 1] from time to time; answers false to give up (Interrupted is thrown then).
+using FractionTold = std::function<bool(double)>;
+
+/// Tells the fraction done; throws Interrupted(what) where the answer is to give up.
+inline void tell_or_stop(const FractionTold& told, double done, const char* what) {
+  if (told && !told(done)) throw Interrupted(what);
+}
 
 }  // namespace rift

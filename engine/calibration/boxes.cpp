@@ -30,7 +30,9 @@ BoxResult homogenise(const BoxTest& test, Cache& cache, const CalibrationProgres
   const Lattice lattice =
       make_lattice(specimen, {1.0, test.beams.poisson_ratio, test.beams.radius_ratio}, 1.0);
   return {test.packing, specimen.packing.coordination, specimen.packing.solid_fraction,
-          homogenised_stiffness(lattice)};
+          homogenised_stiffness(lattice, [&](double done) {
+            return tell(share_of_packing + (1.0 - share_of_packing) * done);
+          })};
 }
 
 BoxResult homogenised_or_recalled(const BoxTest& test, Cache& cache, const CalibrationProgress& tell) {

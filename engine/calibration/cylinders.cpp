@@ -55,13 +55,14 @@ CylinderResult press(const CylinderTest& test, Cache& cache, const CalibrationPr
   for (const BeamShape& beams : test.beams) {
     const Lattice lattice = make_lattice(specimen, {1.0, beams.poisson_ratio, beams.radius_ratio}, 1.0);
     FreeBody body(lattice);
-    const Pulled pressed = pull(lattice, body, 1, -box.section(1));
+    const auto all = static_cast<double>(test.beams.size());
+    const auto tell = [&, before = static_cast<double>(result.responses.size())](double done) {
+      return progress(share_of_packing + (1.0 - share_of_packing) * (before + done) / all);
+    };
+    const Pulled pressed = pull(lattice, body, 1, -box.section(1), tell);
     result.responses.push_back({pressed.gauge_modulus, pressed.young_modulus,
                                 0.5 * (pressed.poisson_ratio.x() + pressed.poisson_ratio.z())});
-    const double solved =
-        static_cast<double>(result.responses.size()) / static_cast<double>(test.beams.size());
-    if (!progress(share_of_packing + (1.0 - share_of_packing) * solved))
-      throw Interrupted("pressing cylinders");
+    tell_or_stop(tell, 1.0, "pressing cylinders");
   }
   return result;
 }

@@ -58,11 +58,14 @@ std::array<double, 2> reuss(const Matrix6& stiffness) {
 
 }  // namespace
 
-Matrix6 homogenised_stiffness(const Lattice& lattice) {
+Matrix6 homogenised_stiffness(const Lattice& lattice, const FractionTold& told) {
   assert(lattice.box.walls == Walls::periodic);
   FreeBody body(lattice);
   std::array<std::vector<Vector6>, 6> motion;
-  for (int a = 0; a < 6; ++a) motion[a] = body.at_rest(loads_of_strain(lattice, unit_strain(a)));
+  constexpr double tolerance = 1e-10;
+  for (int a = 0; a < 6; ++a)
+    motion[a] = body.at_rest(loads_of_strain(lattice, unit_strain(a)), tolerance,
+                             [&](double done) { return !told || told((a + done) / 6.0); });
   Matrix6 stiffness = Matrix6::Zero();
   for (std::size_t k = 0; k < lattice.beam.size(); ++k) {
     const Beam& beam = lattice.beam[k];

@@ -75,9 +75,10 @@ Eigen::Matrix3d gradient_in_middle(const Lattice& lattice, const std::vector<Vec
   return fit.bottomRows<3>().transpose() / reach;
 }
 
-Pulled pull(const Lattice& lattice, FreeBody& body, int axis, double force) {
+Pulled pull(const Lattice& lattice, FreeBody& body, int axis, double force, const FractionTold& told) {
+  constexpr double tolerance = 1e-10;
   Pulled result;
-  result.motion = body.at_rest(end_loads(lattice, axis, force));
+  result.motion = body.at_rest(end_loads(lattice, axis, force), tolerance, told);
   const auto ends = ends_of(lattice, axis);
   std::vector<double> at, moved;
   for (std::size_t i = 0; i < result.motion.size(); ++i)

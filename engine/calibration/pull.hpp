@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/interrupted.hpp"
 #include "engine/lattice/lattice.hpp"
 
 namespace rift {
@@ -27,6 +28,6 @@ struct Pulled {
 Eigen::Matrix3d gradient_in_middle(const Lattice& lattice, const std::vector<Vector6>& motion, int axis);
 
 /// Pulls (or presses) a free specimen statically: E and nu of the paper's appendix.
-Pulled pull(const Lattice& lattice, FreeBody& body, int axis, double force);
+Pulled pull(const Lattice& lattice, FreeBody& body, int axis, double force, const FractionTold& told = {});
 
 }  // namespace rift

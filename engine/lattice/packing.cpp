@@ -104,24 +104,32 @@ Pile loose_start(const PackingRequest& request, double unit, double scale) {
   return make_pile(box, scale, spheres);
 }
 
-/// Counts the rounds and guesses how much of the work is done: the unbalance
-/// falls by a steady factor a round.
+/// Counts the rounds and tells how much of the work is done. How many trials it takes to hit the coordination
+/// is not known beforehand: the first is taken for three quarters of what follows the growth, and each
+/// further one, which starts near a rest, for three quarters of what is left then. Within a trial the
+/// unbalance falls by a steady factor a round.
 struct Watch {
   const Pile& pile;
   const PackingProgress& progress;
   double grown = 0.0;  // share of the growth done
-  int rounds = 0;
+  double goal = 1e-6;  // the unbalance at which a trial ends
+  int trial = 0;
+  int rounds = 0, untold = 0;
   double done = 0.0;
 
   void operator()(int more) {
-    constexpr double growth = 0.25, search = 0.6,
-                     rest = 0.15;        // shares of the time
+    constexpr long worth_telling = 20'000;  // elements moved: about a millisecond
+    constexpr double growth = 0.12;         // of the rounds of a plate that needs one trial
+    constexpr double after_trial = 0.25;
     constexpr int most_rounds = 40'000;  // twenty times what a plate takes
-    rounds += more;
+    rounds += more, untold += more;
+    if (long{untold} * pile.size() < worth_telling) return;
+    untold = 0;
     double now = growth * grown;
     if (grown >= 1.0 && pile.unbalance() > 0.0) {
-      const double digits = -std::log10(pile.unbalance());
-      now += search * std::clamp(digits / 3.0, 0.0, 1.0) + rest * std::clamp((digits - 3.0) / 3.0, 0.0, 1.0);
+      const double in_trial = std::clamp(std::log(pile.unbalance()) / std::log(goal), 0.0, 1.0);
+      const double left = (1.0 - growth) * std::pow(after_trial, trial);
+      now = 1.0 - left + left * (1.0 - after_trial) * in_trial;
     }
     done = std::max(done, now);
     if (progress && !progress(done)) throw Interrupted("packing");
@@ -205,6 +213,7 @@ void grow_to(Pile& pile, Crew& crew, double coordination, Watch& watch) {
   for (int trial = 0; trial < most_trials && pile.mean_overlap() <= largest_mean_overlap; ++trial) {
     relax(pile, crew, rough, damping, most_rounds, std::ref(watch));
     settle(pile, crew, tight, damping, std::ref(watch));
+    ++watch.trial;
     const double excess = pile.coordination() - coordination, missing = 0.5 * closeness - excess;
     if (excess >= 0.0 && excess < closeness && pile.mean_overlap() <= largest_mean_overlap) return;
     caution = std::max(1.0, caution * (missing * last_missing < 0.0 ? 1.5 : 0.8));
@@ -229,6 +238,7 @@ double stride_for(const Pile& pile, double missing) {
 void bring_to_rest(Pile& pile, Crew& crew, Watch& watch) {
   constexpr double shift = 5e-5;
   constexpr int rounds_each = 25;
+  watch.goal = std::min(0.1, shift / pile.mean_contact_force());
   while (
       !relax(pile, crew, shift / pile.mean_contact_force(), release_damping, rounds_each, std::ref(watch))) {
   }
@@ -253,6 +263,7 @@ void release_to(Pile& pile, Crew& crew, double coordination, Watch& watch) {
   }
   for (int trial = 0; trial < most_trials && pile.mean_overlap() <= largest_mean_overlap; ++trial) {
     bring_to_rest(pile, crew, watch);
+    ++watch.trial;
     const double excess = pile.coordination() - coordination;
     if (excess >= 0.0 && excess < closeness) return;
     stride(missing());

@@ -115,7 +115,7 @@ struct Solver {
   /// H d = f to a residual of `reduction` of f; ends early at a saddle, with
   /// the way so far.
   void solve(const Pile& pile, Crew& crew, double reduction, const RoundsSpent& spent) {
-    constexpr int most_rounds = 1000, breath = 50;
+    constexpr int most_rounds = 1000;
     const Stiffness stiffness(pile, crew);
     r = p = pile.force;
     d.assign(r.size(), {});
@@ -129,7 +129,7 @@ struct Solver {
       residual2 = sum_over_chunks(pile, crew, [&](int c) { return advance(pile.chunk[c], step); });
       if (residual2 <= goal) return;
       crew.run(pile.chunks(), [&](int c) { turn(pile.chunk[c], residual2 / before); });
-      if (round % breath == 0) spent(breath);
+      spent(1);
     }
   }
 
@@ -155,7 +155,6 @@ bool relax(Pile& pile, Crew& crew, double tolerance, double damping, int rounds,
   // Explicit steps are stable below 2 / omega, omega^2 <= about 6 (a sphere in
   // a crowd of unit springs).
   constexpr double dt = 0.5;
-  constexpr int breath = 25;
   for (int round = 1; round <= rounds; ++round) {
     move_spheres(pile, crew, [&](int i) -> Pile::Vector {
       Pile::Vector& v = pile.velocity[i];
@@ -167,7 +166,7 @@ bool relax(Pile& pile, Crew& crew, double tolerance, double damping, int rounds,
       return {dt * v.x, dt * v.y, dt * v.z};
     });
     evaluate_forces(pile, crew);
-    if (round % breath == 0) spent(breath);
+    spent(1);
     if (pile.unbalance() < tolerance) return true;
   }
   return false;

@@ -19,8 +19,9 @@ StaticSystem tied(const Lattice& lattice) {
 
 FreeBody::FreeBody(const Lattice& lattice) : system_(tied(lattice)), solver_(system_) {}
 
-std::vector<Vector6> FreeBody::at_rest(const std::vector<Vector6>& load, double tolerance) {
-  return motions_in(system_, solver_.solve(loads_on(system_, load), tolerance));
+std::vector<Vector6> FreeBody::at_rest(const std::vector<Vector6>& load, double tolerance,
+                                       const FractionTold& told) {
+  return motions_in(system_, solver_.solve(loads_on(system_, load), tolerance, told));
 }
 
 }  // namespace rift

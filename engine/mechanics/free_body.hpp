@@ -14,8 +14,9 @@ class FreeBody {
   explicit FreeBody(const Lattice& lattice);
 
   /// Motions at rest under forces and moments on the elements [N, N m]. Cost about 100 products with K;
-  /// throws StaticsError. @param[in] tolerance  of the relative residual
-  std::vector<Vector6> at_rest(const std::vector<Vector6>& load, double tolerance = 1e-10);
+  /// throws StaticsError, Interrupted. @param[in] tolerance  of the relative residual
+  std::vector<Vector6> at_rest(const std::vector<Vector6>& load, double tolerance = 1e-10,
+                               const FractionTold& told = {});
 
  private:
   StaticSystem system_;

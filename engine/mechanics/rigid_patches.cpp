@@ -56,6 +56,7 @@ RigidPatches& RigidPatches::factorize(const Matrix& k) {
 }
 
 Eigen::VectorXd RigidPatches::solve(const Eigen::VectorXd& residual) const {
+  if (seen) seen(residual);
   const Eigen::VectorXd restricted = motions_.transpose() * residual;
   Eigen::VectorXd correction = motions_ * coarse_.solve(restricted);
   for (std::size_t i = 0; i < inverse_block_.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <functional>
 #include <vector>
 
 namespace rift {
@@ -26,6 +27,9 @@ class RigidPatches {
   RigidPatches& compute(const Matrix& k) { return factorize(k); }
   Eigen::VectorXd solve(const Eigen::VectorXd& residual) const;
   Eigen::ComputationInfo info() const { return info_; }
+
+  /// Sees each residual before it is solved for, once a round of the iteration; may throw to give up.
+  std::function<void(const Eigen::VectorXd& residual)> seen;
 
  private:
   Matrix motions_;  // P: 6 n x 6 patches

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,17 +18,24 @@ constexpr int batch = 50, most_batches = 40;
 
 using Operator = std::function<void(const Eigen::VectorXd&, Eigen::VectorXd&)>;
 
+/// How near an iteration is to its end, by how its changes have fallen from 1 towards the one that ends it.
+double share_of_digits(double change, double last_change) {
+  if (!(change > 0.0)) return 0.0;
+  return std::clamp(std::log(change) / std::log(last_change), 0.0, 1.0);
+}
+
 /// Largest eigenvalue of a symmetric operator by Lanczos iteration (Paige 1972, without reorthogonalisation:
 /// rounding only repeats eigenvalues that have converged already).
-double largest_eigenvalue(const Operator& apply, long size) {
+double largest_eigenvalue(const Operator& apply, long size, const FractionTold& told) {
   Eigen::VectorXd v(size), last = Eigen::VectorXd::Zero(size), w(size);
   std::mt19937_64 random(20);
   for (long k = 0; k < size; ++k) v[k] = static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5;
   v.normalize();
   std::vector<double> diagonal, off;
-  double largest = 0.0, beta = 0.0;
+  double largest = 0.0, beta = 0.0, done = 0.0;
   for (int b = 0; b < most_batches; ++b) {
     for (int k = 0; k < batch; ++k) {
+      tell_or_stop(told, done, "computing the critical step");
       apply(v, w);
       const double alpha = v.dot(w);
       w -= alpha * v + beta * last;
@@ -46,6 +54,7 @@ double largest_eigenvalue(const Operator& apply, long size) {
     const double now = tridiagonal.eigenvalues().maxCoeff();
     const bool complete = static_cast<long>(off.size()) < m;
     if (complete || std::abs(now - largest) < 2.0 * settled * now) return now;
+    done = std::max(done, share_of_digits(std::abs(now - largest) / now, 2.0 * settled));
     largest = now;
   }
   throw std::runtime_error("the lattice's highest frequency did not settle in 2000 Lanczos rounds");
@@ -105,7 +114,7 @@ double element_bound(const Lattice& lattice) {
 
 }  // namespace
 
-StableStep stable_step(const Lattice& lattice) {
+StableStep stable_step(const Lattice& lattice, const FractionTold& told) {
   const Eigen::VectorXd root = inverse_root_mass(lattice);
   const std::vector<BeamRow> rows = all_rows(lattice);
   Eigen::VectorXd q(root.size());
@@ -115,11 +124,12 @@ StableStep stable_step(const Lattice& lattice) {
     add_beam_forces(rows, q.data(), y.data());
     y = -root.cwiseProduct(y);
   };
-  const double omega_squared = largest_eigenvalue(apply, root.size());
+  const double omega_squared = largest_eigenvalue(apply, root.size(), told);
   return {.critical = step_from(omega_squared) * (1.0 - settled), .element_bound = element_bound(lattice)};
 }
 
-double damped_critical_step(const Lattice& lattice, const ViscousDamping& damping, double undamped) {
+double damped_critical_step(const Lattice& lattice, const ViscousDamping& damping, double undamped,
+                            const FractionTold& told) {
   if (damping.beam.empty() || !std::isfinite(undamped)) return undamped;
   const Eigen::VectorXd root = inverse_root_mass(lattice);
   const std::vector<BeamRow> rows = all_rows(lattice);
@@ -127,7 +137,8 @@ double damped_critical_step(const Lattice& lattice, const ViscousDamping& dampin
   ViscousDamping scratch = damping;
   double work = 0.0;
   Eigen::VectorXd q(root.size()), rate(root.size());
-  double dt = undamped;
+  double dt = undamped, done = 0.0;
+  const FractionTold tell = [&](double) { return !told || told(done); };
   // lambda(dt) grows as dt falls, so the iteration alternates about its limit; the mean of two iterates
   // contracts.
   for (int round = 0; round < 60; ++round) {
@@ -139,10 +150,12 @@ double damped_critical_step(const Lattice& lattice, const ViscousDamping& dampin
       add_damping_forces(scratch, rate.data(), intact.data(), dt, y.data(), work);
       y = -root.cwiseProduct(y);
     };
-    const double next = step_from(largest_eigenvalue(apply, root.size()));
-    const bool done = std::abs(next - dt) < settled * dt;
+    const double next = step_from(largest_eigenvalue(apply, root.size(), tell));
+    const double change = std::abs(next - dt);
+    const bool last = change < settled * dt;
+    done = std::max(done, share_of_digits(change / dt, settled));
     dt = 0.5 * (dt + next);
-    if (done) break;
+    if (last) break;
   }
   return dt * (1.0 - settled);
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace rift {
 
 StaticSystem assemble(const Lattice& lattice, std::vector<int> number, const std::vector<char>& present,
@@ -64,8 +67,15 @@ StaticSolver::StaticSolver(const StaticSystem& system) : system_(system) {
     throw StaticsError("the lattice's stiffness is not positive definite");
 }
 
-Eigen::VectorXd StaticSolver::solve(const Eigen::VectorXd& load, double tolerance) {
+Eigen::VectorXd StaticSolver::solve(const Eigen::VectorXd& load, double tolerance, const FractionTold& told) {
   solver_.setTolerance(tolerance);
+  solver_.preconditioner().seen = [&, at_first = load.norm(),
+                                   done = 0.0](const Eigen::VectorXd& left) mutable {
+    if (!told) return;
+    const double digits = std::log(left.norm() / at_first) / std::log(tolerance);
+    if (digits > done) done = std::min(digits, 1.0);  // not so for NaN
+    tell_or_stop(told, done, "solving the statics");
+  };
   Eigen::VectorXd unknown = solver_.solve(load);
   if (solver_.info() != Eigen::Success || !unknown.allFinite())
     throw StaticsError(fmt::format(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/interrupted.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/mechanics/rigid_patches.hpp"
 
@@ -43,8 +44,9 @@ std::vector<Vector6> motions_in(const StaticSystem& system, const Eigen::VectorX
 class StaticSolver {
  public:
   explicit StaticSolver(const StaticSystem& system);
-  /// Throws StaticsError where the relative residual stays above the tolerance.
-  Eigen::VectorXd solve(const Eigen::VectorXd& load, double tolerance);
+  /// Throws StaticsError where the relative residual stays above the tolerance, Interrupted. What is told is
+  /// done by the digits of the residual.
+  Eigen::VectorXd solve(const Eigen::VectorXd& load, double tolerance, const FractionTold& told = {});
 
  private:
   const StaticSystem& system_;

@@ -54,7 +54,7 @@ std::vector<Vector6> gripped(const Lattice& lattice, const Pull& pull) {
 }  // namespace
 
 std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector<char>& present,
-                                       const Pull& pull) {
+                                       const Pull& pull, const FractionTold& told) {
   std::vector<Vector6> q = gripped(lattice, pull);
   const StaticSystem system = assemble(lattice, number_the_free(lattice, present), present,
                                        [&](int b) { return stiffness_of(lattice.beam[b]); });
@@ -63,21 +63,27 @@ std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector
       system, forces_on(lattice, present, q, [](const Beam& beam, const Vector6& i, const Vector6& j) {
         return loads_of(beam, i, j);
       }));
-  const std::vector<Vector6> moved = motions_in(system, StaticSolver(system).solve(load, 1e-13));
+  const std::vector<Vector6> moved = motions_in(system, StaticSolver(system).solve(load, 1e-13, told));
   for (std::size_t i = 0; i < q.size(); ++i)
     if (system.number[i] >= 0) q[i] = moved[i];
   return q;
 }
 
 std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, const std::vector<char>& present,
-                                                    const Pull& pull) {
+                                                    const Pull& pull, const FractionTold& told) {
   constexpr double inner_tolerance = 1e-5;
   constexpr int most_rounds = 20;
+  constexpr double usual_rounds = 5.0;  // the linear solution among them
+  int solved = 0;
+  const FractionTold tell = [&](double done) {
+    return !told || told(std::min(0.99, (solved + done) / usual_rounds));
+  };
   // A beam's stretch is the difference of two lengths, rounded to some 1e-16 of them.
   const double strain = std::abs(pull.middle) * std::hypot(1.0, pull.shear) / lattice.box.height;
   const double balanced = std::max(1e-11, 1e-15 / strain);
   std::vector<Pose> pose;
-  for (const Vector6& q : stretched_at_rest(lattice, present, pull)) pose.push_back(pose_of(q));
+  for (const Vector6& q : stretched_at_rest(lattice, present, pull, tell)) pose.push_back(pose_of(q));
+  ++solved;
   const auto load_of = [](const Beam& beam, const Pose& i, const Pose& j) { return loads_of(beam, i, j); };
   const std::vector<int> number = number_the_free(lattice, present);
   double scale = 0.0, unbalance = 0.0;
@@ -99,7 +105,9 @@ std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, cons
       for (const Pose& p : pose) q.push_back(motion_of(p));
       return q;
     }
-    const std::vector<Vector6> moves = motions_in(system, StaticSolver(system).solve(load, inner_tolerance));
+    const std::vector<Vector6> moves =
+        motions_in(system, StaticSolver(system).solve(load, inner_tolerance, tell));
+    ++solved;
     for (std::size_t i = 0; i < pose.size(); ++i) {
       if (system.number[i] < 0) continue;
       const Pose moved = pose_of(moves[i]);

@@ -16,11 +16,11 @@ const char* name_of(WaveKind kind) {
 }
 
 /// The plate that hangs together, in the first lane's units.
-Lattice free_plate(const Prepared& p, Cache& cache) {
+Lattice free_plate(const Prepared& p, Cache& cache, const FractionTold& told) {
   bool found = false;
   const Scene& scene = p.preset.scene;
   const PackingRequest request = request_of(scene);
-  const Specimen specimen = make_free_specimen(cached_packing(request, cache, found), request.box,
+  const Specimen specimen = make_free_specimen(cached_packing(request, cache, found, told), request.box,
                                                scene.specimen.contact_tolerance);
   MicroMaterial micro = p.micro;
   micro.young_modulus *= p.lane.front().units.energy;
@@ -36,25 +36,25 @@ double OwnNumbers::speed(WaveKind kind) const {
 }
 
 OwnNumbers measure_own_numbers(const Prepared& p, Cache& cache, const StageProgress& progress, int threads) {
-  const auto tell = [&](const char* stage, double done) {
-    if (progress && !progress(stage, done)) throw Interrupted(stage);
+  const auto telling = [&](const char* stage, double from, double share) -> FractionTold {
+    return [&progress, stage, from, share](double done) {
+      return !progress || progress(stage, from + share * done);
+    };
   };
   const Scene::Material& m = p.preset.scene.material;
-  const Lattice plate = free_plate(p, cache);
+  const Lattice plate = free_plate(p, cache, telling("packing", 0.0, 1.0));
   OwnNumbers own;
   own.nominal = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
-  tell("static pulls", 0.0);
+  tell_or_stop(telling("static pulls", 0.0, 1.0), 0.0, "pulling the plate");
   FreeBody body(plate);
-  const Pulled along = pull(plate, body, 0, 1.0);
-  tell("static pulls", 0.5);
-  const Pulled across = pull(plate, body, 1, 1.0);
+  const Pulled along = pull(plate, body, 0, 1.0, telling("static pulls", 0.0, 0.5));
+  const Pulled across = pull(plate, body, 1, 1.0, telling("static pulls", 0.5, 0.5));
   own.young_along = along.gauge_modulus, own.poisson_along = along.poisson_ratio.y();
   own.young_across = across.gauge_modulus, own.poisson_across = across.poisson_ratio.x();
   const theory::WaveSpeeds expected =
       theory::wave_speeds(own.young_along, own.poisson_along, p.density, Plane::stress);
   const double dt = 0.5 * p.stable.critical * p.lane.front().units.time;
-  own.waves = measured_waves(plate, dt, expected, threads,
-                             [&](double done) { return !progress || progress("waves", done); });
+  own.waves = measured_waves(plate, dt, expected, threads, telling("waves", 0.0, 1.0));
   return own;
 }
 

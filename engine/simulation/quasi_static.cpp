@@ -7,7 +7,7 @@ namespace rift {
 namespace {
 
 /// Of the plate at rest with its beams as the first lane's law leaves them when the tip is at `tip` [J].
-double energy_cut_to(const Prepared& p, double tip) {
+double energy_cut_to(const Prepared& p, double tip, const FractionTold& told) {
   const Kinematics kinematics = p.preset.scene.solver.kinematics;
   const Scene::Loading& loading = p.preset.scene.loading;
   const Pull pull(p.pulled, loading.tilt, loading.shear);
@@ -20,8 +20,8 @@ double energy_cut_to(const Prepared& p, double tip) {
     beam.axial *= left, beam.bending *= left, beam.twist *= left;
   }
   const std::vector<Vector6> q = kinematics == Kinematics::linear
-                                     ? stretched_at_rest(lattice, present, pull)
-                                     : stretched_at_rest_corotational(lattice, present, pull);
+                                     ? stretched_at_rest(lattice, present, pull, told)
+                                     : stretched_at_rest_corotational(lattice, present, pull, told);
   double energy = 0.0;
   for (std::size_t b = 0; b < present.size(); ++b)
     if (present[b]) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
@@ -30,21 +30,29 @@ double energy_cut_to(const Prepared& p, double tip) {
 
 }  // namespace
 
-std::vector<double> quasi_static_rates(const Prepared& p, const std::vector<double>& tip) {
+std::vector<double> quasi_static_rates(const Prepared& p, const std::vector<double>& tip,
+                                       const FractionTold& told) {
+  const auto solving = [&](std::size_t k) -> FractionTold {
+    return [&told, k, all = static_cast<double>(tip.size())](double done) {
+      return !told || told((static_cast<double>(k) + done) / all);
+    };
+  };
   std::vector<double> rate;
-  double before = energy_cut_to(p, tip.front());
+  double before = energy_cut_to(p, tip.front(), solving(0));
   for (std::size_t k = 1; k < tip.size(); ++k) {
-    const double now = energy_cut_to(p, tip[k]);
+    const double now = energy_cut_to(p, tip[k], solving(k));
     rate.push_back((before - now) / (p.scale.thickness * (tip[k] - tip[k - 1]) * p.scale.tips));
     before = now;
   }
   return rate;
 }
 
-double quasi_static_ratio(const Prepared& p, const std::array<double, 2>& window) {
+double quasi_static_ratio(const Prepared& p, const std::array<double, 2>& window, const FractionTold& told) {
   const double faces = p.scale.thickness * (window[1] - window[0]) * p.scale.tips;
-  return (energy_cut_to(p, window[0]) - energy_cut_to(p, window[1])) /
-         (faces * mean_g_i0(p.scale, window[0], window[1]));
+  const double before = energy_cut_to(p, window[0], [&](double done) { return !told || told(0.5 * done); });
+  const double after =
+      energy_cut_to(p, window[1], [&](double done) { return !told || told(0.5 + 0.5 * done); });
+  return (before - after) / (faces * mean_g_i0(p.scale, window[0], window[1]));
 }
 
 }  // namespace rift

@@ -122,6 +122,18 @@ TEST(DampedCriticalStep, OfASingleModeIsTheTextbooks) {
   }
 }
 
+TEST(CriticalStep, StopsBetweenTwoRoundsWhenToldTo) {
+  const Lattice lattice = jumble(4, 58, true);
+  const double undamped = stable_step(lattice).critical;
+  int asked = 0;
+  const FractionTold told = [&](double) { return ++asked < 5; };
+  EXPECT_THROW(stable_step(lattice, told), Interrupted);
+  EXPECT_EQ(asked, 5);
+  asked = 0;
+  EXPECT_THROW(damped_critical_step(lattice, damped_everywhere(lattice, 0.3), undamped, told), Interrupted);
+  EXPECT_EQ(asked, 5);
+}
+
 TEST(DampedCriticalStep, WithoutDampingIsTheCriticalOne) {
   const Lattice lattice = jumble(3, 79, true);
   const double undamped = stable_step(lattice).critical;

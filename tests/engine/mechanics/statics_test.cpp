@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace rift {
@@ -46,6 +48,33 @@ const Lattice& packed_plate() {
     return make_lattice(make_plate(packing, box, 1.0), bulk_micro_material, 667.0);
   }();
   return plate;
+}
+
+/// Answers "go on" so many times.
+struct Patience {
+  int left;
+  std::vector<double> told = {};
+  bool operator()(double done) { return told.push_back(done), left-- > 0; }
+};
+
+TEST(Statics, StopsBetweenTwoRoundsOfASolutionWhenToldTo) {
+  const Lattice& plate = packed_plate();
+  for (const auto solve : {stretched_at_rest, stretched_at_rest_corotational}) {
+    Patience patience{10};
+    EXPECT_THROW(solve(plate, all_of(plate), 1e-4, std::ref(patience)), Interrupted);
+    EXPECT_EQ(patience.told.size(), 11u);
+  }
+}
+
+TEST(Statics, TellsHowManyDigitsAreDoneAndTheResultIsTheSame) {
+  const Lattice& plate = packed_plate();
+  Patience patience{1'000'000};
+  const auto told = stretched_at_rest(plate, all_of(plate), 1e-4, std::ref(patience));
+  EXPECT_EQ(stacked(told), stacked(stretched_at_rest(plate, all_of(plate), 1e-4)));
+  ASSERT_GT(patience.told.size(), 20u);
+  EXPECT_TRUE(std::is_sorted(patience.told.begin(), patience.told.end()));
+  EXPECT_EQ(patience.told.front(), 0.0);
+  EXPECT_GT(patience.told.back(), 0.9);
 }
 
 TEST(Statics, StretchesAColumnEvenly) {
