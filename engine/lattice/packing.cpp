@@ -308,6 +308,7 @@ bool is_thin(const Box& box, double mean_radius) {
 Packing pack(const PackingRequest& request, const PackingProgress& progress, int threads) {
   constexpr double expected_fraction = 0.615, start_fraction = 0.5;
   constexpr double below_target = 0.994, above_target = 1.02;  // where the search starts
+  tell_or_stop(progress, 0.0, "packing");
   const double sphere = 4.0 / 3.0 * std::numbers::pi;
   const double unit = std::cbrt(request.box.volume() * expected_fraction / (request.elements * sphere));
   Pile pile = loose_start(request, unit, std::cbrt(start_fraction / expected_fraction));

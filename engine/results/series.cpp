@@ -30,7 +30,9 @@ std::string_view phase_name(Phase phase) {
   return "";
 }
 
-std::string csv_number(double value) { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
+std::string csv_number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : std::string();
+}
 
 std::string series_row(const Sample& sample, const RatePoint* rate) {
   std::string row = fmt::format("{},{},{},{}", sample.step, csv_number(sample.time_s),

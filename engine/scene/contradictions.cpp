@@ -3,6 +3,7 @@
 #include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/crack_text.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/derived_ranges.hpp"
 #include "engine/scene/needs.hpp"
 #include "engine/scene/units.hpp"
 #include "engine/scene/wording.hpp"
@@ -135,8 +136,9 @@ void check_sizes(Checks& c) {
   }
   const Box box = box_of(c.scene);
   if (std::min(box.length, box.height) < diameter) {
-    c.say("specimen.elements", fmt::format("too few: the {} is smaller than {}",
-                                           can_crack(c.scene) ? "plate" : "specimen", element));
+    c.say("specimen.elements",
+          fmt::format("too few for specimen.length and specimen.height: the {} is smaller than {}",
+                      can_crack(c.scene) ? "plate" : "specimen", element));
   }
 }
 
@@ -291,13 +293,13 @@ bool check_window_of_two(Checks& c) {
   const double length = c.scene.specimen.length, least = shortest_window_m(c.scene);
   if ((upper - lower) * length >= least) return true;
   const bool progressive = c.scene.crack.technique == Technique::progressive;
-  c.say(
-      progressive ? "crack.damage_zone_ratio" : "specimen.elements",
-      fmt::format("leaves two tips no window: five {} end at a half length of {}, the first echo is back at "
-                  "{}, and {} are needed between: raise specimen.elements, or height and length, or give "
-                  "output.window",
-                  progressive ? "damage zones" : "mean radii", millimetres(lower * length),
-                  millimetres(upper * length), millimetres(least)));
+  c.say(progressive ? "crack.damage_zone_ratio" : "specimen.elements",
+        fmt::format("leaves two tips (crack.tips) no window: five {} end at a half length of {}, the first "
+                    "echo is back at "
+                    "{}, and {} are needed between: raise specimen.elements, or height and length, or give "
+                    "output.window",
+                    progressive ? "damage zones" : "mean radii", millimetres(lower * length),
+                    millimetres(upper * length), millimetres(least)));
   return false;
 }
 
@@ -311,7 +313,9 @@ bool check_window(Checks& c) {
                                          millimetres(upper * length));
   const std::size_t before = c.issues.size();
   if (upper * length > way_of_tip_m(c.scene) + slack) {
-    c.say("output.window", fmt::format("{} ends beyond {}", window, end_of_plate(c.scene)));
+    const bool by_path = !window_given && !c.scene.crack.path.point.empty();
+    c.say(by_path ? "crack.path" : "output.window",
+          fmt::format("{} ends beyond {}", window, end_of_plate(c.scene)));
   } else if (upper * length > crack_end(c.scene) + slack) {
     c.say(window_given ? "output.window" : "crack.end",
           fmt::format("{} ends beyond crack.end = {}", window, millimetres(crack_end(c.scene))));
@@ -355,6 +359,10 @@ void check_reference(Checks& c) {
 std::vector<Issue> contradictions(const Preset& preset, const std::set<std::string>& unsound) {
   Checks checks{preset, preset.scene, unsound, {}};
   check_exclusive(checks);
+  if (const auto out = range_issues(preset, preset.scene, derived_numbers(preset, unsound)); !out.empty()) {
+    checks.issues.insert(checks.issues.end(), out.begin(), out.end());
+    return std::move(checks.issues);  // the others compute with these numbers
+  }
   check_sizes(checks);
   check_radii(checks);
   check_micro(checks);

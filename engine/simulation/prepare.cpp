@@ -7,6 +7,7 @@
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/lane_history.hpp"
+#include "engine/simulation/prepared_ranges.hpp"
 #include "engine/simulation/prestress.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -27,10 +29,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void tell(const StageProgress& progress, std::string_view stage, double done) {
-  if (progress && !progress(stage, done)) throw Interrupted(std::string(stage));
-}
-
 void build_specimen(Prepared& p, Cache& cache, const StageProgress& progress) {
   const Scene& scene = p.preset.scene;
   const auto start = Clock::now();
@@ -40,8 +38,7 @@ void build_specimen(Prepared& p, Cache& cache, const StageProgress& progress) {
   };
   Packing packing;
   try {
-    packing = cached_packing(request, cache, p.packing_from_cache,
-                             [&](double done) { return !progress || progress("packing", done); });
+    packing = cached_packing(request, cache, p.packing_from_cache, stage(progress, "packing"));
   } catch (const PackingError& error) {
     throw refuse(scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination", error);
   }
@@ -112,20 +109,36 @@ LanePlan plan_lane(const Prepared& p, const Scene& scene) {
 StepWish step_wish(const LanePlan& lane, double rayleigh_speed) {
   return {.zone_length = lane.scenario.law.zone_length,
           .speed = highest_velocity(lane.scene) * rayleigh_speed * lane.units.time,
-          .alpha_at_surface = lane.scenario.alpha_at_surface,
-          .alpha_elsewhere = lane.scenario.alpha_elsewhere};
+          .critical_damped = {}};
 }
 
-std::vector<LanePlan> planned(const Prepared& p, const std::vector<Scene>& scenes) {
+/// What damping leaves of the critical step, computed once for all lanes that damp alike.
+class DampedLimits {
+ public:
+  explicit DampedLimits(const Prepared& p) : p_(p) {}
+  double of(const LanePlan& lane, std::vector<DampedBeam> damped, const FractionTold& told) {
+    const std::pair kind(lane.scene.damping.region, lane.scene.damping.alpha);
+    if (const auto known = limit_.find(kind); known != limit_.end()) return known->second;
+    return limit_[kind] = damped_limit(p_, std::move(damped), {&lane, 1}, told);
+  }
+
+ private:
+  const Prepared& p_;
+  std::map<std::pair<DampingRegion, double>, double> limit_;
+};
+
+std::vector<LanePlan> planned(const Prepared& p, const std::vector<Scene>& scenes, const FractionTold& told) {
   if (crossings(p.path, p.lattice).empty())
     throw InputError({issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
   std::vector<LanePlan> lanes;
+  DampedLimits limits(p);
   for (const Scene& scene : scenes) {
     LanePlan lane = plan_lane(p, scene);
-    const std::vector<DampedBeam> damped = damped_beams(p, {&lane, 1});
+    StepWish wish = step_wish(lane, p.rayleigh_speed);
+    std::vector<DampedBeam> damped = damped_beams(p, {&lane, 1});
     lane.beams_damped = damped.size();
-    lane.step = choose_step(p.preset, p.lattice, p.stable, damped, {step_wish(lane, p.rayleigh_speed)},
-                            lane.units.time);
+    if (!damped.empty()) wish.critical_damped = limits.of(lane, std::move(damped), told);
+    lane.step = choose_step(p.preset, p.stable, wish, lane.units.time);
     lanes.push_back(std::move(lane));
   }
   return lanes;
@@ -172,13 +185,14 @@ double lattice_speed(const Prepared& p, const Speed& speed, const LaneUnits& uni
   return speed_m_s(speed, p.rayleigh_speed) * units.time;
 }
 
-double damped_limit(const Prepared& p, std::vector<DampedBeam> damped, std::span<const LanePlan> lanes) {
+double damped_limit(const Prepared& p, std::vector<DampedBeam> damped, std::span<const LanePlan> lanes,
+                    const FractionTold& told) {
   ViscousDamping damping(std::move(damped));
   for (const LanePlan& lane : lanes) {
     damping.alpha_at_surface = std::max(damping.alpha_at_surface, lane.scenario.alpha_at_surface);
     damping.alpha_elsewhere = std::max(damping.alpha_elsewhere, lane.scenario.alpha_elsewhere);
   }
-  return damped_critical_step(p.lattice, damping, p.stable.critical);
+  return damped_critical_step(p.lattice, damping, p.stable.critical, told);
 }
 
 void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
@@ -189,6 +203,7 @@ void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
     p.step.dt = std::min(p.step.dt, lane.step.dt);
     p.step.critical_damped = std::min(p.step.critical_damped, lane.step.critical_damped);
   }
+  refuse_out_of_range(p, step_numbers(p));
   for (LanePlan& lane : p.lane)
     lane.schedule = make_schedule(lane.scene, lane.scenario.history, p.step.dt, lane.crack_end, lane.window);
 }
@@ -222,14 +237,14 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
     const auto start = Clock::now();
     build_prestress(p, cache, progress);
     p.wall_prestress_s = seconds_since(start);
-    tell(progress, "pre-stress", 1.0);
+    tell_or_stop(stage(progress, "pre-stress"), 1.0, "solving the pre-stress");
   } catch (const StaticsError& error) {
     throw InputError({issue_at(p.preset, load_key(scene), error.what())});
   }
   p.gauge = gauges_of(p);
-  tell(progress, "critical step", 0.0);
-  p.stable = stable_step(p.lattice);
-  take_lanes(p, planned(p, lanes));
+  p.stable = stable_step(p.lattice, stage(progress, "critical step"));
+  refuse_out_of_range(p, critical_step_numbers(p));
+  take_lanes(p, planned(p, lanes, stage(progress, "critical step with damping")));
   for (int k = 0; k < static_cast<int>(p.lane.size()); ++k) check_steering(p, p.lane, k, 0);
   return p;
 }

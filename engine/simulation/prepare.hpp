@@ -4,6 +4,7 @@
 #include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/release_rate.hpp"
 #include "engine/fracture/scenario.hpp"
+#include "engine/interrupted.hpp"
 #include "engine/measurement/gauge.hpp"
 #include "engine/simulation/lane_units.hpp"
 #include "engine/simulation/schedule.hpp"
@@ -18,6 +19,11 @@ namespace rift {
 
 /// Told what is being done and the fraction of it done; answers false to stop (Interrupted is thrown then).
 using StageProgress = std::function<bool(std::string_view stage, double done)>;
+
+/// What tells of one stage; `progress` must outlive it.
+inline FractionTold stage(const StageProgress& progress, const char* name) {
+  return [&progress, name](double done) { return !progress || progress(name, done); };
+}
 
 /// One scenario of a run: what it releases, and when it is looked at, in the lattice's time.
 struct LanePlan {
@@ -67,7 +73,8 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
                  const StageProgress& progress = {});
 
 /// Goes on with other lanes over the same lattice and pre-stress, such as some of its own: damped beams, step
-/// and schedules are theirs again. Cheap: the step that each asks for is in its plan.
+/// and schedules are theirs again. Cheap: the step that each asks for is in its plan. Throws InputError where
+/// that takes too many steps.
 void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
 
 /// Beams whose damping can matter to any of the lanes: none, those near the path, or all.
@@ -80,8 +87,8 @@ void set_damping(LaneScenario& scenario, const Scene& scene);
 double lattice_speed(const Prepared& prepared, const Speed& speed, const LaneUnits& units);
 
 /// The largest stable step [s] where the beams are damped as much as any of the lanes damps them.
-double damped_limit(const Prepared& prepared, std::vector<DampedBeam> damped,
-                    std::span<const LanePlan> lanes);
+double damped_limit(const Prepared& prepared, std::vector<DampedBeam> damped, std::span<const LanePlan> lanes,
+                    const FractionTold& told = {});
 
 /// What a lane's release rate is measured against, in its own units.
 RateScale scale_of(const Prepared& prepared, const LanePlan& lane);

@@ -7,10 +7,12 @@
 #include "engine/lattice/stiffness.hpp"
 #include "engine/mechanics/statics.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/simulation/prepared_ranges.hpp"
 #include "engine/theory/griffith.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -37,9 +39,7 @@ MicroMaterial reference_micro(const Preset& preset, Cache& cache, const StagePro
     return {*m.micro_young_modulus, *m.micro_poisson_ratio, *m.micro_radius_ratio};
   if (m.stiffness != StiffnessChoice::calibrated) return bulk_micro_material;
   try {
-    return calibrate(scene, m.young_modulus, m.poisson_ratio, cache,
-                     [&](double done) { return !progress || progress("calibration", done); })
-        .micro;
+    return calibrate(scene, m.young_modulus, m.poisson_ratio, cache, stage(progress, "calibration")).micro;
   } catch (const OutOfReach& error) {
     throw InputError({issue_at(preset, "material.poisson_ratio", error.what())});
   } catch (const PackingError& error) {
@@ -76,11 +76,17 @@ struct Statics {
   Cache& cache;
   bool& from_cache;
   std::string lattice_key;
+  const StageProgress& progress;
+  int expected = 1, solved = 0;  // solutions; those that the cache holds are not counted
 
   std::vector<Vector6> unit(const std::vector<char>& present, const std::string& notch,
                             const Pull& pull = {1.0}) {
     return cached_motions("statics 2 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
-                          from_cache, [&] { return stretched_at_rest(lattice, present, pull); });
+                          from_cache, [&] {
+                            auto q = stretched_at_rest(lattice, present, pull, telling());
+                            ++solved;
+                            return q;
+                          });
   }
   std::vector<Vector6> at_rest(const std::vector<char>& present, const std::string& notch,
                                double displacement) {
@@ -90,8 +96,17 @@ struct Statics {
     const Pull pull(displacement, l.tilt, l.shear);
     const std::string key = fmt::format("corotational statics 1 of {}{} by {:a}{}", lattice_key, notch,
                                         pull.middle, key_of(pull));
-    return cached_motions(key, lattice.centre.size(), cache, from_cache,
-                          [&] { return stretched_at_rest_corotational(lattice, present, pull); });
+    return cached_motions(key, lattice.centre.size(), cache, from_cache, [&] {
+      auto q = stretched_at_rest_corotational(lattice, present, pull, telling());
+      ++solved;
+      return q;
+    });
+  }
+  FractionTold telling() const {
+    return [this](double done) {
+      const double all = std::max(expected, solved + 1);
+      return !progress || progress("pre-stress", (solved + done) / all);
+    };
   }
   /// What of a pull is not along y and even.
   static std::string key_of(const Pull& pull) {
@@ -164,18 +179,27 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   const Scene& scene = p.preset.scene;
   const Kinematics kinematics = scene.solver.kinematics;
   p.micro = reference_micro(p.preset, cache, progress);
-  if (progress && !progress("pre-stress", 0.0)) throw Interrupted("pre-stress");
+  tell_or_stop(stage(progress, "pre-stress"), 0.0, "solving the pre-stress");
   p.statics_from_cache = true;
   p.lattice = make_lattice(p.specimen, p.micro, p.density);
-  Statics statics{p.lattice, scene, cache, p.statics_from_cache,
+  refuse_out_of_range(p, lattice_numbers(p));
+  Statics statics{p.lattice,
+                  scene,
+                  cache,
+                  p.statics_from_cache,
                   fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}", key_of(request_of(scene)),
                               scene.specimen.contact_tolerance, p.micro.young_modulus, p.micro.poisson_ratio,
-                              p.micro.radius_ratio)};
+                              p.micro.radius_ratio),
+                  progress};
+  const bool own_pull = kinematics == Kinematics::corotational || scene.loading.tilt != 0.0 ||
+                        scene.loading.shear != 0.0;  // the unit one does not serve
+  statics.expected = 1 + (own_pull ? 1 : 0) + (scene.crack.start > 0.0 ? 1 : 0);
   const std::vector<char> present(p.lattice.beam.size(), 1);
   const std::vector<Vector6> unit = statics.unit(present, "");
   if (is_scaled(scene)) {
     p.micro.young_modulus *= continuum_strip_modulus(scene) / strip_modulus(p.lattice, unit, 1.0);
     p.lattice = make_lattice(p.specimen, p.micro, p.density);
+    refuse_out_of_range(p, lattice_numbers(p));
   }
   p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
   std::vector<char> notched(present);
@@ -186,12 +210,14 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   const std::optional<double> force = force_at_start(scene);
   p.pulled =
       force ? displacement_under(*force, statics, p.lattice, notched, notch) : displacement_at_start(scene);
+  refuse_out_of_range(p, pull_numbers(p));
   p.displacement = statics.at_rest(present, "", p.pulled);
   p.scale = scale_against(scene, p.lattice,
                           energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
   if (!notch.empty()) p.displacement = statics.at_rest(notched, notch, p.pulled);
   p.grip_force = grip_force(p.lattice, notched, kinematics, p.displacement);
   p.static_energy = energy_of_all(p.lattice, kinematics, notched, p.displacement);
+  refuse_out_of_range(p, prestress_numbers(p));
   if (scene.loading.method == LoadingMethod::ramp)
     p.displacement.assign(p.displacement.size(), Vector6::Zero());
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 namespace rift {
@@ -48,12 +49,18 @@ void sort_unique(Steps& steps) {
 
 }  // namespace
 
+double steps_of_crack(const CrackHistory& history, double dt, double end) {
+  return time_of_arrival(history, end) / dt;
+}
+
 Schedule make_schedule(const Scene& scene, const CrackHistory& history, double dt, double end,
                        const std::array<double, 2>& window) {
   Schedule s;
   if (scene.loading.method == LoadingMethod::ramp)
     s.ramp = scene.loading.ramp_steps, s.hold = scene.loading.hold_steps;
-  s.fracture = static_cast<std::int64_t>(std::ceil(time_of_arrival(history, end) / dt));
+  const double steps = steps_of_crack(history, dt, end);
+  assert(steps <= most_steps);
+  s.fracture = static_cast<std::int64_t>(std::ceil(steps));
   if (s.ramp > 0) add_regular(s.samples, 0, s.crack_start(), scene.output.samples);
   // How long a crack that runs by itself will take is not known: it is looked at where it is, not when.
   const bool by_itself = !scene.crack.toughness.row.empty();

@@ -17,10 +17,18 @@ struct Schedule {
   std::int64_t total() const { return ramp + hold + fracture; }
 };
 
+/// More steps than any machine takes, and few enough to be counted exactly.
+inline constexpr double most_steps = 1e12;
+
+/// Steps of the crack from its start to `end` [m], whole or not: infinite, or NaN, where no number of them
+/// brings it there.
+double steps_of_crack(const CrackHistory& history, double dt, double end);
+
 /// A crack that runs by itself is sampled and shown at even distances of its tip. Else samples over each
 /// phase, a power of two of steps apart, and one at each end and sub-division of the window, where the tip is
 /// nearest to it; even frames over the fracture phase, its first and last moment among them.
 /// @param[in] end     tip position at which the run ends [m]
+/// Asks for at most most_steps steps.
 /// @param[in] window  tip positions [m]
 Schedule make_schedule(const Scene& scene, const CrackHistory& history, double dt, double end,
                        const std::array<double, 2>& window);

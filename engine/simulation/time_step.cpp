@@ -2,36 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cassert>
+#include <cmath>
 
 namespace rift {
 
 double default_step(double critical, double zone_length, double speed) {
+  assert(std::isfinite(critical));
   double dt = 0.5 * critical;
   const double limit = zone_length > 0.0 ? zone_length / (5.0 * speed) : dt;
   while (dt > limit) dt *= 0.5;
   return dt;
 }
 
-TimeStep choose_step(const Preset& preset, const Lattice& lattice, const std::vector<DampedBeam>& damped,
-                     const std::vector<StepWish>& wishes) {
-  return choose_step(preset, lattice, stable_step(lattice), damped, wishes);
-}
-
-TimeStep choose_step(const Preset& preset, const Lattice& lattice, const StableStep& stable,
-                     const std::vector<DampedBeam>& damped, const std::vector<StepWish>& wishes,
-                     double time_unit) {
+TimeStep choose_step(const Preset& preset, const StableStep& stable, const StepWish& wish, double time_unit) {
   const Scene& scene = preset.scene;
-  ViscousDamping damping(damped);
-  double wished = stable.critical;
-  for (const StepWish& w : wishes) {
-    damping.alpha_at_surface = std::max(damping.alpha_at_surface, w.alpha_at_surface);
-    damping.alpha_elsewhere = std::max(damping.alpha_elsewhere, w.alpha_elsewhere);
-    wished = std::min(wished, default_step(stable.critical, w.zone_length, w.speed));
-  }
-  TimeStep step{.dt = wished,
+  TimeStep step{.dt = default_step(stable.critical, wish.zone_length, wish.speed),
                 .critical = stable.critical,
-                .critical_damped = damped_critical_step(lattice, damping, stable.critical),
+                .critical_damped = wish.critical_damped.value_or(stable.critical),
                 .element_bound = stable.element_bound};
   if (scene.solver.dt) step.dt = *scene.solver.dt / time_unit;
   if (scene.solver.dt_fraction) step.dt = *scene.solver.dt_fraction * stable.critical;
@@ -40,7 +28,7 @@ TimeStep choose_step(const Preset& preset, const Lattice& lattice, const StableS
                     : scene.solver.dt_fraction ? "solver.dt_fraction"
                                                : "damping.alpha";
   const std::string limit =
-      damping.beam.empty()
+      !wish.critical_damped
           ? fmt::format("the critical step of this lattice is {:.4g} s", step.critical * time_unit)
           : fmt::format(
                 "the critical step of this lattice with this damping is "

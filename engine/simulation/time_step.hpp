@@ -3,6 +3,8 @@
 #include "engine/mechanics/stable_step.hpp"
 #include "engine/scene/preset.hpp"
 
+#include <optional>
+
 namespace rift {
 
 /// Limits of the step and the step chosen [s].
@@ -20,19 +22,14 @@ double default_step(double critical, double zone_length, double speed);
 
 /// What a scenario asks of the step.
 struct StepWish {
-  double zone_length = 0, speed = 0;  // L_CZM [m], 0 for S-NRT; highest of the crack [m/s]
-  double alpha_at_surface = 0, alpha_elsewhere = 0;
+  double zone_length = 0, speed = 0;      // L_CZM [m], 0 for S-NRT; highest of the crack [m/s]
+  std::optional<double> critical_damped;  // where its damping makes the limit smaller [s]
 };
 
-/// The step which the preset asks for, or the smallest default of the wishes. Throws InputError where it is
-/// not below the limit, damped as much as any of them damps.
-TimeStep choose_step(const Preset& preset, const Lattice& lattice, const std::vector<DampedBeam>& damped,
-                     const std::vector<StepWish>& wishes);
-
-/// The same where the lattice's own limits are known already; cheap without damping.
+/// The step which the preset asks for, or else the default one of the wish. Throws InputError where it is not
+/// below the limit.
 /// @param[in] time_unit  a second of the lattice, in seconds of the preset   [LaneUnits]
-TimeStep choose_step(const Preset& preset, const Lattice& lattice, const StableStep& stable,
-                     const std::vector<DampedBeam>& damped, const std::vector<StepWish>& wishes,
+TimeStep choose_step(const Preset& preset, const StableStep& stable, const StepWish& wish,
                      double time_unit = 1.0);
 
 }  // namespace rift

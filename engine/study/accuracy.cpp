@@ -2,6 +2,8 @@
 
 #include "engine/scene/contradictions.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/derived_ranges.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/study/cost.hpp"
 
 #include <fmt/format.h>
@@ -137,7 +139,12 @@ Scene ramped(const Preset& preset) {
   scene.loading.method = LoadingMethod::ramp;
   const double time =
       paper_ramp_s * scene.specimen.height / paper_height_m * paper_rayleigh_speed / rayleigh_speed(scene);
-  const int steps = static_cast<int>(std::ceil(time / estimated_length(scene).step_s));
+  const double wanted = std::ceil(time / estimated_length(scene).step_s);
+  const Range allowed = find_parameter("loading.ramp_steps")->range;
+  if (auto issue =
+          range_issue(preset, scene, {"a ramp", wanted, allowed, "steps", {"solver.dt", "specimen.height"}}))
+    throw InputError({*issue});
+  const int steps = static_cast<int>(wanted);
   if (!preset.origins.contains("loading.ramp_steps")) scene.loading.ramp_steps = steps;
   if (!preset.origins.contains("loading.hold_steps")) scene.loading.hold_steps = steps / 2;
   return scene;

@@ -2,8 +2,10 @@
 
 #include "engine/history/crack_history.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/simulation/schedule.hpp"
 #include "engine/simulation/time_step.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -15,8 +17,7 @@ constexpr double critical_radii = 0.63;        // critical step x c_r / R
 constexpr double preparation_steps = 10000.0;  // packing and static solve last as long as so many steps
 
 double crack_time(const Scene& scene) {
-  if (!scene.crack.history.empty())
-    return time_of_arrival(measured_course(scene).history, crack_end(scene));
+  if (!scene.crack.history.empty()) return time_of_arrival(measured_course(scene).history, crack_end(scene));
   std::vector<SpeedUntil> pieces;
   for (const VelocityPiece& piece : scene.crack.velocity)
     pieces.push_back({speed_m_s(piece.speed, rayleigh_speed(scene)),
@@ -38,7 +39,7 @@ Length estimated_length(const Scene& scene) {
   double steps = crack_time(scene) / step;
   if (scene.loading.method == LoadingMethod::ramp)
     steps += scene.loading.ramp_steps + scene.loading.hold_steps;
-  return {step, static_cast<std::int64_t>(steps)};
+  return {step, static_cast<std::int64_t>(std::min(steps, most_steps))};  // more are refused
 }
 
 double estimated_step_cost(const Scene& scene) {

@@ -72,10 +72,10 @@ TEST(Contradictions, ThinSpecimensBlameTheKeyThatWasGiven) {
 }
 
 TEST(Contradictions, ElementsMustFitIntoThePlate) {
-  EXPECT_EQ(
-      complaints("[specimen]\nelements = 2\n"),
-      "x.toml:2: specimen.elements = 2: too few: the plate is smaller than one element, 97.4416 mm across on "
-      "average\n");
+  EXPECT_EQ(complaints("[specimen]\nelements = 2\n"),
+            "x.toml:2: specimen.elements = 2: too few for specimen.length and specimen.height: the plate is "
+            "smaller than one element, 97.4416 mm across on "
+            "average\n");
 }
 
 TEST(Contradictions, PathLiesInsideThePlate) {
@@ -133,18 +133,19 @@ TEST(Contradictions, TwoTipsMeetTheEndsOfThePlateAtHalfItsLength) {
 TEST(Contradictions, TwoTipsNeedAWindowBetweenTheirZoneAndTheFirstEcho) {
   EXPECT_EQ(with({"crack.tips=2"}), "");
   // A mean radius of 0.487 mm: an empty window, one shorter than ten of them, and one of larger elements.
-  EXPECT_EQ(
-      with({"crack.tips=2", "crack.damage_zone_ratio=8"}),
-      "--set crack.damage_zone_ratio=8: leaves two tips no window: five damage zones end at a half length "
-      "of 19.4883 mm, the first echo is back at 11.2623 mm, and 7.79533 mm are needed between: raise "
-      "specimen.elements, or height and length, or give output.window\n");
-  EXPECT_EQ(
-      with({"crack.tips=2", "crack.damage_zone_ratio=3.5"}),
-      "--set crack.damage_zone_ratio=3.5: leaves two tips no window: five damage zones end at a half length "
-      "of 8.52614 mm, the first echo is back at 11.2623 mm, and 4.87208 mm are needed between: raise "
-      "specimen.elements, or height and length, or give output.window\n");
+  EXPECT_EQ(with({"crack.tips=2", "crack.damage_zone_ratio=8"}),
+            "--set crack.damage_zone_ratio=8: leaves two tips (crack.tips) no window: five damage zones end "
+            "at a half length "
+            "of 19.4883 mm, the first echo is back at 11.2623 mm, and 7.79533 mm are needed between: raise "
+            "specimen.elements, or height and length, or give output.window\n");
+  EXPECT_EQ(with({"crack.tips=2", "crack.damage_zone_ratio=3.5"}),
+            "--set crack.damage_zone_ratio=3.5: leaves two tips (crack.tips) no window: five damage zones "
+            "end at a half length "
+            "of 8.52614 mm, the first echo is back at 11.2623 mm, and 4.87208 mm are needed between: raise "
+            "specimen.elements, or height and length, or give output.window\n");
   EXPECT_EQ(with({"crack.tips=2", "crack.technique=simple", "specimen.elements=5000"}),
-            "--set specimen.elements=5000: leaves two tips no window: five mean radii end at a half length "
+            "--set specimen.elements=5000: leaves two tips (crack.tips) no window: five mean radii end at a "
+            "half length "
             "of 4.87208 mm, the first echo is back at 11.2623 mm, and 9.74416 mm are needed between: raise "
             "specimen.elements, or height and length, or give output.window\n");
   EXPECT_EQ(with({"crack.tips=2", "crack.damage_zone_ratio=8", "output.window=[0.1, 0.2]"}), "");

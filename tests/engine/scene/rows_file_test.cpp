@@ -189,9 +189,10 @@ TEST(PathFile, NamesPointsThatCannotBe) {
   EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n0;20\n"),
             "x.csv:3: is the same point as the row before\n");
   EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n"), "x.csv:2: is the only point: a path needs two\n");
-  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n30;20\n"),
-            "x.toml: output.window: the measuring window, 20 mm to 40 mm, ends beyond the end of the path, "
-            "30 mm\n");
+  EXPECT_EQ(
+      complaints("path", "x [mm];y [mm]\n0;20\n30;20\n"),
+      "x.toml:4: crack.path = \"x.csv\": the measuring window, 20 mm to 40 mm, ends beyond the end of the "
+      "path, 30 mm\n");
   EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n100;30\n"), "");
   const Preset straight = read_preset_text("[crack]\npath_shape = \"spline\"\n", "x.toml");
   EXPECT_EQ(to_text(straight.issues.at(0)),

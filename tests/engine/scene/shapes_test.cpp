@@ -49,11 +49,11 @@ TEST(Shapes, TakeTheKeysThatAreTheirs) {
 }
 
 TEST(Shapes, AreThickerThanTheirElements) {
-  EXPECT_EQ(
-      complaints({"specimen.shape=cylinder", "specimen.length=1 mm", "specimen.height=40 mm",
-                  "specimen.elements=20"}),
-      "--set specimen.elements=20: too few: the specimen is smaller than one element, 1.22017 mm across on "
-      "average\n");
+  EXPECT_EQ(complaints({"specimen.shape=cylinder", "specimen.length=1 mm", "specimen.height=40 mm",
+                        "specimen.elements=20"}),
+            "--set specimen.elements=20: too few for specimen.length and specimen.height: the specimen is "
+            "smaller than one element, 1.22017 mm across on "
+            "average\n");
   EXPECT_EQ(complaints({"specimen.shape=periodic", "specimen.thickness=4 mm", "specimen.elements=20"}),
             "--set specimen.elements=20: too few: a periodic box must be wider than three elements, 12.2769 "
             "mm across on "

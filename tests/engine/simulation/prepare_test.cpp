@@ -301,5 +301,48 @@ TEST(Prepare, TakesNothingFromTheCacheOfAnotherPlate) {
   EXPECT_TRUE(p.statics_from_cache) << "linear: one solve serves any displacement and modulus";
 }
 
+TEST(Prepare, RefusesWhatFollowsFromTheLatticeAndIsOutOfItsRange) {
+  EXPECT_TRUE(contains(refusal({"crack.velocity=1e-300 c_r"}), "--set crack.velocity=1e-300 c_r: with "));
+  EXPECT_TRUE(contains(refusal({"crack.velocity=1e-300 c_r"}), " steps, which must lie in [0, 1e+12] steps"));
+  EXPECT_TRUE(contains(refusal({"solver.dt=1e-40"}), "makes a step of 1e-40 s, which must lie in"));
+  EXPECT_TRUE(contains(refusal({"loading.force=1e-200"}), "--set loading.force=1e-200: with "));
+  EXPECT_TRUE(contains(refusal({"loading.force=1e-200"}), "makes a strain of "));
+  EXPECT_EQ(refusal({"crack.velocity=1e-6 c_r"}), "not refused");
+}
+
+// It depends on what is damped and how much, and on nothing else of a lane.
+TEST(Prepare, ComputesTheDampedLimitOnceForLanesThatDampAlike) {
+  const TemporaryFolder folder;
+  Cache cache{folder.path(), {}};
+  const Preset preset = small_preset({"damping.alpha=0.01", "damping.region=all"});
+  const auto rounds = [&](const std::vector<Scene>& lanes) {
+    int told = 0;
+    prepare(preset, lanes, cache, [&](std::string_view stage, double) {
+      told += stage == "critical step with damping";
+      return true;
+    });
+    return told;
+  };
+  Scene faster = preset.scene, harder = preset.scene;
+  faster.crack.velocity = {{{0.7, true}, {}}};
+  harder.damping.alpha = 0.02;
+  const int once = rounds({preset.scene});
+  EXPECT_GT(once, 100);
+  EXPECT_EQ(rounds({preset.scene, faster, faster}), once);
+  EXPECT_GT(rounds({preset.scene, faster, harder}), once);
+}
+
+TEST(Prepare, StopsWhileTheCriticalStepIsComputed) {
+  const TemporaryFolder folder;
+  Cache cache{folder.path(), {}};
+  for (const char* at : {"critical step", "critical step with damping"}) try {
+      prepare(small_preset({"damping.alpha=0.01", "damping.region=all"}), cache,
+              [&](std::string_view stage, double) { return stage != at; });
+      FAIL() << "went on";
+    } catch (const Interrupted& stopped) {
+      EXPECT_STREQ(stopped.what(), "stopped while computing the critical step");
+    }
+}
+
 }  // namespace
 }  // namespace rift
