@@ -54,6 +54,8 @@ struct Observer {
   /// Offered a few times a second while cracks run, and last of all before a stop: makes a checkpoint for who
   /// wants one (its journal_bytes are the caller's). Cost of making one: a copy of the state.
   std::function<void(const std::function<results::Checkpoint()>& make, bool stopping)> checkpoint = {};
+  /// The march has ended, and so much is to be done yet.
+  std::function<void(const char* stage)> stage = {};
   /// A change was made, or (with the reason) was not.
   std::function<void(const Change&, const std::string& refused)> changed = {};
 };

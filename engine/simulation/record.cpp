@@ -100,6 +100,7 @@ Recorded record(const Prepared& prepared, Recording& recording, const BuildInfo&
   }
   const double marching_s = std::chrono::duration<double>(Clock::now() - start).count();
   run.summary = summary_of(done, run.result, rates, build, preparation_s + marching_s);
+  if (recording.beside.stage) recording.beside.stage("archive");
   recording.writer.finish(run.summary, curves);
   if (run.result.outcome != Outcome::stopped) results::remove_checkpoints(recording.folder);
   return run;

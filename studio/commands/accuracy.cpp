@@ -178,7 +178,9 @@ ExitCode compute(const AccuracyCommand& command, const Preset& preset, const Acc
   line.clear();
   print_notes(packings.cache);
   report.wall_s = seconds();
+  line.tell("report", 0.0);
   const ExitCode files = write_files(report, folder);
+  line.clear();
   print_result(command, report, run, folder);
   if (files != ExitCode::done) return files;
   return run.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;

@@ -77,7 +77,11 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
     const Calibration calibration = compute(options, preset, cache, line, stop);
     line.clear();
     print_notes(cache);
-    if (report) write_calibration_report(calibration, folder->keep());
+    if (report) {
+      line.tell("report", 0.0);
+      write_calibration_report(calibration, folder->keep());
+      line.clear();
+    }
     if (options.scene.json) {
       fmt::print("{}\n", calibration_json(calibration).dump(2));
     } else {

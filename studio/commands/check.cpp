@@ -75,7 +75,8 @@ ExitCode check(const CheckOptions& check_options) {
     if (check_options.measure) {
       j["measured"] =
           json_of(measure_own_numbers(prepared, cache, tell, options.threads), prepared.lattice.mean_radius);
-      j["measured"]["ratio_quasi_static"] = quasi_static_ratio(prepared, prepared.lane.front().window);
+      j["measured"]["ratio_quasi_static"] = quasi_static_ratio(
+          prepared, prepared.lane.front().window, [&](double done) { return tell("quasi-static", done); });
     }
     line.clear();
     print_notes(cache);

@@ -79,14 +79,17 @@ void forget(const fs::path& folder) {
   if (fs::is_empty(folder, ignored)) fs::remove(folder, ignored);
 }
 
-ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report, const fs::path& folder) {
+ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report, const fs::path& folder,
+                ProgressLine& line) {
   ExitCode code = report.experiment.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
   try {
+    line.tell("report", 0.0);
     write_experiment_report(report, folder);
   } catch (const results::WorldError& error) {
     fmt::print(stderr, "rift experiment: {}\n", error.what());
     code = ExitCode::world_failed;
   }
+  line.clear();
   if (command.scene.json)
     fmt::print("{}\n", experiment_json(report).dump(2));
   else
@@ -143,7 +146,7 @@ ExitCode experiment(ExperimentCommand& command) {
   print_notes(cache);
   report.smoothing = smoothing_text(preset.scene, report.experiment.course);
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  const ExitCode code = finish(command, report, owned.keep());
+  const ExitCode code = finish(command, report, owned.keep(), line);
   if (!film.trouble.empty()) fmt::print(stderr, "rift experiment: no film: {}\n", film.trouble);
   return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
 }

@@ -2,6 +2,7 @@
 
 #include "engine/results/export_ovito.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/report/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -38,7 +39,11 @@ void add_export(CLI::App& app, ExitCode& exit_code) {
       ->required()
       ->check(CLI::IsMember({"csv", "paraview", "pvd", "ovito"}));
   command.callback([options, &exit_code] {
-    fmt::print("{}\n", exports.at(options->to)(options->run).string());
+    ProgressLine line(progress_style(false, false));
+    line.tell("export", 0.0);
+    const std::filesystem::path made = exports.at(options->to)(options->run);
+    line.clear();
+    fmt::print("{}\n", made.string());
     exit_code = ExitCode::done;
   });
 }

@@ -115,14 +115,17 @@ void lay_over(InstrumentsReport& report, const std::vector<std::string>& files) 
     }
 }
 
-ExitCode finish(const MeasureCommand& command, const InstrumentsReport& report, const fs::path& folder) {
+ExitCode finish(const MeasureCommand& command, const InstrumentsReport& report, const fs::path& folder,
+                ProgressLine& line) {
   ExitCode code = ExitCode::done;
   try {
+    line.tell("report", 0.0);
     write_instruments_report(report, folder);
   } catch (const results::WorldError& error) {
     fmt::print(stderr, "rift measure: {}\n", error.what());
     code = ExitCode::world_failed;
   }
+  line.clear();
   if (command.json)
     fmt::print("{}\n", instruments_json(report).dump(2));
   else
@@ -163,7 +166,7 @@ ExitCode measure(const MeasureCommand& command) {
     fmt::print(stderr, "rift measure: {}; nothing was kept\n", interrupted.what());
     return stopped_by(stop);
   }
-  return finish(command, report, folder);
+  return finish(command, report, folder, line);
 }
 
 }  // namespace

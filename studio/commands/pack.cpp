@@ -66,7 +66,11 @@ ExitCode pack_specimen(const ReportOptions& options) {
     line.clear();
     print_notes(cache);
     const nlohmann::ordered_json summary = packing_json(specimen);
-    if (report) write_packing_report(specimen, summary, folder->keep());
+    if (report) {
+      line.tell("report", 0.0);
+      write_packing_report(specimen, summary, folder->keep());
+      line.clear();
+    }
     if (options.scene.json) {
       fmt::print("{}\n", summary.dump(2));
     } else {

@@ -293,10 +293,15 @@ ExitCode reproduce(const ReproduceOptions& options) {
                       .wall_s = 0,
                       .claims = {}};
   try {
-    for (const Claim* claim : chosen)
-      report.claims.push_back(claim->calibration && claim->judge
-                                  ? calibrated(*claim, options, effort, stop)
-                                  : judged(*claim, study, result, report.elements, options.out));
+    for (const Claim* claim : chosen) {
+      if (claim->calibration && claim->judge) {
+        report.claims.push_back(calibrated(*claim, options, effort, stop));
+        continue;
+      }
+      ProgressLine line(progress_style(options.quiet, options.json));
+      line.tell("charts of " + claim->name, 0.0);
+      report.claims.push_back(judged(*claim, study, result, report.elements, options.out));
+    }
     for (JudgedClaim& claim : report.claims)
       if (claim.claim->name == "fig15") add_own_speed(claim, study, result, options, report.elements, stop);
     draw_pictures(report, options, stop);

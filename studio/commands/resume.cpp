@@ -37,8 +37,9 @@ std::optional<Recorded> go_on_plainly(const ResumeOptions& options, const Preset
   const double preparation = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::string note;
   auto ran = resume_run(prepared, options.run, build_info(),
-                        {.go_on = telling(line, stop, prepared.lattice.centre.size())}, note,
-                        {.threads = options.threads}, preparation);
+                        {.go_on = telling(line, stop, prepared.lattice.centre.size()),
+                         .stage = [&](const char* stage) { line.tell(stage, 0.0); }},
+                        note, {.threads = options.threads}, preparation);
   line.clear();
   if (!note.empty()) fmt::print(stderr, "rift resume: {}\n", note);
   return ran;

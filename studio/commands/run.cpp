@@ -72,7 +72,8 @@ std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache&
   way.begin_film(folder.keep());
   const double preparation = std::chrono::duration<double>(Clock::now() - way.start).count();
   return record_run(prepared, path, build_info(),
-                    {.go_on = telling(way.line, way.stop, prepared.lattice.centre.size())},
+                    {.go_on = telling(way.line, way.stop, prepared.lattice.centre.size()),
+                     .stage = [&](const char* stage) { way.line.tell(stage, 0.0); }},
                     {.threads = way.options.scene.threads, .checkpoint_s = way.checkpoint_s}, preparation);
 } catch (const Interrupted& interrupted) {
   way.line.clear();

@@ -51,7 +51,9 @@ ExitCode stability(const StabilityOptions& options) {
     fmt::print("{}", stability_text(report, wants_color(options.color, stdout)));
   if (stop.received() != 0) return static_cast<ExitCode>(128 + stop.received());
   if (!options.out.empty()) {
+    line.tell("report", 0.0);
     write_stability_report(report, folder->keep());
+    line.clear();
     if (!options.json)
       fmt::print("{}/  report.html, table.csv, claims.csv, summary.json, charts\n", options.out);
   }

@@ -170,7 +170,9 @@ ExitCode compute(const StudyCommand& command, const Preset& preset, const StudyO
   const StudyResult result = run_study(preset, options, cache, build_info(), observer);
   line.clear();
   for (const std::string& note : cache.notes) fmt::print(stderr, "note: {}\n", note);
+  line.tell("report", 0.0);
   const ExitCode files = write_files(command, preset, result, options.folder);
+  line.clear();
   print_result(command, preset, result, options.folder);
   if (result.outcome == Outcome::stopped) {
     const bool by_signal = stop.received() != 0;

@@ -1,6 +1,7 @@
 #include "engine/results/verify.hpp"
 
 #include "studio/commands/commands.hpp"
+#include "studio/report/progress.hpp"
 #include "studio/report/table.hpp"
 
 #include <CLI/CLI.hpp>
@@ -28,7 +29,10 @@ std::string verdict(const results::Verification& v, const std::string& run) {
 }
 
 ExitCode verify(const VerifyOptions& options) {
+  ProgressLine line(progress_style(false, options.json));
+  line.tell("verify", 0.0);
   const results::Verification v = results::verify_run(options.run, !options.check_only);
+  line.clear();
   if (options.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const results::Finding& f : v.files)

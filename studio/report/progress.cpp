@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <ctime>
 
 namespace rift::studio {
@@ -22,9 +23,10 @@ std::string bar(double done) {
   return text;
 }
 
-/// Remaining seconds if the pace of a second or more holds; negative while nothing is done yet.
-double remaining(double elapsed, double done, double from) {
-  return done - from > 1e-4 ? elapsed * (1.0 - done) / (done - from) : -1.0;
+/// Never throws: it is called by a thread beside the one that works.
+void put(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
 }
 
 std::string clock_in(double seconds) {
@@ -54,42 +56,88 @@ ProgressStyle progress_style(bool quiet, bool json) {
   return isatty(fileno(stderr)) ? ProgressStyle::line : ProgressStyle::plain;
 }
 
+void Pace::note(double now, double done) {
+  constexpr double shortest_s = 5.0, share = 0.25;
+  if (!noted_.empty() && !(done > noted_.back().second)) return;
+  const double apart = std::max(0.1, 0.005 * now);  // so that few are kept, however often it is told
+  if (noted_.size() > 1 && now - noted_[noted_.size() - 2].first < apart) noted_.pop_back();
+  noted_.emplace_back(now, done);
+  const double from = now - std::max(shortest_s, share * now);
+  while (noted_.size() > 2 && noted_[1].first <= from) noted_.pop_front();
+}
+
+double Pace::remaining(double now) const {
+  if (noted_.size() < 2) return -1.0;
+  const auto& [then, done_then] = noted_.front();
+  const auto& [last, done] = noted_.back();
+  // What stands still for longer than it took so far in this while is not known to go on.
+  if (now - last > last - then) return -1.0;
+  constexpr double for_ever = 1e9;
+  const double left = (1.0 - done) * (now - then) / (done - done_then);
+  return left < for_ever ? left : -1.0;
+}
+
+ProgressLine::~ProgressLine() { clear(); }
+
 void ProgressLine::tell(std::string_view stage, double done, std::string_view rate) {
   if (style_ == ProgressStyle::none) return;
+  const std::lock_guard lock(mutex_);
+  if (stage != stage_) stage_ = stage, stage_start_ = Clock::now(), last_ = {}, pace_ = {};
+  done_ = done >= 0.0 ? std::min(done, 1.0) : 0.0, rate_ = rate, goes_on_ = true;
+  pace_.note(elapsed(), done_);
+  if (!beside_.joinable())
+    beside_ = std::jthread([this](const std::stop_token& ended) { keep_showing(ended); });
+  show_if_due();
+}
+
+/// Signals are for the thread that works.
+void ProgressLine::keep_showing(const std::stop_token& ended) {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  std::unique_lock lock(mutex_);
+  while (!ended.stop_requested()) {
+    wake_.wait_for(lock, ended, std::chrono::seconds(1), [] { return false; });
+    if (!ended.stop_requested() && goes_on_) show_if_due();
+  }
+}
+
+void ProgressLine::show_if_due() {
   const auto now = Clock::now();
-  if (stage != stage_) stage_ = stage, stage_start_ = now, last_ = {}, done_at_start_ = done;
-  const double elapsed = std::chrono::duration<double>(now - stage_start_).count();
-  const double pause = style_ == ProgressStyle::line ? redraw_s : plain_s;
+  const double since = elapsed(), pause = style_ == ProgressStyle::line ? redraw_s : plain_s;
   const bool first = last_ == Clock::time_point{};
-  if (elapsed < quiet_start_s || (!first && std::chrono::duration<double>(now - last_).count() < pause))
-    return;
+  if (since < quiet_start_s || (!first && std::chrono::duration<double>(now - last_).count() < pause)) return;
   last_ = now;
-  done = std::clamp(done, 0.0, 1.0);
-  const double left = remaining(elapsed, done, done_at_start_);
+  show(since);
+}
+
+void ProgressLine::show(double elapsed) {
+  const double left = pace_.remaining(elapsed);
   if (style_ == ProgressStyle::json) {
-    nlohmann::ordered_json line{{"stage", stage_}, {"done", done}, {"elapsed_s", elapsed}};
+    nlohmann::ordered_json line{{"stage", stage_}, {"done", done_}, {"elapsed_s", elapsed}};
     line["remaining_s"] = left < 0.0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(left);
-    fmt::print(stderr, "{}\n", line.dump());
+    put(line.dump() + "\n");
     return;
   }
   std::string text = fmt::format("{:<13}", stage_);
-  if (style_ == ProgressStyle::line) text += fmt::format(" {}", bar(done));
-  text += fmt::format(" {:3.0f} %", 100.0 * done);
+  if (style_ == ProgressStyle::line) text += fmt::format(" {}", bar(done_));
+  text += fmt::format(" {:3.0f} %", 100.0 * done_);
+  if (left < 0.0) text += fmt::format("  for {} so far", duration_text(elapsed));
   if (left >= 0.0) text += fmt::format("  {} left, done at {}", duration_text(left), clock_in(left));
-  if (!rate.empty()) text += fmt::format("  {}", rate);
+  if (!rate_.empty()) text += fmt::format("  {}", rate_);
   if (style_ == ProgressStyle::line) {
-    fmt::print(stderr, "\r{}\x1b[K", text);
+    put("\r" + text + "\x1b[K");
     drawn_ = true;
   } else {
-    fmt::print(stderr, "{}\n", text);
+    put(text + "\n");
   }
-  std::fflush(stderr);
 }
 
 void ProgressLine::clear() {
+  const std::lock_guard lock(mutex_);
+  goes_on_ = false;
   if (!drawn_) return;
-  fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
+  put("\r\x1b[K");
   drawn_ = false;
 }
 

@@ -1,37 +1,65 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
+#include <deque>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
+#include <utility>
 
 namespace rift::studio {
 
 /// How progress is told on stderr.
 enum class ProgressStyle { none, line, plain, json };
 
+/// How long the rest of a stage will take, at the pace of its last quarter (of five seconds at least): a
+/// stage that slows down is not judged by how fast it began.
+class Pace {
+ public:
+  /// @param now  [s] since the stage began, rising;  @param done  in [0, 1]
+  void note(double now, double done);
+  /// [s] from `now` on; negative where nothing has been done lately, so that nobody knows.
+  double remaining(double now) const;
+  std::size_t kept() const { return noted_.size(); }
+
+ private:
+  std::deque<std::pair<double, double>> noted_;  // (now, done); done rises from one to the next
+};
+
 /// A line that is redrawn on a terminal, a line every five seconds elsewhere, or JSON lines; nothing for
-/// stages that end within a second.
+/// stages that end within a second. A thread of its own shows a stage that goes on without telling anything.
 class ProgressLine {
  public:
   explicit ProgressLine(ProgressStyle style) : style_(style) {}
-  ~ProgressLine() { clear(); }
+  ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// @param done  in [0, 1];  @param rate  such as "2.3 M element-steps/s", or empty
   void tell(std::string_view stage, double done, std::string_view rate = {});
 
-  /// Takes the line off the terminal.
+  /// Takes the line off the terminal, until more is told.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
+  double elapsed() const { return std::chrono::duration<double>(Clock::now() - stage_start_).count(); }
+  void show_if_due();
+  void show(double elapsed);
+  void keep_showing(const std::stop_token& ended);
+
   ProgressStyle style_;
-  std::string stage_;
+  std::mutex mutex_;  // of all below
+  std::string stage_, rate_;
   Clock::time_point stage_start_ = Clock::now(), last_ = {};
-  double done_at_start_ = 0;  // a stage may begin in the middle of the whole
-  bool drawn_ = false;
+  double done_ = 0;
+  Pace pace_;
+  bool drawn_ = false, goes_on_ = false;
+  std::condition_variable_any wake_;
+  std::jthread beside_;
 };
 
 /// "3 s", "2 min 05 s", "1 h 20 min".
