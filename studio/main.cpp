@@ -1,3 +1,4 @@
+#include "engine/results/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "studio/commands/commands.hpp"
@@ -6,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -44,6 +46,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that has reached its limit is a write that fails
   ExitCode code = ExitCode::done;
   try {
     code = run(argc, argv);
@@ -54,7 +57,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "rift: {}\n", error.what());
     code = ExitCode::bad_input;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "rift: {}\n", error.what());
+    fmt::print(stderr, "rift: {}\n", rift::results::plain_text(error));
     code = ExitCode::world_failed;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

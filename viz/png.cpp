@@ -6,6 +6,8 @@
 #include <png.h>
 
 #include <cstring>
+#include <string>
+#include <string_view>
 
 namespace rift::viz {
 namespace {
@@ -23,11 +25,12 @@ png_image header_of(const Image& image) {
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Image& image) {
-  results::PendingFile file(path);
   png_image header = header_of(image);
-  if (png_image_write_to_file(&header, file.temporary().c_str(), 0, image.rgb.data(), 0, nullptr) == 0)
-    throw results::WorldError("write", path, header.message);
-  file.commit();
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0)
+    throw results::WorldError("make the picture", path, header.message);
+  results::write_whole_file(path, std::string_view(bytes).substr(0, size));
 }
 
 Image read_png(const std::filesystem::path& path) {

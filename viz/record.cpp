@@ -1,6 +1,7 @@
 #include "viz/record.hpp"
 
 #include "engine/results/archive.hpp"
+#include "engine/results/files.hpp"
 #include "engine/results/journal_index.hpp"
 #include "engine/results/ownership.hpp"
 #include "viz/png.hpp"

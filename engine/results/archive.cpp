@@ -103,7 +103,6 @@ class TimeFields {
   void write_offsets(Group& offsets, std::size_t steps) {
     for (auto& [name, field] : fields_) {
       field.pad(steps);
-      field.rows.flush();
       write_column(offsets, name, field.offsets);
     }
   }

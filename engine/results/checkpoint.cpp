@@ -2,7 +2,6 @@
 
 #include "engine/results/files.hpp"
 #include "engine/results/hdf5.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,7 +9,6 @@
 #include <xxhash.h>
 
 #include <cstring>
-#include <fstream>
 #include <system_error>
 
 namespace rift::results {
@@ -31,11 +29,10 @@ std::string seal_of(const std::string& bytes) {
 }
 
 void append_seal(const fs::path& path) {
-  const std::string seal = seal_of(read_whole_file(path));
-  std::ofstream file(path, std::ios::binary | std::ios::app);
-  file.write(seal.data(), static_cast<std::streamsize>(seal.size()));
+  const std::string bytes = read_whole_file(path);
+  AppendFile file(path, bytes.size());
+  file.append(seal_of(bytes));
   file.close();
-  if (!file) throw WorldError("write", path, "the checksum could not be appended");
 }
 
 Checkpoint read_file(const fs::path& path) {
@@ -77,8 +74,7 @@ void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) 
     file.close();
   }
   append_seal(pending.temporary());
-  std::error_code none;  // the first one has none before it
-  fs::rename(path, run_folder / former_checkpoint_name, none);
+  if (fs::exists(path)) rename_file(path, run_folder / former_checkpoint_name);
   pending.commit();
 }
 

@@ -16,39 +16,12 @@
 #include <fstream>
 #include <set>
 #include <string>
-#include <system_error>
 
 namespace rift::results {
 namespace {
 
 namespace fs = std::filesystem;
 using Vector = std::array<float, 3>;
-
-/// A text that is written piece by piece and appears when it is complete.
-class Text {
- public:
-  explicit Text(const fs::path& path)
-      : file_(path), stream_(file_.temporary(), std::ios::trunc), path_(path) {
-    check();
-  }
-  void add(std::string_view piece) {
-    stream_ << piece;
-    check();
-  }
-  void commit() {
-    stream_.close();
-    check();
-    file_.commit();
-  }
-
- private:
-  void check() const {
-    if (!stream_) throw WorldError("write", path_, std::generic_category().message(errno));
-  }
-  PendingFile file_;
-  std::ofstream stream_;
-  fs::path path_;
-};
 
 Vector deformed(const Geometry& geometry, const Frame& frame, std::size_t i) {
   Vector p = geometry.position[i];
@@ -114,15 +87,15 @@ void export_lane(const JournalIndex& journal, std::int32_t lane, const fs::path&
     return folder / *written.insert(lane_name(stem, lane, journal.lanes()) + ".dump").first;
   };
   const auto& entries = journal.frames(lane);
-  Text atoms(name("run"));
-  if (entries.empty()) atoms.add(atoms_of(journal.geometry(), {}));
-  for (const FrameEntry& entry : entries) atoms.add(atoms_of(journal.geometry(), journal.frame(entry)));
+  PendingText atoms(name("run"));
+  if (entries.empty()) atoms.append(atoms_of(journal.geometry(), {}));
+  for (const FrameEntry& entry : entries) atoms.append(atoms_of(journal.geometry(), journal.frame(entry)));
   atoms.commit();
   if (entries.empty() || journal.frame(entries.front()).damage_factor.empty()) return;
-  Text beams(name("beams"));
+  PendingText beams(name("beams"));
   for (const FrameEntry& entry : entries)
     if (const Frame frame = journal.frame(entry); !frame.damage_factor.empty())
-      beams.add(beams_of(journal.geometry(), frame));
+      beams.append(beams_of(journal.geometry(), frame));
   beams.commit();
 }
 

@@ -201,27 +201,66 @@ PendingFile::~PendingFile() {
 
 void PendingFile::commit() {
   sync_to_disk(temporary_);
-  std::error_code error;
-  std::filesystem::rename(temporary_, path_, error);
-  if (error) throw WorldError("rename", temporary_, error.message());
+  rename_file(temporary_, path_);
   const auto folder = path_.parent_path();
   sync_to_disk(folder.empty() ? "." : folder);
 }
 
+PendingText::PendingText(const std::filesystem::path& path) : file_(path), text_(file_.temporary(), 0) {}
+
+void PendingText::commit() {
+  text_.close();
+  file_.commit();
+}
+
 void write_whole_file(const std::filesystem::path& path, std::string_view text) {
-  PendingFile pending(path);
-  AppendFile file(pending.temporary(), 0);
+  PendingText file(path);
   file.append(text);
-  file.close();
-  pending.commit();
+  file.commit();
 }
 
 std::string read_whole_file(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw WorldError("open", path, errno_text(errno));
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw WorldError("read", path, errno_text(errno));
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw WorldError("open", path, errno_text(errno));
+  std::string text;
+  std::array<char, 65536> piece;
+  ssize_t count = 0;
+  int error = 0;
+  while (error == 0 && (count = ::read(descriptor, piece.data(), piece.size())) != 0) {
+    if (count > 0)
+      text.append(piece.data(), static_cast<std::size_t>(count));
+    else if (errno != EINTR)
+      error = errno;
+  }
+  ::close(descriptor);
+  if (error != 0) throw WorldError("read", path, errno_text(error));
   return text;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw WorldError("create the folder", folder, error.message());
+  if (!std::filesystem::is_directory(folder, error))
+    throw WorldError("create the folder", folder, "a file of that name exists");
+}
+
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  if (error) throw WorldError("rename", from, error.message());
+}
+
+void remove_file(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (error) throw WorldError("remove", path, error.message());
+}
+
+std::string plain_text(const std::exception& error) {
+  if (const auto* failure = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+    return "cannot use " + failure->path1().string() + ": " + failure->code().message();
+  return error.what();
 }
 
 }  // namespace rift::results

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -80,10 +81,33 @@ class PendingFile {
   std::filesystem::path temporary_;
 };
 
+/// A text written piece by piece, which appears under its name only when it is complete.
+class PendingText {
+ public:
+  explicit PendingText(const std::filesystem::path& path);
+  void append(std::string_view piece) { text_.append(piece); }
+  void commit();
+
+ private:
+  PendingFile file_;
+  AppendFile text_;
+};
+
 /// Replaces `path` by `text` in one step: a reader sees the old file or the new one, never half of one.
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
-/// The content of a small text file.
+/// The content of a small file.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path);
+
+/// Makes the folder and those above it, where they are not there yet.
+void make_folder(const std::filesystem::path& folder);
+/// Replaces a former file of the name `to`.
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
+/// Does nothing where there is no such file.
+void remove_file(const std::filesystem::path& path);
+
+/// What an exception says, for people: those of the standard library's file system name their path and the
+/// system's reason, not the function that was called.
+[[nodiscard]] std::string plain_text(const std::exception& error);
 
 }  // namespace rift::results

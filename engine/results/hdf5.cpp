@@ -1,13 +1,12 @@
 #include "engine/results/hdf5.hpp"
 
 #include "engine/results/hdf5_calls.hpp"
+#include "engine/results/hdf5_driver.hpp"
 #include "engine/results/world_error.hpp"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
+#include <cerrno>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -19,42 +18,25 @@ namespace {
 constexpr unsigned deflate_level = 1;
 constexpr std::size_t compress_from_bytes = 4096;
 
-herr_t note_innermost(unsigned, const H5E_error2_t* error, void* text) {
-  auto& reason = *static_cast<std::string*>(text);
-  if (reason.empty() && error->desc) reason = error->desc;
-  return 0;
-}
-
-/// Lets what is still to be written to the file go to one in memory that nobody sees. For what cannot be
-/// flushed cannot be closed either: the library would keep dangling handles, which break files opened later
-/// in the process.
-void give_up(hid_t file) {
-  void* descriptor = nullptr;
-  if (file < 0 || H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor) < 0) return;
-  const int sink = memfd_create("rift_given_up", MFD_CLOEXEC);
-  if (sink < 0) return;
-  dup2(sink, *static_cast<int*>(descriptor));
-  ::close(sink);
-}
-
 }  // namespace
 
 void fail(const std::string& attempt, const Place& place) {
-  std::string reason;
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, note_innermost, &reason);
-  give_up(place.file_id);
-  H5Eclear2(H5E_DEFAULT);
-  throw WorldError(attempt + (place.object.empty() ? "" : " " + place.object + " of"), place.file,
-                   reason.empty() ? "HDF5 gives no reason" : reason);
+  H5Eclear2(H5E_DEFAULT);  // the library's reasons are for those who know its insides
+  const bool whole_file = place.object.empty();
+  throw WorldError(attempt + (whole_file ? "" : " " + place.object + " of"), place.file,
+                   place.disk->error != 0 ? std::generic_category().message(place.disk->error)
+                   : whole_file           ? "it is damaged, or no HDF5 file"
+                                          : "it is missing or damaged");
 }
 
 void require(herr_t result, const std::string& attempt, const Place& place) {
-  if (result < 0) fail(attempt, place);
+  if (result < 0 || place.disk->error != 0) fail(attempt, place);
 }
 
 Handle own(hid_t id, Handle::Closer closer, const std::string& attempt, const Place& place) {
-  if (id < 0) fail(attempt, place);
-  return {id, closer};
+  Handle handle(id, closer);
+  if (id < 0 || place.disk->error != 0) fail(attempt, place);
+  return handle;
 }
 
 namespace {
@@ -150,13 +132,8 @@ void Growing<T>::append(std::span<const T> values) {
   rows_ += count;
 }
 
-template <typename T>
-void Growing<T>::flush() {
-  require(H5Dflush(dataset_.id()), "write", place_);
-}
-
 Place Group::at(const std::string& name) const {
-  return {place_.file, place_.object + "/" + name, place_.file_id};
+  return {place_.file, place_.object + "/" + name, place_.disk};
 }
 
 Group Group::group(const std::string& name) {
@@ -182,7 +159,6 @@ void Group::write(const std::string& name, std::span<const T> values, std::size_
   if (values.empty()) return;
   require(H5Dwrite(dataset.id(), Types<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "write",
           place);
-  require(H5Dflush(dataset.id()), "write", place);  // closing the dataset could not report a failure
 }
 
 void Group::write_text(const std::string& name, std::string_view text) {
@@ -240,35 +216,29 @@ void Group::ascii_attribute(const std::string& name, std::string_view text) {
   require(H5Awrite(attribute.id(), type.id(), bytes.data()), "write", place);
 }
 
-Handle access_without_locks() {
-  const Place nowhere{"a file", "", -1};
-  Handle access = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe", nowhere);
-  require(H5Pset_file_locking(access.id(), false, true), "describe", nowhere);
-  return access;
-}
-
-File::File(const std::filesystem::path& path) : path_(path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const Handle access = access_without_locks();
+File::File(const std::filesystem::path& path) : path_(path), disk_(std::make_unique<Disk>()) {
+  const auto access = access_through(*disk_);
+  const Place place{path_, "", disk_.get()};
   id_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id());
-  if (id_ < 0) fail("create", {path, "", -1});
+  if (id_ < 0) fail("create", place);
 }
 
 File::~File() {
   if (id_ < 0) return;
-  give_up(id_);
+  if (disk_->error == 0) disk_->error = ECANCELED;  // nothing more is written
   H5Fclose(id_);
   H5Eclear2(H5E_DEFAULT);
 }
 
 Group File::root() {
-  const Place place{path_, "", id_};
+  const Place place{path_, "", disk_.get()};
   return {own(H5Gopen2(id_, "/", H5P_DEFAULT), H5Gclose, "open", place), place};
 }
 
 void File::close() {
-  require(H5Fflush(id_, H5F_SCOPE_GLOBAL), "write", {path_, "", id_});
-  require(H5Fclose(std::exchange(id_, -1)), "close", {path_, "", -1});
+  const Place place{path_, "", disk_.get()};
+  require(H5Fflush(id_, H5F_SCOPE_GLOBAL), "write", place);
+  require(H5Fclose(std::exchange(id_, -1)), "write", place);
 }
 
 template class Growing<float>;

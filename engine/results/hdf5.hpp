@@ -4,15 +4,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 /// Writing HDF5 files, and reading our own: what the archive and checkpoints need of the C API, with its
-/// handles closed and its failures thrown as WorldError that names the file, the object and the library's own
-/// reason. The library's printing is silenced. Element types: float, double, std::int32_t, std::int64_t,
-/// std::uint8_t; stored little-endian.
+/// handles closed and its failures thrown as WorldError that names the file, the object and the system's
+/// reason. Element types: float, double, std::int32_t, std::int64_t, std::uint8_t; stored little-endian.
 namespace rift::results::hdf5 {
 
 /// An HDF5 handle that closes itself.
@@ -30,11 +30,16 @@ class Handle {
   Closer closer_;
 };
 
-/// Where an object is, for messages, and the open file it is in.
+/// What the disk has answered about an open file: the first error, as errno; 0 where there was none.
+struct Disk {
+  int error = 0;
+};
+
+/// Where an object is, for messages, and what the disk said of its file.
 struct Place {
   std::filesystem::path file;
   std::string object;
-  std::int64_t file_id;
+  const Disk* disk;
 };
 
 /// A dataset of rows that grows: chunks of `chunk_rows` rows, shuffled and deflated.
@@ -43,8 +48,6 @@ class Growing {
  public:
   /// @param values  whole rows
   void append(std::span<const T> values);
-  /// Writes what the library still holds of it and says whether that worked.
-  void flush();
   [[nodiscard]] std::size_t rows() const { return rows_; }
 
  private:
@@ -104,7 +107,8 @@ class File {
 
  private:
   std::filesystem::path path_;
-  std::int64_t id_;
+  std::unique_ptr<Disk> disk_;  // stays where it is when the library has closed the file
+  std::int64_t id_ = -1;
 };
 
 /// A dataset that a file holds.
@@ -136,7 +140,9 @@ class InputFile {
   [[nodiscard]] Handle dataset(const std::string& name) const;
   template <class T>
   [[nodiscard]] std::vector<T> numbers(const std::string& name) const;
+  [[nodiscard]] Place at(const std::string& object) const { return {path_, object, disk_.get()}; }
   std::filesystem::path path_;
+  std::unique_ptr<Disk> disk_;
   Handle file_;
 };
 

@@ -14,12 +14,10 @@ namespace rift::results::hdf5 {
 static_assert(std::is_same_v<hid_t, std::int64_t>, "HDF5 1.10 or later");
 static_assert(std::is_same_v<herr_t, int>);
 
-/// Throws WorldError with the library's innermost reason; the file of `place` is given up.
+/// Throws WorldError with the system's reason where the disk has failed.
 [[noreturn]] void fail(const std::string& attempt, const Place& place);
+/// Both throw where the call has failed, and where the disk has failed during it.
 void require(herr_t result, const std::string& attempt, const Place& place);
-/// How files are opened: without the library's locks, which fail where the file system has none. A file that
-/// is written has a name that only this process uses, and what is read is never changed in place.
-Handle access_without_locks();
 Handle own(hid_t id, Handle::Closer closer, const std::string& attempt, const Place& place);
 
 }  // namespace rift::results::hdf5

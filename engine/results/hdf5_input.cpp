@@ -1,4 +1,5 @@
 #include "engine/results/hdf5_calls.hpp"
+#include "engine/results/hdf5_driver.hpp"
 #include "engine/results/world_error.hpp"
 
 #define XXH_INLINE_ALL
@@ -87,7 +88,7 @@ std::uint64_t digest_of(hid_t dataset, const Stored& stored, const Place& place)
 
 struct Listing {
   std::map<std::string, Stored>& contents;
-  const std::filesystem::path& file;
+  const Place& file;
   std::string trouble;
 };
 
@@ -95,7 +96,7 @@ herr_t list(hid_t root, const char* name, const H5O_info_t* info, void* data) {
   auto& listing = *static_cast<Listing*>(data);
   if (info->type != H5O_TYPE_DATASET) return 0;
   try {  // no exception may cross the library
-    const Place place{listing.file, name, -1};
+    const Place place{listing.file.file, name, listing.file.disk};
     const auto dataset = own(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose, "open", place);
     listing.contents.emplace(name, stored_in(dataset.id(), place));
   } catch (const std::exception& error) {
@@ -109,17 +110,17 @@ herr_t list(hid_t root, const char* name, const H5O_info_t* info, void* data) {
 
 InputFile::InputFile(const std::filesystem::path& path)
     : path_(path),
-      file_((H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr),
-             own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_without_locks().id()), H5Fclose, "open",
-                 {path, "", -1}))) {}
+      disk_(std::make_unique<Disk>()),
+      file_(own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_through(*disk_).id()), H5Fclose, "open",
+                at(""))) {}
 
 Handle InputFile::dataset(const std::string& name) const {
-  return own(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "open", {path_, name, -1});
+  return own(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "open", at(name));
 }
 
 template <class T>
 std::vector<T> InputFile::numbers(const std::string& name) const {
-  const Place place{path_, name, -1};
+  const Place place = at(name);
   const Handle set = dataset(name);
   const Stored stored = stored_in(set.id(), place);
   if (stored.kind != Stored::Kind::integer && stored.kind != Stored::Kind::real)
@@ -139,7 +140,7 @@ std::vector<std::int64_t> InputFile::integers(const std::string& name) const {
 }
 
 std::string InputFile::text(const std::string& name) const {
-  const Place place{path_, name, -1};
+  const Place place = at(name);
   const Handle set = dataset(name);
   const Stored stored = stored_in(set.id(), place);
   if (stored.kind != Stored::Kind::text || !stored.shape.empty())
@@ -154,16 +155,17 @@ std::string InputFile::text(const std::string& name) const {
 
 std::map<std::string, Stored> InputFile::contents() const {
   std::map<std::string, Stored> contents;
-  Listing listing{contents, path_, {}};
+  const Place place = at("the contents");
+  Listing listing{contents, place, {}};
   if (H5Ovisit2(file_.id(), H5_INDEX_NAME, H5_ITER_INC, list, &listing, H5O_INFO_BASIC) < 0) {
-    if (listing.trouble.empty()) fail("list", {path_, "the contents", -1});
+    if (listing.trouble.empty()) fail("list", place);
     throw WorldError("list the contents of", path_, listing.trouble);
   }
   return contents;
 }
 
 std::uint64_t InputFile::digest(const std::string& name) const {
-  const Place place{path_, name, -1};
+  const Place place = at(name);
   const Handle set = dataset(name);
   const Stored stored = stored_in(set.id(), place);
   if (stored.kind == Stored::Kind::text && stored.shape.empty()) {
@@ -199,7 +201,7 @@ std::optional<Attribute> attribute_of(hid_t file, const std::string& object, con
 }  // namespace
 
 std::vector<std::int64_t> InputFile::attribute(const std::string& object, const std::string& name) const {
-  const Place place{path_, object + "@" + name, -1};
+  const Place place = at(object + "@" + name);
   const auto found = attribute_of(file_.id(), object, name, place);
   constexpr hssize_t most = 64;
   if (!found || H5Tget_class(found->type.id()) != H5T_INTEGER || found->count < 0 || found->count > most)
@@ -211,7 +213,7 @@ std::vector<std::int64_t> InputFile::attribute(const std::string& object, const 
 }
 
 std::string InputFile::text_attribute(const std::string& object, const std::string& name) const {
-  const Place place{path_, object + "@" + name, -1};
+  const Place place = at(object + "@" + name);
   const auto found = attribute_of(file_.id(), object, name, place);
   constexpr std::size_t most = 4096;
   if (!found || found->count != 1 || H5Tget_class(found->type.id()) != H5T_STRING ||

@@ -77,12 +77,6 @@ std::vector<fs::path> entries(const fs::path& folder) {
   return paths;
 }
 
-void remove_file(const fs::path& path) {
-  std::error_code error;
-  fs::remove(path, error);
-  if (error) throw WorldError("remove", path, error.message());
-}
-
 /// Removes what was exported into a folder as `kind`, and the folder where nothing else is in it.
 void remove_export(const fs::path& folder, const std::string& kind) {
   for (const auto& path : entries(folder)) {

@@ -36,8 +36,7 @@ namespace {
 
 /// Removes what the end of a run had made, and what is made anew.
 const std::filesystem::path& without_end(const std::filesystem::path& folder) {
-  for (const char* name : {archive_name, summary_name, series_name, gauges_name})
-    std::filesystem::remove(folder / name);
+  for (const char* name : {archive_name, summary_name, series_name, gauges_name}) remove_file(folder / name);
   return folder;
 }
 

@@ -35,8 +35,7 @@ fs::path name_aside(const fs::path& path) {
 void move_aside(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) return;
-  fs::rename(path, name_aside(path), error);
-  if (error) throw WorldError("rename", path, error.message());
+  rename_file(path, name_aside(path));
 }
 
 constexpr const char* header_name = "scene/header";  // of the run, in the archive

@@ -15,14 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw results::WorldError("create the folder", folder, error.message());
-  if (!fs::is_directory(folder, error))
-    throw results::WorldError("create the folder", folder, "a file of that name exists");
-}
-
 /// Whether there is anything but what another process is about to write.
 bool holds_files(const fs::path& folder) {
   std::error_code error;
@@ -69,7 +61,7 @@ fs::path series_file(fs::path result) { return result.replace_extension(".csv");
 }  // namespace
 
 void open_study(const fs::path& folder, const StudyManifest& manifest, std::vector<std::string>& notes) {
-  make_folder(folder);
+  results::make_folder(folder);
   const fs::path file = folder / study_name;
   const bool anything = holds_files(folder);
   if (fs::exists(file)) {
@@ -79,7 +71,7 @@ void open_study(const fs::path& folder, const StudyManifest& manifest, std::vect
       if (const std::string why = difference(there, manifest); !why.empty())
         throw results::FolderExists(
             fmt::format("{} holds {}; nothing was changed, choose another with --out", folder.string(), why));
-      return make_folder(folder / "runs");
+      return results::make_folder(folder / "runs");
     }
     notes.push_back(fmt::format("{}: damaged, written anew", file.string()));
   } else if (anything) {
@@ -87,12 +79,12 @@ void open_study(const fs::path& folder, const StudyManifest& manifest, std::vect
         fmt::format("{} is not empty and holds no study; choose another with --out", folder.string()));
   }
   results::write_whole_file(file, to_json(manifest).dump(2) + "\n");
-  make_folder(folder / "runs");
+  results::make_folder(folder / "runs");
 }
 
 void open_shared(const fs::path& folder) {
-  make_folder(folder);
-  make_folder(folder / "runs");
+  results::make_folder(folder);
+  results::make_folder(folder / "runs");
 }
 
 fs::path result_file(const fs::path& folder, const std::string& key) {

@@ -68,9 +68,7 @@ void open_folder(const fs::path& folder, const Preset& preset) {
   if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored))
     throw results::FolderExists(
         fmt::format("{} is not empty and holds no accuracy; choose another with --out", folder.string()));
-  fs::create_directories(folder, ignored);
-  if (!fs::is_directory(folder, ignored))
-    throw results::WorldError("create the folder", folder, ignored.message());
+  results::make_folder(folder);
   results::write_whole_file(file, mark.dump(2) + "\n");
 }
 

@@ -1,6 +1,7 @@
 #include "studio/commands/draw_claim.hpp"
 
 #include "engine/interrupted.hpp"
+#include "engine/results/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
@@ -73,7 +74,7 @@ void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, Cache&
     viz::Wish wish;
     wish.runs = {run};
     const viz::Plan plan = viz::plan_of(wish);
-    fs::create_directories(folder / "charts");
+    results::make_folder(folder / "charts");
     for (const double at : claim.claim->pictures_at) {
       if (!go_on("drawing " + claim.claim->name, at)) throw Interrupted("pictures were drawn");
       claim.pictures.push_back(draw(plan, *claim.claim, at, folder / "charts"));

@@ -92,7 +92,7 @@ struct FilmOfRun::Maker {
     } catch (const viz::Stopped&) {
       result.trouble = "stopped; nothing half-made is left";
     } catch (const std::exception& error) {
-      result.trouble = error.what();
+      result.trouble = results::plain_text(error);
     }
     made = true;
   }

@@ -258,7 +258,7 @@ StudyResult compute(const ReproduceOptions& options, const PaperStudy& study, co
 
 void write_report(const Reproduction& report, const ReproduceOptions& options) {
   const fs::path folder = options.out;
-  fs::create_directories(folder);
+  results::make_folder(folder);
   results::write_whole_file(folder / "report.html", reproduction_html(report));
   results::write_whole_file(folder / "reproduction.md", reproduction_markdown(report));
   if (options.json) {

@@ -167,7 +167,7 @@ Json calibration_json(const Calibration& c) {
 
 void write_calibration_report(const Calibration& c, const fs::path& folder) {
   const std::vector<SummaryRow> rows = rows_of(*c.study);
-  fs::create_directories(folder);
+  results::make_folder(folder);
   results::write_whole_file(folder / "table.csv", csv_of(rows));
   results::write_whole_file(folder / "material.toml", material_block(c));
   results::write_whole_file(folder / "summary.json", calibration_json(c).dump(2) + "\n");

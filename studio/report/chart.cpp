@@ -42,9 +42,7 @@ DrawnChart draw(const AnyChart& chart, const fs::path& given, const std::string&
   assert(is_chart_name(name));
   const fs::path folder = given.empty() ? fs::path(".") : given;
   if (!has_points(chart)) throw results::WorldError("draw", folder / name, "it has no points");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw results::WorldError("create the folder", folder, error.message());
+  results::make_folder(folder);
   DrawnChart drawn{folder / (name + ".svg"),
                    folder / (name + ".png"),
                    folder / (name + ".csv"),

@@ -105,7 +105,7 @@ std::string packing_text(const Json& j, bool color) {
 }
 
 void write_packing_report(const PackedSpecimen& s, const Json& summary, const fs::path& folder) {
-  fs::create_directories(folder);
+  results::make_folder(folder);
   results::write_whole_file(folder / "summary.json", summary.dump(2) + "\n");
   std::string csv = "x_m,y_m,z_m,radius_m\n";
   for (std::size_t i = 0; i < s.packing.radius.size(); ++i) {

@@ -214,7 +214,7 @@ Json stability_json(const StabilityReport& report) {
 }
 
 void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  results::make_folder(folder);
   results::write_whole_file(folder / "summary.json", stability_json(report).dump(2) + "\n");
   results::write_whole_file(folder / "table.csv", csv_of(report.rows));
   results::write_whole_file(folder / "claims.csv", claims_csv(report.rows));

@@ -338,7 +338,7 @@ void FormScreen::save() try {
   } else if (const fs::path file = workshop_.own_presets / (name + ".toml"); fs::exists(file)) {
     message_ = file.string() + " is there already: choose another name";
   } else {
-    fs::create_directories(workshop_.own_presets);
+    results::make_folder(workshop_.own_presets);
     results::write_whole_file(
         file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}", path_.stem().string(),
                           changes_.size(), preset_text(preset_)));
