@@ -127,7 +127,8 @@ const Child::End& Child::wait() {
     end_.code = WEXITSTATUS(status);
     end_.text = fmt::format("ended with code {}", end_.code);
   }
-  if (const std::string words = last_words(); !words.empty()) end_.text += ": " + words;
+  end_.words = last_words();
+  if (!end_.words.empty()) end_.text += ": " + end_.words;
   return end_;
 }
 

@@ -30,8 +30,9 @@ class Child {
   void close_input();
 
   struct End {
-    int code = 0;      // 128 + n where signal n ended it
-    std::string text;  // "ended with code 1: no such codec", "was killed by signal 9 (Killed)"
+    int code = 0;       // 128 + n where signal n ended it
+    std::string text;   // "ended with code 1: no such codec", "was killed by signal 9 (Killed)"
+    std::string words;  // the last line of its standard error, may be empty
   };
   /// Waits for its end; may be called again.
   const End& wait();

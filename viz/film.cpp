@@ -69,7 +69,9 @@ void Film::add(const Image& frame) {
 
 void Film::finish() {
   ffmpeg_->close_input();
-  if (ffmpeg_->wait().code != 0) fail();
+  // ffmpeg also ends with 0 where it could not write the file's end; at this level it only speaks of errors.
+  const Child::End& end = ffmpeg_->wait();
+  if (end.code != 0 || !end.words.empty()) fail();
   std::error_code error;
   if (std::filesystem::file_size(file_.temporary(), error) == 0 || error)
     throw FilmFailed("ffmpeg wrote nothing");
