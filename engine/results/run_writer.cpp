@@ -85,13 +85,19 @@ void RunWriter::finish(const nlohmann::ordered_json& summary,
   series_.close();
 
   check_still_ours();
-  const auto scan = scan_journal(folder_ / journal_name);
-  check_still_ours();
-  write_whole_file(folder_ / series_name, series_csv(scan.samples, scan.rates));
-  if (!scan.gauges.empty()) write_whole_file(folder_ / gauges_name, gauges_csv(scan.gauges));
-  assemble_archive(folder_);
-  check_still_ours();
-  write_whole_file(folder_ / summary_name, json_text(summary, 2) + "\n");
+  complete_folder(folder_, [this] { check_still_ours(); });
+}
+
+void complete_folder(const std::filesystem::path& folder, const std::function<void()>& check) {
+  const auto scan = scan_journal(folder / journal_name);
+  if (!scan.summary_json) throw WorldError("complete", folder, "its journal holds no end of the run");
+  if (check) check();
+  write_whole_file(folder / series_name, series_csv(scan.samples, scan.rates));
+  if (!scan.gauges.empty()) write_whole_file(folder / gauges_name, gauges_csv(scan.gauges));
+  assemble_archive(folder);
+  if (check) check();
+  const auto summary = nlohmann::ordered_json::parse(*scan.summary_json);
+  write_whole_file(folder / summary_name, json_text(summary, 2) + "\n");
 }
 
 }  // namespace rift::results

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace rift::results {
@@ -38,9 +39,8 @@ class RunWriter {
   /// After flush(): how long the journal is.
   [[nodiscard]] std::uint64_t journal_bytes() const;
 
-  /// The run has ended by itself: the rates and the summary go into the journal, then the final series.csv,
-  /// gauges.csv where there are gauges, run.vtkhdf and, last, summary.json (undefined values null). Each
-  /// appears whole or not at all.
+  /// The run has ended by itself: the rates and the summary (undefined values null) go into the journal, then
+  /// complete_folder() does the rest.
   /// @param rate_per_lane  points of lane 0, 1, ...
   void finish(const nlohmann::ordered_json& summary,
               const std::vector<std::vector<RatePoint>>& rate_per_lane);
@@ -53,5 +53,11 @@ class RunWriter {
   HeldFile held_;
   SeriesWriter series_;
 };
+
+/// Makes what the end of a run leaves from its journal, which has come to its end: the final series.csv,
+/// gauges.csv where there are gauges, run.vtkhdf and, last, summary.json. Each appears whole or not at all.
+/// Throws WorldError.
+/// @param check  asked before the tables and before the summary; stops by throwing
+void complete_folder(const std::filesystem::path& folder, const std::function<void()>& check = {});
 
 }  // namespace rift::results

@@ -144,12 +144,34 @@ std::string no_locks_note(const std::filesystem::path& folder) {
       folder.string());
 }
 
-bool has_ended(const std::filesystem::path& folder) {
-  const results::RunState state = results::inspect_run(folder);
-  if (!state.summary_json || !state.has_archive) return false;
+namespace {
+
+/// As the journal says; nothing of it is still to be computed.
+bool lanes_have_ended(const results::RunState& state) {
+  if (!state.summary_json) return false;
   const auto summary = nlohmann::ordered_json::parse(*state.summary_json);
   for (const auto& scenario : summary.at("scenarios"))
     if (scenario.value("outcome", std::string()) == name_of(Outcome::stopped)) return false;
+  return true;
+}
+
+bool files_of_end_are_there(const std::filesystem::path& folder, const results::RunState& state) {
+  return state.has_archive && std::filesystem::exists(folder / results::summary_name);
+}
+
+}  // namespace
+
+bool has_ended(const std::filesystem::path& folder) {
+  const results::RunState state = results::inspect_run(folder);
+  return lanes_have_ended(state) && files_of_end_are_there(folder, state);
+}
+
+bool complete_end(const std::filesystem::path& folder) {
+  const results::RunState state = results::inspect_run(folder);
+  if (!lanes_have_ended(state) || files_of_end_are_there(folder, state)) return false;
+  const results::OwnedFolder owned(folder);
+  results::complete_folder(folder);
+  results::remove_checkpoints(folder);
   return true;
 }
 

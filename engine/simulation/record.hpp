@@ -39,9 +39,13 @@ Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folde
 /// What to say of a run's folder on a file system without locks.
 std::string no_locks_note(const std::filesystem::path& folder);
 
-/// Whether every lane of the run in this folder has come to its end, by itself or by diverging: it is not to
-/// be resumed.
+/// Whether every lane of the run in this folder has come to its end, by itself or by diverging, and the files
+/// of its end are there: it is not to be resumed.
 bool has_ended(const std::filesystem::path& folder);
+
+/// Makes the files of a run's end from its journal where every lane has come to its end and one of them is
+/// missing: the disk failed, or a kill came, while they were written. @return whether that was so
+bool complete_end(const std::filesystem::path& folder);
 
 /// The preset that a run's folder holds, with the changes of who steered it. Throws WorldError where there is
 /// no run, InputError where its preset is not one of this version.

@@ -63,6 +63,12 @@ ExitCode resume(const ResumeOptions& options) {
   const std::optional<double> budget = read_budget("rift resume", options.budget);
   if (results::is_folder_being_written(options.run))
     throw results::WorldError("resume", options.run, "another process is writing it");
+  if (complete_end(options.run)) {
+    fmt::print(stderr,
+               "rift resume: {} had come to its end; the files of its end are made from its journal\n",
+               options.run);
+    return ExitCode::done;
+  }
   if (has_ended(options.run)) {
     fmt::print(stderr, "rift resume: {} has come to its end: nothing is left of it\n", options.run);
     return ExitCode::done;

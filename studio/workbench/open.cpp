@@ -42,7 +42,7 @@ std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const fs::path& run) {
 std::unique_ptr<Screen> resumption_of(Workshop& workshop, const fs::path& run) {
   if (fs::exists(run / study_name))
     return std::make_unique<StudyScreen>(workshop, read_study(run).preset, run);
-  if (has_ended(run))
+  if (complete_end(run) || has_ended(run))
     throw InputError(
         {Issue{.file = run.string(), .key = {}, .text = "has come to its end: nothing is left of it"}});
   RunWish wish{.preset = preset_of_run(run), .folder = run};

@@ -92,6 +92,19 @@ TEST(Resume, ADamagedCheckpointIsToldAndTheOneBeforeTaken) {
   twice.expect_same();
 }
 
+TEST(Resume, MakesTheFilesOfAnEndThatTheDiskDidNotTake) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run("--quiet").exit_code, 0);
+  const std::string summary = read_text(plate.out() / "summary.json"),
+                    series = read_text(plate.out() / "series.csv");
+  fs::remove(plate.out() / "summary.json");
+  const Ran ran = run_rift("resume '" + plate.out().string() + "' --quiet", plate.environment());
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.err, "had come to its end; the files of its end are made from its journal"));
+  EXPECT_EQ(read_text(plate.out() / "summary.json"), summary);
+  EXPECT_EQ(read_text(plate.out() / "series.csv"), series);
+}
+
 TEST(Resume, WhatCannotBeResumedIsSaid) {
   const TinyPlate plate;
   ASSERT_EQ(plate.run("--quiet").exit_code, 0);
