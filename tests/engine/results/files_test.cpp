@@ -72,6 +72,37 @@ TEST(WholeFile, SaysWhichFileAndWhy) {
   EXPECT_THROW((void)read_whole_file(scratch / "none"), WorldError);
 }
 
+TEST(WholeFile, ThatCannotBeReadIsSaidInPlainWords) {
+  const small_run::Scratch scratch;
+  try {
+    (void)read_whole_file(scratch.path());
+    FAIL() << "read a folder";
+  } catch (const WorldError& error) {
+    EXPECT_EQ(error.what(), "cannot read " + scratch.path().string() + ": Is a directory");
+  }
+}
+
+TEST(PendingText, IsNotThereWhereTheDiskIsFull) {
+  const small_run::Scratch scratch;
+  {
+    const FullDisk full(100);
+    PendingText text(scratch / "f");
+    text.append(std::string(1000, 'x'));
+    EXPECT_THROW(text.commit(), WorldError);
+  }
+  EXPECT_TRUE(fs::is_empty(scratch.path()));
+}
+
+TEST(PlainText, OfTheStandardLibrarysFailuresNamesPathAndReason) {
+  const std::string name(300, 'a');
+  try {
+    (void)fs::exists(name);
+    FAIL() << "no such name is possible";
+  } catch (const std::exception& error) {
+    EXPECT_EQ(plain_text(error), "cannot use " + name + ": File name too long");
+  }
+}
+
 TEST(AppendFile, FlushesByItselfBeforeMemoryGrows) {
   const small_run::Scratch scratch;
   AppendFile file(scratch / "f");
