@@ -1,5 +1,7 @@
 #include "viz/job.hpp"
 
+#include "engine/results/json_text.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <stdexcept>
@@ -33,7 +35,7 @@ std::string to_json(const Job& job) { return nlohmann::json(job).dump(); }
 
 Job job_from_json(std::string_view text) {
   try {
-    return nlohmann::json::parse(text).get<Job>();
+    return results::json_or_discarded<nlohmann::json>(text).get<Job>();
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument(error.what());
   }

@@ -4,6 +4,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/crack_tip.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/json_text.hpp"
 #include "engine/results/ownership.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
@@ -90,7 +91,7 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
   const std::filesystem::path journal = run / results::journal_name;
   const results::HeldFile held(journal);
   const results::JournalScan scan = results::scan_journal(journal);
-  const Json header = Json::parse(scan.header_json);
+  const Json header = results::read_json(scan.header_json, journal);
   if (wishes.lane < 0 || wishes.lane >= scan.lanes)
     refuse(run, fmt::format("has no lane {}: it has {}", wishes.lane,
                             scan.lanes == 1 ? "one" : fmt::format("0 to {}", scan.lanes - 1)));

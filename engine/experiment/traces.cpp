@@ -1,8 +1,10 @@
 #include "engine/experiment/traces.hpp"
 
+#include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/csv_table.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/preset_file.hpp"
+#include "engine/scene/wording.hpp"
 
 #include <fmt/format.h>
 
@@ -71,6 +73,24 @@ double value_at(const Trace& trace, double time) {
   return trace.value[k - 1] + part * (trace.value[k] - trace.value[k - 1]);  // NaN of NaN, unlike std::lerp
 }
 
+constexpr std::size_t most_time_faults = 100;  // of one file
+
+std::vector<std::string> names_of(const std::vector<Trace>& traces) {
+  std::vector<std::string> names;
+  for (const Trace& trace : traces) names.push_back(trace.name);
+  return names;
+}
+
+/// "a, b, c, d and so on" of many names.
+std::string first_of(std::vector<std::string> names) {
+  constexpr std::size_t most = 4;
+  const bool more = names.size() > most;
+  if (more) names.resize(most);
+  for (std::string& name : names) name = "'" + printable(name, 30) + "'";
+  if (more) names.emplace_back("more");
+  return listed(names, "and");
+}
+
 }  // namespace
 
 std::vector<Trace> traces_of(const Instruments& seen) {
@@ -87,17 +107,23 @@ std::vector<Trace> read_traces(const std::filesystem::path& file, const std::vec
   const auto say = [&](int line, std::string text) {
     issues.push_back({file.string(), line, "", std::move(text)});
   };
-  const PresetFile content = read_preset_file(file);
+  const PresetFile content = read_preset_file(file, largest_csv);
   if (!content.problem.empty()) say(0, content.problem);
-  std::vector<CsvColumn> columns{{"time", Dimension::time}};
-  for (const Trace& trace : known) columns.push_back({trace.name, trace.dimension, false});
-  const CsvTable table = read_csv(content.text, columns);
-  if (content.problem.empty())
-    for (const CsvProblem& problem : table.problems) say(problem.line, problem.text);
+  if (content.text.size() > largest_csv) say(0, "larger than 64 MiB: thin its rows out");
+  std::vector<CsvColumn> columns{{"time", Dimension::time, CsvNeed::needed, "t"}};
+  for (const Trace& trace : known) columns.push_back({trace.name, trace.dimension, CsvNeed::optional});
+  const CsvTable table = issues.empty() ? read_csv(content.text, columns) : CsvTable{};
+  for (const CsvProblem& problem : table.problems) say(problem.line, problem.text);
+  for (const std::string& name : table.beside)
+    if (name.starts_with("gauge")) say(0, fmt::format("the run has no '{}'", printable(name, 40)));
   std::vector<Trace> read;
   if (issues.empty()) {
     const std::vector<double>& time = table.column[0];
-    for (std::size_t r = 1; r < time.size(); ++r)
+    if (std::string trouble = time.empty() ? std::string() : clock_trouble(time[0]); !trouble.empty()) {
+      say(table.line[0], std::move(trouble));
+      throw InputError(issues);
+    }
+    for (std::size_t r = 1; r < time.size() && issues.size() < most_time_faults; ++r)
       if (!(time[r] > time[r - 1]))
         say(table.line[r],
             fmt::format("time does not grow: {} after {}", quantity_text(time[r], Dimension::time),
@@ -105,7 +131,10 @@ std::vector<Trace> read_traces(const std::filesystem::path& file, const std::vec
     for (std::size_t k = 0; k < known.size(); ++k)
       if (!table.column[k + 1].empty())
         read.push_back({known[k].name, known[k].dimension, time, table.column[k + 1]});
-    if (read.empty() && issues.empty()) say(0, "holds nothing to compare with");
+    if (read.empty() && issues.empty())
+      say(0, table.beside.empty() ? std::string("holds nothing to compare with")
+                                  : fmt::format("holds nothing to compare with: it has {}, the run {}",
+                                                first_of(table.beside), first_of(names_of(known))));
   }
   if (!issues.empty()) throw InputError(issues);
   return read;

@@ -1,5 +1,6 @@
 #include "engine/results/agreement.hpp"
 
+#include "engine/results/json_text.hpp"
 #include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 namespace rift::results {
 
 std::int32_t lanes_of_header(const std::string& header_json) {
-  const auto header = nlohmann::json::parse(header_json, nullptr, false);
+  const auto header = json_or_discarded(header_json);
   if (!header.is_object()) return 0;
   const auto lanes = header.find("lanes");
   return lanes != header.end() && lanes->is_number_integer() ? lanes->get<std::int32_t>() : 0;

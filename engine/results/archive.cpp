@@ -5,6 +5,7 @@
 #include "engine/results/files.hpp"
 #include "engine/results/hdf5.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/json_text.hpp"
 #include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 #include "engine/results/world_error.hpp"
@@ -230,7 +231,7 @@ void write_gauges(Group& root, const JournalScan& scan) {
 /// Each entry of the header as a text of its own, numbers and nested entries as JSON.
 void write_scene(Group& root, const JournalScan& scan) {
   auto scene = root.group("scene");
-  const auto header = nlohmann::json::parse(scan.header_json, nullptr, false);
+  const auto header = json_or_discarded<nlohmann::json>(scan.header_json);
   if (header.is_object()) {
     for (const auto& [key, value] : header.items()) {
       std::string name = key;

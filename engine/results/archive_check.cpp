@@ -3,6 +3,7 @@
 #include "engine/results/child.hpp"
 #include "engine/results/columns.hpp"
 #include "engine/results/hdf5.hpp"
+#include "engine/results/json_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -188,7 +189,7 @@ std::string to_text(const ArchiveCheck& check) {
 }
 
 ArchiveCheck from_text(const std::string& text) {
-  const auto json = nlohmann::json::parse(text);
+  const auto json = json_or_discarded(text);
   ArchiveCheck check{json.at("problems"), json.at("digest")};
   check.moments = json.at("moments"), check.samples = json.at("samples"), check.events = json.at("events");
   check.elements = json.at("elements"), check.beams = json.at("beams");

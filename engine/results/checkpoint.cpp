@@ -2,6 +2,8 @@
 
 #include "engine/results/files.hpp"
 #include "engine/results/hdf5.hpp"
+#include "engine/results/json_text.hpp"
+#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -37,7 +39,7 @@ void append_seal(const fs::path& path) {
 
 Checkpoint read_file(const fs::path& path) {
   const hdf5::InputFile file(path);
-  const Json index = Json::parse(file.text("index"));
+  const Json index = read_json(file.text("index"), path);
   Checkpoint checkpoint;
   checkpoint.notes = index.at("notes").dump();
   checkpoint.journal_bytes = index.at("journal_bytes").get<std::uint64_t>();
@@ -61,7 +63,7 @@ void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) 
   PendingFile pending(path);
   {
     hdf5::File file(pending.temporary());
-    Json index{{"notes", Json::parse(checkpoint.notes)}, {"journal_bytes", checkpoint.journal_bytes}};
+    Json index{{"notes", read_json(checkpoint.notes, path)}, {"journal_bytes", checkpoint.journal_bytes}};
     index["state"] = Json::object();
     {
       hdf5::Group root = file.root();
@@ -101,7 +103,7 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& run_folder, std::uint6
 
 std::uint64_t checkpoint_journal_bytes(const fs::path& path) {
   const hdf5::InputFile file(path);
-  const Json index = Json::parse(file.text("index"), nullptr, false);
+  const Json index = json_or_discarded(file.text("index"));
   if (!index.is_object() || !index.contains("journal_bytes") || !index["journal_bytes"].is_number_unsigned())
     throw WorldError("read", path, "it names no place in the journal");
   return index["journal_bytes"].get<std::uint64_t>();

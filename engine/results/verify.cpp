@@ -5,6 +5,7 @@
 #include "engine/results/checkpoint.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/json_text.hpp"
 #include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 #include "engine/results/world_error.hpp"
@@ -236,10 +237,9 @@ class Verifier {
       const std::string readings = gauges_csv(scan_->gauges);
       table(gauges_name, readings, fs::exists(gauges) && read_whole_file(gauges) == readings);
     }
-    const auto expected = nlohmann::ordered_json::parse(*scan_->summary_json, nullptr, false);
-    const auto there = fs::exists(summary)
-                           ? nlohmann::ordered_json::parse(read_whole_file(summary), nullptr, false)
-                           : nlohmann::ordered_json();
+    const auto expected = json_or_discarded(*scan_->summary_json);
+    const auto there =
+        fs::exists(summary) ? json_or_discarded(read_whole_file(summary)) : nlohmann::ordered_json();
     table(summary_name, expected.dump(2) + "\n", there == expected);
   }
 

@@ -356,6 +356,16 @@ void check_reference(Checks& c) {
 
 }  // namespace
 
+std::vector<std::string> rivals_of(const std::string& key) {
+  std::vector<std::string> rivals;
+  for (const auto& [one, other] : exclusive) {
+    if (key == one) rivals.emplace_back(other);
+    if (key == other) rivals.emplace_back(one);
+  }
+  if (key == "crack.history") rivals.emplace_back("crack.start");
+  return rivals;
+}
+
 std::vector<Issue> contradictions(const Preset& preset, const std::set<std::string>& unsound) {
   Checks checks{preset, preset.scene, unsound, {}};
   check_exclusive(checks);

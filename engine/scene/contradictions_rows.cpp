@@ -20,13 +20,7 @@ constexpr double strongest = 1e9, widest = 10.0;  // [N], [m]; as loading.force 
 std::string length_text(double x) { return rounded_text(x, Dimension::length); }
 std::string time_text(double x) { return rounded_text(x, Dimension::time); }
 
-double median_interval(const std::vector<HistoryPoint>& rows) {
-  std::vector<double> intervals;
-  for (std::size_t k = 1; k < rows.size(); ++k) intervals.push_back(rows[k].time - rows[k - 1].time);
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
-}
+constexpr std::size_t most_of_rows = 100;  // defects; more are of the same kinds
 
 struct Rows {
   const Preset& preset;
@@ -34,7 +28,10 @@ struct Rows {
   std::vector<Issue> issues = {};
   void say(std::size_t row, std::string text) {
     issues.push_back(issue_at_row(preset, key, row, std::move(text)));
+    if (issues.size() == most_of_rows)
+      issues.push_back(issue_at_row(preset, key, row, "and so on: the rows from here on were not looked at"));
   }
+  bool is_full() const { return issues.size() > most_of_rows; }
 };
 
 void check_time(Rows& r, std::size_t k, const HistoryPoint& before, const HistoryPoint& row) {
@@ -73,7 +70,7 @@ void check_uncertainty(Rows& r, std::size_t k, const HistoryPoint& row) {
 
 void check_gaps(Rows& r, const std::vector<HistoryPoint>& rows) {
   const double usual = median_interval(rows), most = r.preset.scene.crack.history_gap;
-  for (std::size_t k = 1; k < rows.size(); ++k) {
+  for (std::size_t k = 1; k < rows.size() && !r.is_full(); ++k) {
     const double gap = rows[k].time - rows[k - 1].time;
     if (gap > most * usual)
       r.say(k, fmt::format("no row for {} after {}, {:.3g} times the usual {}: rows are missing, or raise "
@@ -95,6 +92,23 @@ void check_start(Rows& r, const HistoryPoint& first) {
 
 }  // namespace
 
+std::string clock_trouble(double first_time) {
+  constexpr double three_years = 1e8;
+  if (std::abs(first_time) <= latest) return {};
+  return fmt::format(
+      "time {:.0f} s{}: subtract the first row's time from all, in the program that recorded them, before "
+      "their last digits are lost: times must lie within {}",
+      first_time, first_time > three_years ? " counts from a clock's epoch" : "", time_text(latest));
+}
+
+double median_interval(const std::vector<HistoryPoint>& rows) {
+  std::vector<double> intervals;
+  for (std::size_t k = 1; k < rows.size(); ++k) intervals.push_back(rows[k].time - rows[k - 1].time);
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return *middle;
+}
+
 std::vector<Issue> history_issues(const Preset& preset) {
   const std::vector<HistoryPoint>& rows = preset.scene.crack.history;
   if (rows.empty()) return {};
@@ -103,7 +117,11 @@ std::vector<Issue> history_issues(const Preset& preset) {
     r.say(0, "is the only row: a history needs two");
     return std::move(r.issues);
   }
-  for (std::size_t k = 0; k < rows.size(); ++k) {
+  if (std::string trouble = clock_trouble(rows.front().time); !trouble.empty()) {
+    r.say(0, std::move(trouble));
+    return std::move(r.issues);
+  }
+  for (std::size_t k = 0; k < rows.size() && !r.is_full(); ++k) {
     if (rows[k].position < 0.0)
       r.say(k, fmt::format("position {} must not lie below 0", length_text(rows[k].position)));
     if (rows[k].position > farthest)
@@ -127,7 +145,7 @@ std::vector<Issue> toughness_issues(const Preset& preset) {
   const bool by_position = rate.against == CriticalRate::Against::position;
   const char* name = by_position ? "position" : "velocity";
   Rows r{preset, "crack.toughness"};
-  for (std::size_t k = 0; k < rate.row.size(); ++k) {
+  for (std::size_t k = 0; k < rate.row.size() && !r.is_full(); ++k) {
     const auto& [at, critical] = rate.row[k];
     if (at < 0.0) r.say(k, fmt::format("{} {:g} must not lie below 0", name, at));
     if (!(critical > 0.0)) r.say(k, fmt::format("release rate {:g} J/m2 must lie above 0", critical));
@@ -145,7 +163,11 @@ std::vector<Issue> load_issues(const Preset& preset) {
   const double largest = curve.of == LoadCurve::Of::force ? strongest : widest;
   Rows r{preset, "loading.curve"};
   if (curve.row.size() < 2) r.say(0, "is the only row: a curve needs two");
-  for (std::size_t k = 0; k < curve.row.size(); ++k) {
+  if (std::string trouble = clock_trouble(curve.row.front()[0]); !trouble.empty()) {
+    r.say(0, std::move(trouble));
+    return std::move(r.issues);
+  }
+  for (std::size_t k = 0; k < curve.row.size() && !r.is_full(); ++k) {
     const auto& [time, value] = curve.row[k];
     if (std::abs(time) > latest)
       r.say(k, fmt::format("time {} must lie within {}", time_text(time), time_text(latest)));
@@ -164,7 +186,7 @@ std::vector<Issue> load_issues(const Preset& preset) {
     r.say(curve.row.size() - 1,
           fmt::format("the curve ends at {}, before {}, {}", time_text(curve.row.back()[0]),
                       needed > start ? "the history does" : "the crack starts", time_text(needed)));
-  for (std::size_t k = 0; k < curve.row.size() && grip_moves(preset.scene); ++k)
+  for (std::size_t k = 0; k < curve.row.size() && grip_moves(preset.scene) && !r.is_full(); ++k)
     if (curve.row[k][0] > start && curve.row[k][1] < 0.0 && !preset.scene.crack.friction)
       r.say(k, fmt::format(
                    "{} presses the plate while the crack runs, which needs crack.friction: its faces would "
@@ -181,7 +203,7 @@ std::vector<Issue> path_issues(const Preset& preset) {
   if (point.empty()) return {};
   Rows r{preset, "crack.path"};
   if (point.size() < 2) r.say(0, "is the only point: a path needs two");
-  for (std::size_t k = 0; k < point.size(); ++k) {
+  for (std::size_t k = 0; k < point.size() && !r.is_full(); ++k) {
     const auto& [x, y] = point[k];
     if (!(x >= 0.0 && x <= plate.length && y >= 0.0 && y <= plate.height))
       r.say(k, fmt::format("({}, {}) lies outside the plate, {} x {}", length_text(x), length_text(y),

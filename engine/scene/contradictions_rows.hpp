@@ -2,10 +2,18 @@
 
 #include "engine/scene/preset.hpp"
 
+#include <string>
 #include <vector>
 
 /// What can be wrong with the rows of [crack]: each is found row by row, at its line where a file holds it.
 namespace rift {
+
+/// Why a record of measured times, whose first is given [s], is none from near 0 on: a clock's time stamps
+/// have lost digits before they come here. Empty where it is one.
+std::string clock_trouble(double first_time);
+
+/// The middle one of the times from row to row [s]; there are at least two rows.
+double median_interval(const std::vector<HistoryPoint>& rows);
 
 /// A history goes forward in time, never back in position, misses no rows, and begins at crack.start. Noise
 /// may look like going back where it is smoothed: by no more than three standard uncertainties.

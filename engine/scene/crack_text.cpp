@@ -67,6 +67,7 @@ std::string order_problem(const std::vector<VelocityPiece>& pieces) {
 }  // namespace
 
 Parsed<std::vector<VelocityPiece>> read_velocity(std::string_view text) {
+  if (has_decimal_comma(text)) return {{}, "decimals have a point, as in \"0.5 c_r\""};
   std::vector<VelocityPiece> pieces;
   const bool several = text.find(',') != std::string_view::npos;
   for (bool more = true; more;) {
@@ -96,6 +97,7 @@ std::string velocity_text(const std::vector<VelocityPiece>& velocity) {
 
 Parsed<CrackLine> read_path(std::string_view text) {
   text = trimmed(text);
+  if (has_decimal_comma(text)) return {{}, "decimals have a point, as in \"0.5 H\""};
   if (const auto fraction = fraction_of(text, "H")) {
     if (!(*fraction > 0.0 && *fraction < 1.0)) return {{}, "must lie in (0, 1) H"};
     return {CrackLine{*fraction, true}, {}};

@@ -1,5 +1,8 @@
 #include "engine/scene/csv_table.hpp"
 
+#include "engine/scene/csv_header.hpp"
+#include "engine/scene/csv_rows.hpp"
+#include "engine/scene/text_encoding.hpp"
 #include "engine/scene/wording.hpp"
 
 #include <fmt/format.h>
@@ -12,165 +15,168 @@
 namespace rift {
 namespace {
 
-/// What a column of the file is: which of those asked for, and the unit its numbers are in.
-struct Head {
-  std::size_t wanted = 0;
-  std::string unit;
-};
+constexpr std::size_t most_csv_problems = 100;  // of one file; more are of the same kinds
 
-std::vector<std::string_view> cells_of(std::string_view line, char separator) {
-  std::vector<std::string_view> cells;
-  for (;;) {
-    const auto at = line.find(separator);
-    cells.push_back(trimmed(line.substr(0, at)));
-    if (at == std::string_view::npos) return cells;
-    line.remove_prefix(at + 1);
-  }
+/// The number that a whole cell is, infinities and NaN too; nothing where it is none.
+std::optional<double> number_of_cell(std::string_view cell) {
+  if (cell.starts_with('+')) cell.remove_prefix(1);
+  double number = 0.0;
+  const char* end = cell.data() + cell.size();
+  const auto [last, error] = std::from_chars(cell.data(), end, number);
+  if (cell.empty() || error != std::errc{} || last != end) return std::nullopt;
+  return number;
 }
 
-char separator_of(std::string_view header) {
-  for (const char separator : {';', '\t', ','})
-    if (header.find(separator) != std::string_view::npos) return separator;
-  return ';';
-}
-
-std::string example_of(const CsvColumn& column) {
-  const std::string_view quantity = example_quantity(column.dimension);
-  return fmt::format("{} [{}]", column.name, quantity.substr(quantity.find(' ') + 1));
-}
-
-std::string examples_of(std::span<const CsvColumn> columns) {
-  std::string out;
-  for (const CsvColumn& column : columns)
-    if (column.needed) out += (out.empty() ? "" : ";") + example_of(column);
-  return out;
-}
-
-class Reader {
+class TableReader {
  public:
-  explicit Reader(std::span<const CsvColumn> columns) : columns_(columns) {
+  TableReader(std::span<const CsvColumn> columns, std::size_t most_rows)
+      : columns_(columns), most_rows_(most_rows) {
     table_.column.resize(columns.size());
+    table_.unit.resize(columns.size());
   }
 
   CsvTable read(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark that spreadsheets put first
-    while (!text.empty()) {
-      const auto end = text.find('\n');
-      take_line(text.substr(0, end));
-      if (end == std::string_view::npos) break;
-      text.remove_prefix(end + 1);
+    text = without_byte_order_mark(text);
+    if (const auto trouble = trouble_with_text(text)) {
+      say(trouble->line, trouble->text);
+      return std::move(table_);
     }
-    if (head_.empty() && table_.problems.empty())
-      say(fmt::format("holds no header, such as \"{}\"", examples_of(columns_)));
+    header_ = find_csv_header(text, columns_);
+    if (!header_.is_found) {
+      const auto lines = std::count(text.begin(), text.end(), '\n');
+      say(std::max(1, static_cast<int>(lines)),
+          fmt::format("holds no header, such as \"{}\"", examples_of(columns_)));
+      return std::move(table_);
+    }
+    for (std::string& problem : header_problems(header_, columns_)) say(header_.line, std::move(problem));
+    if (table_.problems.empty()) take_rows();
     return std::move(table_);
   }
 
  private:
-  void say(std::string text) { table_.problems.push_back({std::max(1, line_), std::move(text)}); }
-
-  void take_line(std::string_view line) {
-    ++line_;
-    line = trimmed(line);
-    if (line.empty() || line.starts_with('#') || unreadable_) return;
-    if (head_.empty())
-      take_header(line);
-    else
-      take_row(line);
+  void say(int line, std::string text) {
+    if (table_.problems.size() < most_csv_problems) return table_.problems.push_back({line, std::move(text)});
+    if (!is_done_) table_.problems.push_back({line, "and so on: the rows from here on were not read"});
+    is_done_ = true;
+  }
+  /// A defect that the other rows are likely to share: it is named once.
+  void say_of_all(int line, std::string text) {
+    say(line, std::move(text));
+    is_done_ = true;
   }
 
-  void take_header(std::string_view line) {
-    separator_ = separator_of(line);
-    for (const std::string_view cell : cells_of(line, separator_)) take_head(cell);
-    for (std::size_t k = 0; k < columns_.size(); ++k)
-      if (columns_[k].needed && !is_there(k))
-        say(fmt::format("the header has no column {}", example_of(columns_[k])));
-    unreadable_ = !table_.problems.empty();  // what the rows would mean is not known
-  }
-
-  bool is_there(std::size_t wanted) const {
-    return std::any_of(head_.begin(), head_.end(), [&](const Head& h) { return h.wanted == wanted; });
-  }
-
-  void take_head(std::string_view cell) {
-    const auto bracket = cell.find_first_of("[(");
-    const std::string_view name = trimmed(cell.substr(0, bracket));
-    const auto found =
-        std::find_if(columns_.begin(), columns_.end(), [&](const CsvColumn& c) { return c.name == name; });
-    if (found == columns_.end()) return say(unknown(name));
-    const auto wanted = static_cast<std::size_t>(found - columns_.begin());
-    if (is_there(wanted)) return say(fmt::format("the header has two columns '{}'", name));
-    head_.push_back({wanted, ""});
-    if (found->dimension == Dimension::none) return;
-    const auto close = cell.find_first_of("])");
-    if (found->dimension == Dimension::strain && bracket == std::string_view::npos)
-      return void(head_.back().unit = si_unit(Dimension::strain));
-    if (bracket == std::string_view::npos || close == std::string_view::npos || close < bracket)
-      return say(fmt::format("column '{}' has no unit: write \"{}\"", name, example_of(*found)));
-    head_.back().unit = trimmed(cell.substr(bracket + 1, close - bracket - 1));
-    if (const Parsed<double> one = read_quantity("1 " + head_.back().unit, found->dimension); !one.value)
-      say(fmt::format("column '{}': {}", name, one.problem));
-  }
-
-  std::string unknown(std::string_view name) const {
-    std::vector<std::string> names;
-    for (const CsvColumn& column : columns_) names.emplace_back(column.name);
-    const std::string near = nearest_name(name, names);
-    if (!near.empty())
-      return fmt::format("unknown column '{}', did you mean '{}'?", printable(name, 30), near);
-    std::string others;  // of many the first say what they are like
-    for (std::size_t k = 0, listed = 0; k < columns_.size() && listed < 4; ++k)
-      if (!columns_[k].needed) others += (++listed == 1 ? ", and any of " : ", ") + example_of(columns_[k]);
-    return fmt::format("unknown column '{}': expected a header such as \"{}\"{}", printable(name, 30),
-                       examples_of(columns_), others);
-  }
-
-  void take_row(std::string_view line) {
-    const std::vector<std::string_view> cells = cells_of(line, separator_);
-    if (cells.size() != head_.size())
-      return say(fmt::format("{} {}, where the header has {}", cells.size(),
-                             cells.size() == 1 ? "column" : "columns", head_.size()));
-    if (table_.line.size() == most_csv_rows) {
-      unreadable_ = true;
-      return say(fmt::format("more than {} rows: thin them out", most_csv_rows));
+  void take_rows() {
+    for (const CsvTitle& title : header_.title)
+      if (!title.wanted && !title.name.empty()) table_.beside.push_back(title.name);
+    CsvRows rows(header_.below, header_.below_line, header_.separator);
+    CsvRow row;
+    bool is_first = true;
+    while (!is_done_ && rows.next(row)) {
+      if (row.is_comment || is_blank(row)) continue;
+      if (row.is_unclosed) {
+        say_of_all(row.line, "a quote opens here and never closes");
+        return;
+      }
+      const bool is_units = is_first && holds_units(row);
+      if (is_first && !take_units(is_units ? &row : nullptr)) return;
+      if (!is_units) take_row(row);
+      is_first = false;
     }
-    table_.line.push_back(line_);
-    for (std::size_t k = 0; k < cells.size(); ++k) take_cell(cells[k], head_[k]);
+    if (is_first) take_units(nullptr);
   }
 
-  void take_cell(std::string_view cell, const Head& head) {
-    const CsvColumn& column = columns_[head.wanted];
-    double number = 0.0;
-    const std::string_view digits = cell.starts_with('+') ? cell.substr(1) : cell;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (cell.empty()) return say(fmt::format("{} is empty", column.name));
-    if (error != std::errc{} || end != digits.data() + digits.size()) {
-      const bool comma = cell.find(',') != std::string_view::npos;
-      return say(fmt::format("{} '{}' is no number{}", column.name, printable(cell, 30),
-                             comma ? ": decimals have a point" : ""));
+  /// A row below the header that has no number in any column which is asked for, and in none a sentence.
+  bool holds_units(const CsvRow& row) const {
+    bool any = false;
+    for (std::size_t k = 0; k < header_.title.size(); ++k) {
+      if (!header_.title[k].wanted) continue;
+      const std::string_view cell = k < row.cell.size() ? std::string_view(row.cell[k]) : std::string_view{};
+      if (number_of_cell(cell) || cell.find_first_of("0123456789") == 0) return false;
+      if (!header_.title[k].unit.empty() && !cell.empty() && bare_unit(cell) != header_.title[k].unit)
+        return false;
+      any = any || !cell.empty();
     }
-    if (!std::isfinite(number))
-      return say(fmt::format("{} '{}' is not finite", column.name, printable(cell, 30)));
-    if (column.dimension != Dimension::none) {
-      const auto in_si = read_quantity(fmt::format("{} {}", digits, head.unit), column.dimension);
-      if (!in_si.value)
-        return say(fmt::format("{} '{}': {}", column.name, printable(cell, 30), in_si.problem));
-      number = *in_si.value;
+    return any;
+  }
+
+  static std::string bare_unit(std::string_view cell) {
+    if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '('))
+      cell = cell.substr(1, cell.size() - 2);
+    return std::string(trimmed(cell));
+  }
+
+  bool take_units(const CsvRow* below) {
+    const std::size_t before = table_.problems.size();
+    for (std::size_t k = 0; k < header_.title.size(); ++k) {
+      CsvTitle& title = header_.title[k];
+      if (!title.wanted) continue;
+      const CsvColumn& column = columns_[*title.wanted];
+      const int line = title.unit.empty() && below ? below->line : header_.line;
+      if (title.unit.empty() && below && k < below->cell.size()) title.unit = bare_unit(below->cell[k]);
+      check_unit(column, title.unit, line);
+      table_.unit[*title.wanted] = title.unit;
     }
-    table_.column[head.wanted].push_back(number);
+    return table_.problems.size() == before;
+  }
+
+  void check_unit(const CsvColumn& column, std::string& unit, int line) {
+    if (column.dimension == Dimension::none || (!unit.empty() && unit == column.plain_unit)) return;
+    if (unit.empty() && column.dimension == Dimension::strain) unit = si_unit(Dimension::strain);
+    if (unit.empty())
+      return say(line, fmt::format("column '{}' has no unit: write \"{}\"", column.name, example_of(column)));
+    if (const Parsed<double> one = read_quantity("1 " + unit, column.dimension); !one.value)
+      say(line, fmt::format("column '{}': {}", column.name, one.problem));
+  }
+
+  void take_row(const CsvRow& row) {
+    std::size_t cells = row.cell.size(), needed = 0;
+    while (cells > header_.title.size() && row.cell[cells - 1].empty()) --cells;
+    for (std::size_t k = 0; k < header_.title.size(); ++k)
+      if (header_.title[k].wanted) needed = k + 1;
+    if (cells > header_.title.size() || cells < needed)
+      return say(row.line, fmt::format("{} {}, where the header has {}{}", cells,
+                                       cells == 1 ? "column" : "columns", header_.title.size(),
+                                       header_.separator == ',' && cells > header_.title.size()
+                                           ? ": decimals have a point, or a cell with a comma wants quotes"
+                                           : ""));
+    if (table_.line.size() == most_rows_)
+      return say_of_all(row.line, fmt::format("more than {} rows: thin them out", most_rows_));
+    table_.line.push_back(row.line);
+    for (std::size_t k = 0; k < header_.title.size() && !is_done_; ++k)
+      if (header_.title[k].wanted) take_cell(row.line, row.cell[k], header_.title[k]);
+  }
+
+  void take_cell(int line, std::string_view cell, const CsvTitle& title) {
+    const CsvColumn& column = columns_[*title.wanted];
+    const auto shown_cell = [&] { return fmt::format("{} '{}'", column.name, printable(cell, 30)); };
+    if (cell.empty()) return say(line, fmt::format("{} is empty", column.name));
+    std::optional<double> number = number_of_cell(cell);
+    if (!number && cell.find(',') != std::string_view::npos)
+      return say_of_all(line, shown_cell() + " is no number: decimals have a point");
+    if (!number && column.dimension == Dimension::time && cell.find(':') != std::string_view::npos)
+      return say_of_all(line,
+                        shown_cell() + " is a time of day: write the time since the first row, such as 0.25");
+    if (!number) return say(line, shown_cell() + " is no number");
+    if (!std::isfinite(*number)) return say(line, shown_cell() + " is not finite");
+    if (column.dimension != Dimension::none && title.unit != column.plain_unit) {
+      const auto in_si = read_quantity(fmt::format("{} {}", cell, title.unit), column.dimension);
+      if (!in_si.value) return say(line, fmt::format("{}: {}", shown_cell(), in_si.problem));
+      number = in_si.value;
+    }
+    table_.column[*title.wanted].push_back(*number);
   }
 
   std::span<const CsvColumn> columns_;
+  std::size_t most_rows_;
   CsvTable table_;
-  std::vector<Head> head_;
-  char separator_ = ';';
-  int line_ = 0;
-  bool unreadable_ = false;
+  CsvHeader header_;
+  bool is_done_ = false;
 };
 
 }  // namespace
 
-CsvTable read_csv(std::string_view text, std::span<const CsvColumn> columns) {
-  return Reader(columns).read(text);
+CsvTable read_csv(std::string_view text, std::span<const CsvColumn> columns, std::size_t most_rows) {
+  return TableReader(columns, most_rows).read(text);
 }
 
 }  // namespace rift

@@ -7,14 +7,19 @@
 #include <string_view>
 #include <vector>
 
-/// Tables of measured numbers, as spreadsheets and cameras write them.
+/// Tables of measured numbers, as spreadsheets, cameras and instruments write them.
 namespace rift {
+
+/// Whether a column has to be there; of those that are `one_of`, exactly one has to.
+enum class CsvNeed { needed, optional, one_of };
 
 /// A column that a table may hold.
 struct CsvColumn {
-  std::string_view name;  // as in its header, "time [us]"
+  std::string_view name;  // in small letters, as in its header "time [us]"
   Dimension dimension;
-  bool needed = true;
+  CsvNeed need = CsvNeed::needed;
+  std::string_view symbol = {};      // that may stand for the name, "t"
+  std::string_view plain_unit = {};  // one more unit, whose numbers are left as they are: "c_r"
 };
 
 struct CsvProblem {
@@ -24,16 +29,26 @@ struct CsvProblem {
 
 struct CsvTable {
   std::vector<std::vector<double>> column;  // in SI, in the order asked for; empty where it is not there
+  std::vector<std::string> unit;            // that each was written in, in the order asked for
+  std::vector<std::string> beside;          // names of columns that nobody asked for
   std::vector<int> line;                    // of each row
   std::vector<CsvProblem> problems;         // in the order of the lines; the columns count only without any
 };
 
-/// No table may hold more rows: a preset holds them all.
-inline constexpr std::size_t most_csv_rows = 10000;
+/// No table may hold more rows, and none of more than so many bytes is read.
+inline constexpr std::size_t most_csv_rows = 1000000;
+inline constexpr std::size_t largest_csv = std::size_t{64} << 20;
 
-/// Reads a header "time [us];position [mm]" and rows of as many numbers. Lines that begin with # and empty
-/// ones are left out; columns are parted by semicolons, tabs or commas, whichever the header has, in this
-/// order. Every defect is a problem of its line: nothing is sorted, filled in or dropped.
-CsvTable read_csv(std::string_view text, std::span<const CsvColumn> columns);
+/// Reads a header and rows of numbers.
+/// The header is the first row that names all columns which have to be there, in any order and in capitals or
+/// small letters, each with its unit ("time [us]", "Time (us)", "t / us", "time_us") or with the units in the
+/// row below; rows before it, at most 100, and columns beside are left out. Columns are parted by semicolons,
+/// tabs, commas or bars, as "sep=;" in the first line or the header says. Lines that begin with # and rows
+/// without anything in them are left out. Every other defect is a problem of its line, one that all rows
+/// share (another encoding, decimal commas, times of day) is named once: nothing is sorted, filled in or
+/// dropped.
+/// @param[in] most_rows  more are a problem
+CsvTable read_csv(std::string_view text, std::span<const CsvColumn> columns,
+                  std::size_t most_rows = most_csv_rows);
 
 }  // namespace rift

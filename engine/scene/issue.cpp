@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace rift {
@@ -16,7 +17,9 @@ std::string place(const Issue& issue) {
 
 std::string joined(const std::vector<Issue>& issues) {
   std::string lines;
-  for (const Issue& issue : issues) lines += (lines.empty() ? "" : "\n") + to_text(issue);
+  const std::size_t shown = std::min(issues.size(), most_issues_shown);
+  for (std::size_t k = 0; k < shown; ++k) lines += (k == 0 ? "" : "\n") + to_text(issues[k]);
+  if (issues.size() > shown) lines += fmt::format("\nand {} more", issues.size() - shown);
   return lines;
 }
 

@@ -20,8 +20,12 @@ struct Issue {
 /// or `--set crack.velocity=5: ...` for an override.
 std::string to_text(const Issue& issue);
 
+/// More are counted, not shown: nobody reads the nine thousandth.
+inline constexpr std::size_t most_issues_shown = 20;
+
 /// Bad input found where it can no longer be returned as a value (a command, or a check that needs the
-/// lattice). what() holds one line per issue.
+/// lattice). what() holds one line per issue, at most `most_issues_shown` and how many
+/// there are more.
 struct InputError : std::runtime_error {
   explicit InputError(std::vector<Issue> found);
   std::vector<Issue> issues;

@@ -1,5 +1,7 @@
 #include "engine/scene/preset.hpp"
 
+#include "engine/scene/contradictions.hpp"
+#include "engine/scene/notes_on_rows.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset_file.hpp"
 #include "engine/scene/rows_file.hpp"
@@ -19,6 +21,8 @@
 namespace rift {
 
 namespace {
+
+constexpr std::size_t most_nearest_names = 100;  // that are looked for in a file without one right key
 
 /// A value that somebody gave to a known parameter.
 struct Given {
@@ -55,6 +59,8 @@ void take_entry(Reading& reading, const TomlEntry& entry) {
     return;
   }
   const bool as_table = entry.table.empty() && is_list_of_tables(entry.value);
+  if (reading.preset.issues.size() >= most_nearest_names)
+    return reading.say({reading.preset.name, entry.line, "", "unknown key " + printable(entry.name)});
   reading.say({reading.preset.name, entry.line, "",
                as_table ? unknown_table(entry.name) : unknown_key(entry.table, entry.name)});
 }
@@ -77,7 +83,18 @@ void take_text(Reading& reading, std::string_view text) {
   }
 }
 
-/// One --set: takes the place of what was given for its key before.
+/// What the preset says of the keys that an override excludes gives way to it.
+void drop_rivals(Reading& reading, const std::string& key) {
+  for (const std::string& rival : rivals_of(key))
+    std::erase_if(reading.given, [&](const Given& given) {
+      if (given.row->key != rival || given.origin.file == "--set") return false;
+      reading.preset.notes.push_back(fmt::format("--set {} takes the place of {} = {} ({}:{})", key, rival,
+                                                 given.origin.value, given.origin.file, given.origin.line));
+      return true;
+    });
+}
+
+/// One --set: takes the place of what was given for its key before, and of the preset's for its rivals.
 void take_override(Reading& reading, std::string_view text) {
   const auto equals = text.find('=');
   if (equals == std::string_view::npos) {
@@ -92,6 +109,7 @@ void take_override(Reading& reading, std::string_view text) {
     return;
   }
   std::erase_if(reading.given, [&](const Given& earlier) { return earlier.row == row; });
+  drop_rivals(reading, key);
   reading.given.push_back({row, value_from_text(written), {"--set", 0, printable(written)}});
 }
 
@@ -156,6 +174,8 @@ Preset finished(Reading reading, const std::vector<std::string>& overrides, bool
     for (Issue& issue : take_steering(reading.preset, reading.document)) reading.say(std::move(issue));
   }
   sort_by_place(reading.preset.issues);
+  if (reading.preset.issues.empty())
+    for (std::string& note : notes_on_rows(reading.preset)) reading.preset.notes.push_back(std::move(note));
   return std::move(reading.preset);
 }
 
@@ -176,7 +196,7 @@ Preset read_preset_text(std::string_view text, const std::string& name,
 }
 
 Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  const PresetFile file = read_preset_file(path);
+  const PresetFile file = read_preset_file(path, largest_preset);
   Reading reading;
   reading.preset.name = path.string();
   reading.folder = path.parent_path();

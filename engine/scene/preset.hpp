@@ -46,12 +46,12 @@ struct Preset {
   std::vector<StudyRow> study;
   std::vector<Change> steering;            // of [[steering]], by lane and step
   std::map<std::string, RowsOrigin> rows;  // by full key, of those whose rows came from a file
+  std::vector<std::string> notes;  // a line each: keys that --set has replaced, rows that seem to be missing
 };
 
 /// Reads a preset file, applies overrides ("crack.velocity=0.3 c_r", full keys only) and checks all of it.
-/// An override replaces what the file says of its key, the last one wins; it contradicts another key of the
-/// file as a line of the file would (thickness with layers given). Never throws for bad input, a missing file
-/// included.
+/// An override replaces what the file says of its key and of the keys that it excludes (thickness for
+/// layers), with a note; the last one wins. Never throws for bad input, a missing file included.
 Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// The same for a text; `name` stands for the file in messages. An empty text is a preset: all defaults.

@@ -2,16 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace rift {
 
-PresetFile read_preset_file(const std::filesystem::path& path) {
+PresetFile read_preset_file(const std::filesystem::path& path, std::size_t largest) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) return {"", "no such file"};
@@ -22,11 +24,16 @@ PresetFile read_preset_file(const std::filesystem::path& path) {
   };
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
   if (!file) return {"", fmt::format("cannot be read: {}", std::strerror(errno))};
-  std::vector<char> buffer((std::size_t{1} << 20) +
-                           1);  // one byte more than a preset may hold: read_toml refuses it
-  const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get());
-  if (std::ferror(file.get()) != 0) return {"", fmt::format("cannot be read: {}", std::strerror(errno))};
-  return {std::string(buffer.data(), count), ""};
+  std::string text;
+  std::vector<char> buffer(std::size_t{1} << 16);
+  while (text.size() <= largest) {
+    const std::size_t most = std::min(buffer.size(), largest + 1 - text.size());
+    const std::size_t count = std::fread(buffer.data(), 1, most, file.get());
+    if (std::ferror(file.get()) != 0) return {"", fmt::format("cannot be read: {}", std::strerror(errno))};
+    if (count == 0) break;
+    text.append(buffer.data(), count);
+  }
+  return {std::move(text), ""};
 }
 
 }  // namespace rift

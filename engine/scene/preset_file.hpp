@@ -11,7 +11,8 @@ struct PresetFile {
   std::string problem;
 };
 
-/// Reads at most a little more than a preset may hold, so that a device without end does no harm.
-PresetFile read_preset_file(const std::filesystem::path& path);
+/// Reads a file, a pipe or a device, once and from its begin; at most one byte more than `largest`, so that a
+/// device without end does no harm and the reader sees that it is too large.
+PresetFile read_preset_file(const std::filesystem::path& path, std::size_t largest);
 
 }  // namespace rift

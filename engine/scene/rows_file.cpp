@@ -7,17 +7,27 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <span>
 #include <string_view>
 #include <utility>
 
 namespace rift {
 namespace {
 
-constexpr std::size_t most_told = 20;                       // defects of one file
-constexpr std::size_t largest_file = std::size_t{1} << 20;  // as much as a preset may hold
+// The rows stand in the effective preset, which a run keeps and reads again.
+constexpr std::size_t most_preset_rows = 100000, most_path_points = 10000;
 
-using Columns = std::vector<CsvColumn>;
+constexpr CsvColumn time_column{"time", Dimension::time, CsvNeed::needed, "t"};
+constexpr std::array history_columns{time_column,
+                                     CsvColumn{"position", Dimension::length, CsvNeed::needed, "a"},
+                                     CsvColumn{"uncertainty", Dimension::length, CsvNeed::optional}};
+constexpr std::array path_columns{CsvColumn{"x", Dimension::length}, CsvColumn{"y", Dimension::length}};
+constexpr std::array toughness_columns{CsvColumn{"position", Dimension::length, CsvNeed::one_of},
+                                       CsvColumn{"velocity", Dimension::speed, CsvNeed::one_of, {}, "c_r"},
+                                       CsvColumn{"release_rate", Dimension::release_rate}};
+constexpr std::array load_columns{time_column, CsvColumn{"displacement", Dimension::length, CsvNeed::one_of},
+                                  CsvColumn{"force", Dimension::force, CsvNeed::one_of},
+                                  CsvColumn{"grip_force", Dimension::force, CsvNeed::one_of}};
 
 Value number(double x) { return {x}; }
 Value list(std::vector<Value> items) { return {std::move(items)}; }
@@ -34,45 +44,30 @@ Value plain_rows(const CsvTable& table) {
   return list(std::move(rows));
 }
 
-/// The first line that is no comment and not empty.
-std::string_view header_of(std::string_view text) {
-  std::string_view header;
-  while (!text.empty()) {
-    const auto end = text.find('\n');
-    header = text.substr(0, end);
-    const auto first = header.find_first_not_of(" \t\r");
-    if (first != std::string_view::npos && header[first] != '#') break;
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  }
-  return header;
-}
-
-/// Which column the header names first tells what a critical rate is against.
-std::pair<Columns, const char*> toughness_columns(std::string_view header) {
-  const CsvColumn rate{"release_rate", Dimension::release_rate};
-  if (header.find("position") != std::string_view::npos)
-    return {{{"position", Dimension::length}, rate}, "{} m"};
-  if (header.find("c_r") != std::string_view::npos) return {{{"velocity", Dimension::none}, rate}, "{} c_r"};
-  return {{{"velocity", Dimension::speed}, rate}, "{} m/s"};
-}
-
-/// And of what a load curve is.
-std::pair<Columns, const char*> curve_columns(std::string_view header) {
-  const CsvColumn time{"time", Dimension::time};
-  for (const char* force : {"grip_force", "force"})  // as `rift measure --against` has it, or shorter
-    if (header.find(force) != std::string_view::npos) return {{time, {force, Dimension::force}}, "{} N"};
-  return {{time, {"displacement", Dimension::length}}, "{} m"};
-}
-
-/// Rows of two, one of which says with its unit what it is.
-Value rows_with_units(const CsvTable& table, std::size_t said, const char* form) {
+/// Rows of two columns; the text of the one that says with its unit what the rows are.
+Value rows_with_units(const CsvTable& table, std::size_t first, std::size_t second, std::size_t said,
+                      const char* form) {
   std::vector<Value> rows;
   for (std::size_t r = 0; r < table.line.size(); ++r) {
-    std::vector<Value> row{number(table.column[0][r]), number(table.column[1][r])};
-    row[said] = Value{fmt::format(fmt::runtime(form), table.column[said][r])};
+    const double one = table.column[first][r], other = table.column[second][r];
+    std::vector<Value> row{number(one), number(other)};
+    const bool is_first = said == first;
+    row[is_first ? 0 : 1] = Value{fmt::format(fmt::runtime(form), is_first ? one : other)};
     rows.push_back(list(std::move(row)));
   }
   return list(std::move(rows));
+}
+
+/// What a critical rate is against tells the column that is there.
+Value toughness_rows(const CsvTable& table) {
+  if (!table.column[0].empty()) return rows_with_units(table, 0, 2, 0, "{} m");
+  return rows_with_units(table, 1, 2, 1, table.unit[1] == "c_r" ? "{} c_r" : "{} m/s");
+}
+
+Value load_rows(const CsvTable& table) {
+  for (const std::size_t force : {2, 3})
+    if (!table.column[force].empty()) return rows_with_units(table, 0, force, force, "{} N");
+  return rows_with_units(table, 0, 1, 1, "{} m");
 }
 
 }  // namespace
@@ -91,36 +86,23 @@ RowsFile read_rows_file(const Parameter& row, const std::string& name, const std
   const auto say = [&](int line, std::string text) {
     read.issues.push_back({path.string(), line, "", std::move(text)});
   };
-  const PresetFile file = read_preset_file(path);
+  const PresetFile file = read_preset_file(path, largest_csv);
   if (!file.problem.empty()) return say(0, file.problem), read;
-  if (file.text.size() > largest_file) return say(0, "larger than 1 MiB: thin its rows out"), read;
+  if (file.text.size() > largest_csv) return say(0, "larger than 64 MiB: thin its rows out"), read;
 
-  CsvTable table;
-  const std::string_view head = header_of(file.text);
-  if (row.key == "loading.curve" && head.find("force") != head.npos && head.find("displacement") != head.npos)
-    return say(0, "holds displacement and force: a load curve is of one of them"), read;
-  if (row.key == "crack.toughness") {
-    const auto [columns, first] = toughness_columns(head);
-    table = read_csv(file.text, columns);
-    if (table.problems.empty()) read.rows = rows_with_units(table, 0, first);
-  } else if (row.key == "loading.curve") {
-    const auto [columns, load] = curve_columns(head);
-    table = read_csv(file.text, columns);
-    if (table.problems.empty()) read.rows = rows_with_units(table, 1, load);
-  } else {
-    const Columns columns = row.key == "crack.path"
-                                ? Columns{{"x", Dimension::length}, {"y", Dimension::length}}
-                                : Columns{{"time", Dimension::time},
-                                          {"position", Dimension::length},
-                                          {"uncertainty", Dimension::length, false}};
-    table = read_csv(file.text, columns);
-    if (table.problems.empty()) read.rows = plain_rows(table);
-  }
-  for (std::size_t k = 0; k < table.problems.size() && k < most_told; ++k)
-    say(table.problems[k].line, std::move(table.problems[k].text));
-  if (table.problems.size() > most_told)
-    say(0, fmt::format("and {} more lines like these", table.problems.size() - most_told));
-  if (read.issues.empty() && table.line.empty()) say(0, "holds a header and no rows");
+  const auto table_of = [&](std::span<const CsvColumn> columns, std::size_t most_rows) {
+    return read_csv(file.text, columns, most_rows);
+  };
+  const bool toughness = row.key == "crack.toughness", load = row.key == "loading.curve",
+             points = row.key == "crack.path";
+  CsvTable table = toughness ? table_of(toughness_columns, most_preset_rows)
+                   : load    ? table_of(load_columns, most_preset_rows)
+                   : points  ? table_of(path_columns, most_path_points)
+                             : table_of(history_columns, most_preset_rows);
+  for (CsvProblem& problem : table.problems) say(problem.line, std::move(problem.text));
+  if (!read.issues.empty()) return read;
+  if (table.line.empty()) return say(0, "holds a header and no rows"), read;
+  read.rows = toughness ? toughness_rows(table) : load ? load_rows(table) : plain_rows(table);
   read.origin.line = std::move(table.line);
   return read;
 }

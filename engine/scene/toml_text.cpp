@@ -1,5 +1,6 @@
 #include "engine/scene/toml_text.hpp"
 
+#include "engine/scene/text_encoding.hpp"
 #include "engine/scene/wording.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,6 @@ namespace rift {
 
 namespace {
 
-constexpr std::size_t largest_text = std::size_t{1} << 20;
 constexpr int most_dots_a_line = 128;
 
 Value value_of(const toml::node& node) {
@@ -57,6 +57,19 @@ std::optional<TomlError> too_deep(std::string_view text) {
     before = c;
   }
   return {};
+}
+
+/// The line of a text, from 1.
+std::string_view line_numbered(std::string_view text, int number) {
+  for (; number > 1 && text.find('\n') != std::string_view::npos; --number)
+    text.remove_prefix(text.find('\n') + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+/// "beta = 0,5".
+bool gives_decimal_comma(std::string_view line) {
+  const std::string_view value = trimmed(line.substr(std::min(line.size(), line.find('=') + 1)));
+  return value.find_first_of("+-.0123456789") == 0 && has_decimal_comma(value);
 }
 
 bool earlier(const TomlEntry& a, const TomlEntry& b) {
@@ -105,17 +118,19 @@ TomlDocument flattened(const toml::table& root) {
 }  // namespace
 
 TomlDocument read_toml(std::string_view text) {
-  if (text.size() > largest_text) return {{}, {}, {}, TomlError{1, 1, "larger than 1 MiB: not a preset"}};
+  static_assert(largest_preset == std::size_t{8} << 20);  // as the message says
+  if (text.size() > largest_preset) return {{}, {}, {}, TomlError{1, 1, "larger than 8 MiB: not a preset"}};
+  if (const auto trouble = trouble_with_text(text))
+    return {{}, {}, {}, TomlError{trouble->line, 1, trouble->text}};
   if (auto error = too_deep(text)) return {{}, {}, {}, std::move(error)};
   try {
     return flattened(toml::parse(text));
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
-    return {{},
-            {},
-            {},
-            TomlError{static_cast<int>(at.line), static_cast<int>(at.column),
-                      printable(error.description(), 200)}};
+    std::string cause = printable(error.description(), 200);
+    if (gives_decimal_comma(line_numbered(text, static_cast<int>(at.line))))
+      cause += ": decimals have a point";
+    return {{}, {}, {}, TomlError{static_cast<int>(at.line), static_cast<int>(at.column), std::move(cause)}};
   }
 }
 

@@ -42,7 +42,11 @@ struct TomlDocument {
   std::optional<TomlError> error;
 };
 
-/// Never throws on bad text, however hostile: texts above 1 MiB and keys of absurd depth are refused.
+/// No preset may hold more bytes: what a run keeps of one with a long measured history among them.
+inline constexpr std::size_t largest_preset = std::size_t{8} << 20;
+
+/// Never throws on bad text, however hostile: texts above 8 MiB, of another encoding and keys of absurd depth
+/// are refused.
 TomlDocument read_toml(std::string_view text);
 
 /// One value as it stands after the '=' of --set: a TOML value where it parses, else the bare text.

@@ -97,6 +97,14 @@ Parsed<double> shifted(std::string_view digits, int shift) {
   return {value, {}};
 }
 
+/// The same with points for commas, short.
+std::string with_points(std::string_view text) {
+  std::string out = printable(text, 20);
+  for (char& c : out)
+    if (c == ',') c = '.';
+  return out;
+}
+
 std::string unit_names(std::span<const Unit> units) {
   std::vector<std::string> names;
   for (const Unit& unit : units) {
@@ -127,6 +135,8 @@ Parsed<double> read_quantity(std::string_view text, Dimension dimension) {
     return {{}, fmt::format("expected {} such as \"{}\"", row.name, row.example)};
   }
   if (!std::isfinite(number)) return {{}, "must be a finite number"};
+  if (has_decimal_comma(text))
+    return {{}, fmt::format("decimals have a point, as in \"{}\"", with_points(text))};
 
   const std::string_view digits(text.data(), static_cast<std::size_t>(end - text.data()));
   const std::string_view name = trimmed(text.substr(digits.size()));

@@ -45,7 +45,9 @@ std::optional<double> number_in(const Value& value) {
 }
 
 std::string wrong_type(std::string_view expected, const Value& value) {
-  return fmt::format("expected {}, got {}", expected, kind_of(value));
+  const auto* text = std::get_if<std::string>(&value.held);
+  return fmt::format("expected {}, got {}{}", expected, kind_of(value),
+                     text && has_decimal_comma(*text) ? ": decimals have a point" : "");
 }
 
 }  // namespace rift

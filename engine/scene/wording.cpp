@@ -66,6 +66,13 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
   return found;
 }
 
+bool has_decimal_comma(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t k = 1; k + 1 < text.size(); ++k)
+    if (text[k] == ',' && is_digit(text[k - 1]) && is_digit(text[k + 1])) return true;
+  return false;
+}
+
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};

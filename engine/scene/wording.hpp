@@ -20,6 +20,9 @@ std::string listed(std::span<const std::string> names, std::string_view last = "
 /// most 3.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
+/// Whether a comma stands between two digits, "60,5 mm", where a quantity wants a point.
+bool has_decimal_comma(std::string_view text);
+
 /// Without the blanks at both ends.
 std::string_view trimmed(std::string_view text);
 

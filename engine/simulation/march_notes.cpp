@@ -1,5 +1,7 @@
 #include "engine/simulation/march_notes.hpp"
 
+#include "engine/results/json_text.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <limits>
@@ -93,7 +95,7 @@ std::string to_json(const MarchNotes& n) {
 }
 
 MarchNotes march_notes(const std::string& text) try {
-  const Json j = Json::parse(text);
+  const Json j = results::json_or_discarded(text);
   MarchNotes n;
   n.lanes = j.at("lanes");
   n.instructions = j.at("instructions");

@@ -3,6 +3,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/json_text.hpp"
 #include "engine/results/ownership.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/run_writer.hpp"
@@ -147,9 +148,9 @@ std::string no_locks_note(const std::filesystem::path& folder) {
 namespace {
 
 /// As the journal says; nothing of it is still to be computed.
-bool lanes_have_ended(const results::RunState& state) {
+bool lanes_have_ended(const std::filesystem::path& folder, const results::RunState& state) {
   if (!state.summary_json) return false;
-  const auto summary = nlohmann::ordered_json::parse(*state.summary_json);
+  const auto summary = results::read_json(*state.summary_json, folder / results::journal_name);
   for (const auto& scenario : summary.at("scenarios"))
     if (scenario.value("outcome", std::string()) == name_of(Outcome::stopped)) return false;
   return true;
@@ -163,12 +164,12 @@ bool files_of_end_are_there(const std::filesystem::path& folder, const results::
 
 bool has_ended(const std::filesystem::path& folder) {
   const results::RunState state = results::inspect_run(folder);
-  return lanes_have_ended(state) && files_of_end_are_there(folder, state);
+  return lanes_have_ended(folder, state) && files_of_end_are_there(folder, state);
 }
 
 bool complete_end(const std::filesystem::path& folder) {
   const results::RunState state = results::inspect_run(folder);
-  if (!lanes_have_ended(state) || files_of_end_are_there(folder, state)) return false;
+  if (!lanes_have_ended(folder, state) || files_of_end_are_there(folder, state)) return false;
   const results::OwnedFolder owned(folder);
   results::complete_folder(folder);
   results::remove_checkpoints(folder);
@@ -179,7 +180,7 @@ Preset preset_of_run(const std::filesystem::path& folder) {
   const results::RunState state = results::inspect_run(folder);
   if (state.header_json.empty())
     throw results::WorldError("read", folder, state.reason.empty() ? "there is no run in it" : state.reason);
-  const auto header = nlohmann::ordered_json::parse(state.header_json);
+  const auto header = results::read_json(state.header_json, folder / results::journal_name);
   const std::filesystem::path steered = folder / results::steering_name;
   Preset preset = std::filesystem::exists(steered)
                       ? read_preset(steered)

@@ -1,6 +1,7 @@
 #include "engine/study/store.hpp"
 
 #include "engine/results/files.hpp"
+#include "engine/results/json_text.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/study/identity.hpp"
@@ -65,7 +66,7 @@ void open_study(const fs::path& folder, const StudyManifest& manifest, std::vect
   const fs::path file = folder / study_name;
   const bool anything = holds_files(folder);
   if (fs::exists(file)) {
-    const Json there = Json::parse(results::read_whole_file(file), nullptr, false);
+    const Json there = results::json_or_discarded(results::read_whole_file(file));
     const bool sound = there.is_object() && !text_of(there, "hash").empty();
     if (sound) {
       if (const std::string why = difference(there, manifest); !why.empty())
@@ -95,7 +96,7 @@ std::optional<Json> read_result(const fs::path& folder, const std::string& key,
                                 std::vector<std::string>& notes) {
   const fs::path file = result_file(folder, key);
   if (!fs::exists(file)) return std::nullopt;
-  const Json j = Json::parse(results::read_whole_file(file), nullptr, false);
+  const Json j = results::json_or_discarded(results::read_whole_file(file));
   const bool whole = j.is_object() && text_of(j, "key") == key && j.contains("scenario") &&
                      j.at("scenario").is_object() &&
                      text_of(j, "check") == check_of(key, j.at("scenario"), text_of(j, "series_hash"));
@@ -110,7 +111,7 @@ Json write_result(const fs::path& folder, const std::string& key, const Json& sc
                   const std::string& series_csv) {
   const fs::path file = result_file(folder, key);
   results::write_whole_file(series_file(file), series_csv);
-  Json kept = Json::parse(scenario.dump());  // what is undefined is null from here on
+  Json kept = results::read_json(scenario.dump(), file);  // what is undefined is null from here on
   const std::string series_hash = hash_text(series_csv);
   const Json j{{"key", key},
                {"scenario", kept},

@@ -1,4 +1,5 @@
 #include "engine/results/files.hpp"
+#include "engine/results/json_text.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/study/accuracy_run.hpp"
@@ -59,7 +60,7 @@ void open_folder(const fs::path& folder, const Preset& preset) {
   const fs::path file = folder / "accuracy.json";
   const Json mark = mark_of(preset);
   if (fs::exists(file)) {
-    const Json there = Json::parse(results::read_whole_file(file), nullptr, false);
+    const Json there = results::json_or_discarded(results::read_whole_file(file));
     if (there == mark) return;
     throw results::FolderExists(
         fmt::format("{} holds the accuracy of another scene; nothing was changed, choose another with --out",

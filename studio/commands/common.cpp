@@ -111,7 +111,8 @@ fs::path own_presets_folder() {
 
 fs::path resolve_preset(const std::string& preset) {
   std::error_code ignored;
-  if (fs::is_regular_file(preset, ignored)) return preset;
+  const fs::file_status status = fs::status(preset, ignored);  // a pipe or /dev/stdin will do
+  if (fs::exists(status) && !fs::is_directory(status)) return preset;
   if (!preset.empty() && !fs::path(preset).has_parent_path()) {
     for (const fs::path& folder : {presets_folder(), own_presets_folder()})
       for (const std::string ending : {"", ".toml"}) {

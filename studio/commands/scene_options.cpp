@@ -45,6 +45,7 @@ void add_report_options(CLI::App& command, ReportOptions& options, const std::st
 Preset read_scene(const SceneOptions& options) {
   Preset preset = read_preset(resolve_preset(options.preset), options.overrides);
   if (!preset.issues.empty()) throw InputError(preset.issues);
+  for (const std::string& note : preset.notes) fmt::print(stderr, "note: {}\n", note);
   return preset;
 }
 

@@ -34,7 +34,7 @@ struct ReportOptions {
 /// @param[in] holds  what the report's folder holds, for --help
 void add_report_options(CLI::App& command, ReportOptions& options, const std::string& holds);
 
-/// Reads and checks the preset; throws InputError with every mistake.
+/// Reads and checks the preset, and prints its notes on stderr; throws InputError with every mistake.
 Preset read_scene(const SceneOptions& options);
 
 /// What `rift run` and `rift check` take: one scene, or one ensemble of lanes. Throws InputError for a study.

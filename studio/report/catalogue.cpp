@@ -2,7 +2,7 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
-#include "engine/study/store.hpp"
+#include "engine/results/json_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -78,7 +78,7 @@ std::optional<RunEntry> entry_of(const fs::path& folder) {
   if (!fs::exists(folder / results::journal_name, error)) return std::nullopt;
   if (!fs::exists(folder / results::summary_name, error)) return entry;
   try {
-    read_outcome(entry, Json::parse(results::read_whole_file(folder / results::summary_name)));
+    read_outcome(entry, results::json_or_discarded(results::read_whole_file(folder / results::summary_name)));
   } catch (const std::exception&) {
     entry.outcome = "damaged";
   }

@@ -2,6 +2,7 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
+#include "engine/results/json_text.hpp"
 #include "studio/screen/box.hpp"
 #include "studio/screen/curves.hpp"
 #include "studio/screen/layouts.hpp"
@@ -46,7 +47,7 @@ constexpr Quantity quantities[] = {
 nlohmann::ordered_json scenarios_of(const std::filesystem::path& run) {
   const auto file = run / results::summary_name;
   if (!std::filesystem::exists(file)) return nullptr;
-  return nlohmann::ordered_json::parse(results::read_whole_file(file)).at("scenarios");
+  return results::read_json(results::read_whole_file(file), file).at("scenarios");
 }
 
 std::string text_of(const nlohmann::ordered_json& summary, const Quantity& quantity) {

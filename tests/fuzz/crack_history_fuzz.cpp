@@ -15,7 +15,7 @@ namespace {
 void measured(std::string_view text) {
   using namespace rift;
   constexpr std::array columns{CsvColumn{"time", Dimension::time}, CsvColumn{"position", Dimension::length},
-                               CsvColumn{"uncertainty", Dimension::length, false}};
+                               CsvColumn{"uncertainty", Dimension::length, CsvNeed::optional}};
   const CsvTable table = read_csv(text, columns);
   if (!table.problems.empty() || table.line.empty()) return;
   Preset preset;

@@ -1,6 +1,7 @@
 #include "viz/draw/moment.hpp"
 
 #include "engine/results/archive.hpp"
+#include "engine/results/json_text.hpp"
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ auto first_after(const std::vector<Row>& rows, double time_s) {
 LaneReader::LaneReader(const Pane& pane, const Look& look)
     : index_(pane.run / results::journal_name),
       lane_(pane.lane),
-      header_(nlohmann::ordered_json::parse(index_.header_json())),
+      header_(results::read_json(index_.header_json(), pane.run / results::journal_name)),
       field_(*find_field(look.field)),
       moves_(look.magnification != 0) {}
 

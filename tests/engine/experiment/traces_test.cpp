@@ -95,11 +95,15 @@ TEST_F(TracesFile, NamesEachDefectWithItsLine) {
             "measured.csv:1: column 'gauge0_strain_yy': unknown unit 'banana' for a strain: use m/m, %, mm/m "
             "or um/m");
   EXPECT_EQ(said("time [us];load [N]\n0;1\n"),
-            "measured.csv:1: unknown column 'load': expected a header such as \"time [ms]\", and any of "
-            "grip_force [N], "
-            "gauge0_strain_yy [um/m], gauge0_strain_xx [um/m], gauge0_strain_xy [um/m]");
+            "measured.csv: holds nothing to compare with: it has 'load', the run 'grip_force', "
+            "'gauge0_strain_yy', 'gauge0_strain_xx', 'gauge0_strain_xy' and more");
+  EXPECT_EQ(said("time [us];gauge0_strain_yy;gauge7_strain_yy\n0;1;1\n"),
+            "measured.csv: the run has no 'gauge7_strain_yy'");
+  EXPECT_EQ(said("time [s];grip_force [N]\n1467394337;1\n1467394338;1\n").substr(0, 60),
+            "measured.csv:2: time 1467394337 s counts from a clock's epoc");
   EXPECT_EQ(said("time [us]\n0\n"), "measured.csv: holds nothing to compare with");
-  EXPECT_EQ(said("grip_force [N]\n0\n"), "measured.csv:1: the header has no column time [ms]");
+  EXPECT_EQ(said("grip_force [N]\n0\n"),
+            "measured.csv:1: the header has no column time [ms]: it has 'grip_force'");
   EXPECT_EQ(said("time [us];grip_force [N]\n0;nan\n"), "measured.csv:2: grip_force 'nan' is not finite");
 }
 

@@ -26,11 +26,29 @@ TEST(Contradictions, BetweenAlternativesNameBoth) {
             "x.toml:8: solver.dt = 1e-08: excludes solver.dt_fraction (line 9): give one of them\n");
 }
 
-TEST(Contradictions, HoldBetweenAnOverrideAndTheFile) {
-  EXPECT_EQ(complaints("[specimen]\nlayers = 2\n", {"specimen.thickness=2 mm"}),
-            "--set specimen.thickness=2 mm: excludes specimen.layers (line 2): give one of them\n");
-  EXPECT_EQ(complaints("[specimen]\nthickness = 0.002\n", {"specimen.layers=2"}),
-            "x.toml:2: specimen.thickness = 0.002: excludes specimen.layers (--set): give one of them\n");
+TEST(Contradictions, HoldBetweenTwoOverrides) {
+  EXPECT_EQ(with({"specimen.thickness=2 mm", "specimen.layers=2"}),
+            "--set specimen.thickness=2 mm: excludes specimen.layers (--set): give one of them\n");
+}
+
+TEST(Override, TakesThePlaceOfTheFilesRivalsAndSaysSo) {
+  const auto notes = [](const std::string& text, const std::vector<std::string>& overrides) {
+    const Preset preset = read_preset_text(text, "x.toml", overrides);
+    EXPECT_TRUE(preset.issues.empty()) << to_text(preset.issues.front());
+    return preset.notes;
+  };
+  using Notes = std::vector<std::string>;
+  EXPECT_EQ(notes("[specimen]\nlayers = 2\n", {"specimen.thickness=2 mm"}),
+            Notes{"--set specimen.thickness takes the place of specimen.layers = 2 (x.toml:2)"});
+  EXPECT_EQ(notes("[specimen]\nthickness = 0.002\n", {"specimen.layers=2"}),
+            Notes{"--set specimen.layers takes the place of specimen.thickness = 0.002 (x.toml:2)"});
+  EXPECT_EQ(notes("[crack]\nvelocity = \"0.5 c_r\"\nstart = \"1 mm\"\n",
+                  {"crack.history=[[0, 0.01], [1e-5, 0.014]]"}),
+            (Notes{"--set crack.history takes the place of crack.velocity = \"0.5 c_r\" (x.toml:2)",
+                   "--set crack.history takes the place of crack.start = \"1 mm\" (x.toml:3)"}));
+  EXPECT_EQ(notes("[loading]\nforce = \"20 kN\"\n", {"loading.displacement=2 mm"}),
+            Notes{"--set loading.displacement takes the place of loading.force = \"20 kN\" (x.toml:2)"});
+  EXPECT_EQ(notes("[crack]\nvelocity = \"0.5 c_r\"\n", {"crack.velocity=0.3 c_r"}), Notes{});
 }
 
 TEST(Contradictions, DoNotAriseFromDefaults) {

@@ -105,9 +105,27 @@ TEST(HostilePreset, MayHaveARulerOfDotsInAComment) {
 }
 
 TEST(HostilePreset, AboveTheSizeLimitIsAnIssue) {
-  const Preset preset = read_preset_text(std::string((1 << 20) + 1, '\n'), "x.toml");
+  const Preset preset = read_preset_text(std::string((8 << 20) + 1, '\n'), "x.toml");
   ASSERT_EQ(preset.issues.size(), 1u);
-  EXPECT_EQ(to_text(preset.issues[0]), "x.toml:1:1: larger than 1 MiB: not a preset");
+  EXPECT_EQ(to_text(preset.issues[0]), "x.toml:1:1: larger than 8 MiB: not a preset");
+}
+
+TEST(HostilePreset, OfEightyThousandUnknownKeysIsAnsweredInAFewLines) {
+  std::string text = "[crack]\n";
+  for (int k = 0; k < 80000; ++k) text += fmt::format("velocity_{} = 1\n", k);
+  const InputError error(read_preset_text(text, "x.toml").issues);
+  const std::string what = error.what();
+  EXPECT_EQ(std::count(what.begin(), what.end(), '\n'), 20);
+  EXPECT_TRUE(what.ends_with("\nand 79980 more")) << what;
+}
+
+TEST(HostilePreset, InAnotherEncodingIsNamedForWhatItIs) {
+  EXPECT_EQ(to_text(read_preset_text(std::string("\xFF\xFE[\0a\0", 6), "x.toml").issues.at(0)),
+            "x.toml:1:1: the file is UTF-16: save it as UTF-8 (in Excel: \"CSV UTF-8\")");
+  EXPECT_EQ(
+      to_text(read_preset_text("[crack]\nend = \"4 \xB5m\"\n", "x.toml").issues.at(0)),
+      "x.toml:2:1: the byte 0xB5 is no UTF-8, in Windows-1252 'µ': the file is of another encoding, save it "
+      "as UTF-8 (in Excel: \"CSV UTF-8\")");
 }
 
 TEST(HostilePreset, WithLongNamesAndValuesIsQuotedShort) {

@@ -122,6 +122,19 @@ TEST(PresetErrors, OfSyntaxHaveLineAndColumn) {
       << to_text(preset.issues[0]);
 }
 
+TEST(PresetErrors, SayThatDecimalsHaveAPoint) {
+  EXPECT_EQ(
+      complaints("[specimen]\nlength = \"60,5 mm\"\n[crack]\nvelocity = \"0,5 c_r\"\npath = \"0,5 H\"\n",
+                 {"solver.beta=0,5", "material.young_modulus=3,2 GPa"}),
+      "x.toml:2: specimen.length = \"60,5 mm\": decimals have a point, as in \"60.5 mm\"\n"
+      "x.toml:4: crack.velocity = \"0,5 c_r\": decimals have a point, as in \"0.5 c_r\"\n"
+      "x.toml:5: crack.path = \"0,5 H\": decimals have a point, as in \"0.5 H\"\n"
+      "--set solver.beta=0,5: expected a number, got text: decimals have a point\n"
+      "--set material.young_modulus=3,2 GPa: decimals have a point, as in \"3.2 GPa\"\n");
+  const std::string bare = complaints("[solver]\nbeta = 0,5\n");
+  EXPECT_TRUE(bare.ends_with(": decimals have a point\n")) << bare;
+}
+
 TEST(PresetErrors, IncludeDuplicateKeys) {
   const Preset preset = read_preset_text("[specimen]\nseed = 1\nseed = 2\n", "x.toml");
   ASSERT_EQ(preset.issues.size(), 1u);
@@ -154,7 +167,7 @@ TEST(PresetFile, ThatIsMissingOrNoFileIsAnIssue) {
   EXPECT_EQ(texts(read_preset(missing, {"solver.beta=2"})),
             missing.string() + ": no such file\n--set solver.beta=2: must lie in (0, 1]\n");
   EXPECT_EQ(texts(read_preset(folder)), folder.string() + ": is a directory\n");
-  EXPECT_EQ(texts(read_preset("/dev/zero")), "/dev/zero:1:1: larger than 1 MiB: not a preset\n");
+  EXPECT_EQ(texts(read_preset("/dev/zero")), "/dev/zero:1:1: larger than 8 MiB: not a preset\n");
 }
 
 TEST(PresetFile, ThatCannotBeReadIsAnIssue) {
