@@ -238,6 +238,8 @@ class Verifier {
       table(gauges_name, readings, fs::exists(gauges) && read_whole_file(gauges) == readings);
     }
     const auto expected = json_or_discarded(*scan_->summary_json);
+    if (expected.is_discarded())
+      return found(summary_name, Found::damaged, "the journal's summary is no JSON that can be read");
     const auto there =
         fs::exists(summary) ? json_or_discarded(read_whole_file(summary)) : nlohmann::ordered_json();
     table(summary_name, expected.dump(2) + "\n", there == expected);

@@ -15,7 +15,7 @@ constexpr std::string_view opening = R"(# Parameters
 
 A preset is a TOML file with the tables below; a key that is not there has its default.
 Any key can be set on the command line by its full name: `--set crack.velocity='0.3 c_r'`.
-`--set` replaces what the preset says of that key, and only that: `--set specimen.thickness='3 mm'` on a preset with `layers` is a contradiction.
+`--set` replaces what the preset says of that key and of the keys that it excludes, with a note: `--set specimen.thickness='3 mm'` on a preset with `layers` takes their place.
 `rift run PRESET --print-config` prints the effective preset.
 
 Quantities are numbers in SI units or text with a unit:
@@ -28,7 +28,7 @@ constexpr std::string_view crack_words = R"(
 The velocity of the crack always carries its unit, `c_r` (the Rayleigh speed) or a unit of speed; a bare number is an error.
 The path is straight at a height, a fraction of it (`"0.5 H"`) or a length; or goes through points, a list `[["0 mm", "20 mm"], ["80 mm", "30 mm"]]` or a CSV file.
 
-`history`, `path`, `toughness` and `loading.curve` take a list of rows or the name of a CSV file, which is found from the preset's folder (`--set`: from where you are). Its header names columns and units, columns are parted by semicolons, tabs or commas, lines that begin with `#` are comments:
+`history`, `path`, `toughness` and `loading.curve` take a list of rows or the name of a CSV file, which is found from the preset's folder (`--set`: from where you are). Its header names columns and units:
 
 | key | columns |
 |---|---|
@@ -37,7 +37,9 @@ The path is straight at a height, a fraction of it (`"0.5 H"`) or a length; or g
 | `toughness` | `velocity` (`c_r` or a speed) or `position`, and `release_rate` |
 | `loading.curve` | `time`, and `displacement` or `force` |
 
-The effective preset of a run holds the rows themselves. Nothing is sorted, filled in or dropped: each defect is an error that names file and line.
+Files are read as spreadsheets, cameras and instruments write them: UTF-8 with or without a byte order mark, lines ended as on Unix or Windows, columns parted by semicolons, tabs, commas or bars (or as a first line `sep=;` says), cells in quotes, separators at the end of lines. Names are read in capitals and small letters; a unit stands in brackets (`Time [us]`, `time (us)`), behind a slash (`t / µs`), behind an underscore (`time_us`), or in the row below. Up to 100 lines before the header, columns beside, lines that begin with `#` and rows without anything in them are left out. Decimals have a point, and times count from near 0: a decimal comma, a time of day, a clock's time stamp and another encoding are named once, with what to do. A file holds at most 64 MiB and 100,000 rows (a path 10,000; a curve of `rift measure --against` 1,000,000).
+
+The effective preset of a run holds the rows themselves. Nothing is sorted, filled in or dropped: each defect is an error that names file and line; frames that seem to be missing, and a path that crosses itself, are noted.
 )";
 
 constexpr std::string_view scenario_words = R"(

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.."
 runs=${1:-20000}
 shift || true
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(preset crack_history journal archive checkpoint)
+[ ${#targets[@]} -gt 0 ] || targets=(preset crack_history measured_curve journal archive checkpoint study_result)
 folder=build/fuzz
 [ "${SANITIZE-address,undefined}" ] || folder=build/fuzz_plain
 cmake --preset fuzz -B "$folder" -DRIFT_SANITIZE="${SANITIZE-address,undefined}" >/dev/null

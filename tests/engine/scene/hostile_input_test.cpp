@@ -110,13 +110,13 @@ TEST(HostilePreset, AboveTheSizeLimitIsAnIssue) {
   EXPECT_EQ(to_text(preset.issues[0]), "x.toml:1:1: larger than 8 MiB: not a preset");
 }
 
-TEST(HostilePreset, OfEightyThousandUnknownKeysIsAnsweredInAFewLines) {
+TEST(HostilePreset, OfTwentyThousandUnknownKeysIsAnsweredInAFewLines) {
   std::string text = "[crack]\n";
-  for (int k = 0; k < 80000; ++k) text += fmt::format("velocity_{} = 1\n", k);
+  for (int k = 0; k < 20000; ++k) text += fmt::format("velocity_{} = 1\n", k);
   const InputError error(read_preset_text(text, "x.toml").issues);
   const std::string what = error.what();
   EXPECT_EQ(std::count(what.begin(), what.end(), '\n'), 20);
-  EXPECT_TRUE(what.ends_with("\nand 79980 more")) << what;
+  EXPECT_TRUE(what.ends_with("\nand 19980 more")) << what;
 }
 
 TEST(HostilePreset, InAnotherEncodingIsNamedForWhatItIs) {

@@ -13,7 +13,7 @@ namespace {
 
 /// The notes on a history of a row every 5 us from 10 mm on, without the rows named.
 std::vector<std::string> notes_without(const std::set<int>& missing, int rows = 40) {
-  std::string text = "[specimen]\nlength = \"100 mm\"\n[crack]\nhistory = [";
+  std::string text = "[specimen]\nlength = \"100 mm\"\n[crack]\nsmoothing = \"none\"\nhistory = [";
   for (int k = 0; k < rows; ++k)
     if (!missing.contains(k)) text += fmt::format("[\"{} us\", \"{} mm\"],\n", 5 * k, 10 + k);
   const Preset preset = read_preset_text(text + "]\n", "x.toml");

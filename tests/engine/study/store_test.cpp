@@ -1,0 +1,29 @@
+#include "engine/study/store.hpp"
+
+#include "tests/studio/run_rift.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rift {
+namespace {
+
+using studio::TemporaryFolder;
+using studio::write_text;
+
+TEST(StudyResult, ThatNestsDeepCountsAsAbsentWithANote) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "runs");
+  const std::filesystem::path file = result_file(folder.path(), "key");
+  write_text(file,
+             "{\"key\": \"key\", \"scenario\": " + std::string(100000, '[') + std::string(100000, ']') + "}");
+  std::vector<std::string> notes;
+  EXPECT_FALSE(read_result(folder.path(), "key", notes));
+  EXPECT_EQ(notes, std::vector<std::string>{file.string() + ": damaged, computed again"});
+}
+
+}  // namespace
+}  // namespace rift

@@ -1,0 +1,38 @@
+#include "engine/experiment/traces.hpp"
+#include "engine/scene/csv_table.hpp"
+#include "engine/scene/issue.hpp"
+#include "tests/fuzz/bytes.hpp"
+#include "tests/fuzz/memory_file.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+// A file of measured curves: what has no problem is a table of finite numbers, whose columns are all as long
+// as its rows; as curves to lay over a run, only InputError may leave.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace rift;
+  const std::string_view text = fuzz::bytes_of(data, size).left;
+  constexpr std::array columns{CsvColumn{"time", Dimension::time, CsvNeed::needed, "t"},
+                               CsvColumn{"displacement", Dimension::length, CsvNeed::one_of},
+                               CsvColumn{"force", Dimension::force, CsvNeed::one_of},
+                               CsvColumn{"velocity", Dimension::speed, CsvNeed::optional, {}, "c_r"}};
+  const CsvTable table = read_csv(text, columns);
+  for (const CsvProblem& problem : table.problems)
+    if (problem.line < 1 || problem.text.empty()) std::abort();
+  if (table.problems.empty())
+    for (const std::vector<double>& column : table.column) {
+      if (!column.empty() && column.size() != table.line.size()) std::abort();
+      for (const double number : column)
+        if (!std::isfinite(number)) std::abort();
+    }
+  static fuzz::MemoryFile file;
+  try {
+    for (const Trace& trace : read_traces(
+             file.holding(text),
+             {{"grip_force", Dimension::force, {}, {}}, {"gauge0_strain_yy", Dimension::strain, {}, {}}}))
+      if (trace.time.size() != trace.value.size()) std::abort();
+  } catch (const InputError&) {
+  }
+  return 0;
+}
