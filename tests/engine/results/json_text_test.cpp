@@ -1,7 +1,7 @@
 #include "engine/results/json_text.hpp"
 
+#include "engine/results/archive.hpp"
 #include "engine/results/journal.hpp"
-#include "engine/results/run_folder.hpp"
 #include "engine/results/verify.hpp"
 #include "engine/results/world_error.hpp"
 #include "tests/engine/results/small_run.hpp"
