@@ -2,6 +2,7 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
+#include "engine/results/json_text.hpp"
 #include "engine/results/journal_scan.hpp"
 #include "engine/results/world_error.hpp"
 
@@ -96,7 +97,7 @@ void complete_folder(const std::filesystem::path& folder, const std::function<vo
   if (!scan.gauges.empty()) write_whole_file(folder / gauges_name, gauges_csv(scan.gauges));
   assemble_archive(folder);
   if (check) check();
-  const auto summary = nlohmann::ordered_json::parse(*scan.summary_json);
+  const auto summary = read_json(*scan.summary_json, folder / journal_name);
   write_whole_file(folder / summary_name, json_text(summary, 2) + "\n");
 }
 

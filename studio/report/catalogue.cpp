@@ -3,6 +3,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/json_text.hpp"
+#include "engine/study/store.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -55,7 +56,7 @@ void read_outcome(RunEntry& entry, const Json& summary) {
 /// "12 of 30" scenarios, by their files alone.
 std::string computed_of_study(const fs::path& folder) {
   try {
-    const Json manifest = Json::parse(results::read_whole_file(folder / study_name));
+    const Json manifest = results::read_json(results::read_whole_file(folder / study_name), folder / study_name);
     const Json& scenarios = manifest.at("scenarios");
     const auto there = std::count_if(scenarios.begin(), scenarios.end(), [&](const Json& scenario) {
       return fs::exists(folder / scenario.at("file").get<std::string>());
