@@ -3,11 +3,11 @@
 #include "engine/scene/issue.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/common.hpp"
+#include "studio/commands/stop_signal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -46,7 +46,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that has reached its limit is a write that fails
+  rift::studio::let_large_writes_fail();
   ExitCode code = ExitCode::done;
   try {
     code = run(argc, argv);

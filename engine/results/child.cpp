@@ -34,8 +34,19 @@ void write_all(int descriptor, const std::string& text) {
   }
 }
 
+/// Signals do again what they do by default, but for those that are ignored: what handles them is of the
+/// parent.
+void forget_handlers() {
+  for (int number = 1; number < NSIG; ++number) {
+    struct sigaction now {};
+    if (sigaction(number, nullptr, &now) == 0 && now.sa_handler != SIG_IGN && now.sa_handler != SIG_DFL)
+      std::signal(number, SIG_DFL);
+  }
+  std::signal(SIGALRM, SIG_DFL);
+}
+
 [[noreturn]] void be_the_child(const std::function<std::string()>& work, unsigned seconds, int out) {
-  for (const int signal : {SIGALRM, SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGABRT}) std::signal(signal, SIG_DFL);
+  forget_handlers();
   const rlimit memory{memory_now() + more_memory, memory_now() + more_memory}, no_core{0, 0};
   (void)setrlimit(RLIMIT_AS, &memory);
   (void)setrlimit(RLIMIT_CORE, &no_core);

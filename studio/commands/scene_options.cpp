@@ -5,17 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <csignal>
-
 namespace rift::studio {
-namespace {
-
-volatile std::sig_atomic_t stop_signal = 0;
-
-void note_signal(int number) { stop_signal = number; }
-
-}  // namespace
-
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("preset", options.preset, "A preset file, or the name of one that 'rift list' shows")
       ->required();
@@ -25,7 +15,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
       ->allow_extra_args(false);
   command
       .add_option("--threads", options.threads,
-                  "Threads (default: one per core); the results do not depend on it")
+                  "Threads (default: one per CPU that this process may use); the results do not depend on it")
       ->check(CLI::Range(1, 1024));
   command.add_flag("--quiet", options.quiet, "No progress on stderr");
   command.add_flag("--json", options.json, "Progress as JSON lines on stderr, the result as JSON on stdout");
@@ -62,28 +52,6 @@ Cache cache_for(const SceneOptions& options) { return options.no_cache ? Cache{}
 
 void print_notes(const Cache& cache) {
   for (const std::string& note : cache.notes) fmt::print(stderr, "cache: {}\n", note);
-}
-
-StopSignal::StopSignal(std::optional<double> budget) {
-  if (budget)
-    until_ =
-        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                               std::chrono::duration<double>(*budget));
-  stop_signal = 0;
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
-  std::signal(SIGHUP, note_signal);
-}
-
-StopSignal::~StopSignal() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-  std::signal(SIGHUP, SIG_DFL);
-}
-
-int StopSignal::received() const {
-  if (stop_signal != 0) return stop_signal;
-  return until_ && std::chrono::steady_clock::now() >= *until_ ? time_is_up : 0;
 }
 
 }  // namespace rift::studio

@@ -2,12 +2,11 @@
 
 #include "engine/cache.hpp"
 #include "engine/scene/preset.hpp"
+#include "studio/commands/stop_signal.hpp"
 #include "studio/report/progress.hpp"
 
 #include <CLI/App.hpp>
 
-#include <chrono>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,7 @@ struct SceneOptions {
   std::vector<std::string> overrides;
   bool quiet = false, json = false, no_cache = false, print_config = false;
   std::string color;
-  int threads = 0;  // 0 for one per core
+  int threads = 0;  // 0 for one per available CPU
 };
 
 void add_scene_options(CLI::App& command, SceneOptions& options);
@@ -45,21 +44,5 @@ Cache cache_for(const SceneOptions& options);
 
 /// What the cache has to say, on stderr.
 void print_notes(const Cache& cache);
-
-/// SIGINT, SIGTERM and SIGHUP no longer kill, but set a flag that long work looks at; a time that is up
-/// counts as one. Lives as long as the command.
-class StopSignal {
- public:
-  /// @param budget  [s] from now, none for ever
-  explicit StopSignal(std::optional<double> budget = {});
-  ~StopSignal();
-  StopSignal(const StopSignal&) = delete;
-  StopSignal& operator=(const StopSignal&) = delete;
-  static constexpr int time_is_up = -1;
-  int received() const;  // the signal's number, 0 for none
-
- private:
-  std::optional<std::chrono::steady_clock::time_point> until_;
-};
 
 }  // namespace rift::studio

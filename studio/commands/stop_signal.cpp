@@ -1,0 +1,52 @@
+#include "studio/commands/stop_signal.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+
+namespace rift::studio {
+namespace {
+
+constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ};
+
+volatile std::sig_atomic_t stop_signal = 0;
+std::array<struct sigaction, stop_signals.size()> actions_before;
+
+void note_signal(int number, siginfo_t* info, void*) {
+  const bool own_write_too_large = number == SIGXFSZ && info->si_pid == getpid();  // the write itself fails
+  if (!own_write_too_large) stop_signal = number;
+}
+
+}  // namespace
+
+StopSignal::StopSignal(std::optional<double> budget) {
+  if (budget)
+    until_ =
+        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                               std::chrono::duration<double>(*budget));
+  stop_signal = 0;
+  struct sigaction action {};
+  action.sa_sigaction = note_signal;
+  action.sa_flags = SA_SIGINFO | SA_RESTART;
+  for (std::size_t k = 0; k < stop_signals.size(); ++k) {
+    sigaction(stop_signals[k], nullptr, &actions_before[k]);
+    const bool hang_up_ignored = stop_signals[k] == SIGHUP && actions_before[k].sa_handler == SIG_IGN;
+    if (!hang_up_ignored) sigaction(stop_signals[k], &action, nullptr);
+  }
+}
+
+StopSignal::~StopSignal() {
+  for (std::size_t k = 0; k < stop_signals.size(); ++k)
+    sigaction(stop_signals[k], &actions_before[k], nullptr);
+}
+
+int StopSignal::received() const {
+  if (stop_signal != 0) return stop_signal;
+  return until_ && std::chrono::steady_clock::now() >= *until_ ? time_is_up : 0;
+}
+
+void let_large_writes_fail() { std::signal(SIGXFSZ, SIG_IGN); }
+
+}  // namespace rift::studio

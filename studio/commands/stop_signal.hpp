@@ -1,0 +1,30 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+namespace rift::studio {
+
+/// The signals by which a user, a terminal or a batch system asks for an end (SIGINT, SIGTERM, SIGHUP,
+/// SIGUSR1, SIGUSR2, SIGXCPU, and SIGXFSZ from another process) no longer kill, but set a flag that long work
+/// looks at; a time that is up counts as one. A SIGHUP that is ignored, as under nohup, stays ignored. Lives
+/// as long as the command.
+class StopSignal {
+ public:
+  /// @param budget  [s] from now, none for ever
+  explicit StopSignal(std::optional<double> budget = {});
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+  static constexpr int time_is_up = -1;
+  int received() const;  // the signal's number, 0 for none
+
+ private:
+  std::optional<std::chrono::steady_clock::time_point> until_;
+};
+
+/// A write beyond the largest size of a file (`ulimit -f`) fails with EFBIG, as on a full disk, and no longer
+/// kills the process. For the whole program, from its start.
+void let_large_writes_fail();
+
+}  // namespace rift::studio
