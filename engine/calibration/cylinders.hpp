@@ -42,7 +42,7 @@ struct CylinderResult {
 /// Presses all cylinders statically   [paper, appendix]. What the cache holds is not computed again; several
 /// cylinders are pressed at once, one a thread, the largest first. Results in the order of the tests, the
 /// same whatever the threads. Throws PackingError, StaticsError or Interrupted.
-/// @param[in] threads  0 for one per core
+/// @param[in] threads  0 for one per available CPU
 std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, Cache& cache,
                                             const CalibrationProgress& progress = {}, int threads = 0);
 

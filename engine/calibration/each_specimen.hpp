@@ -2,6 +2,7 @@
 
 #include "engine/cache.hpp"
 #include "engine/calibration/side_by_side.hpp"
+#include "engine/process_limits.hpp"
 
 namespace rift {
 
@@ -13,7 +14,7 @@ auto each_specimen(const std::vector<Test>& tests, Cache& cache, const Calibrati
                    int threads, const ResultOf& result_of) {
   std::vector<double> work;
   for (const Test& test : tests) work.push_back(test.packing.elements);
-  std::vector<Cache> caches(number_of_threads(threads), Cache{cache.folder, {}});
+  std::vector<Cache> caches(threads_or_all_cpus(threads), Cache{cache.folder, {}});
   std::vector<decltype(result_of(tests.front(), cache, progress))> results(tests.size());
   side_by_side(work, threads, progress, [&](std::size_t k, int thread, const CalibrationProgress& tell) {
     results[k] = result_of(tests[k], caches[thread], tell);

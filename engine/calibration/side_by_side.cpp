@@ -1,5 +1,7 @@
 #include "engine/calibration/side_by_side.hpp"
 
+#include "engine/process_limits.hpp"
+
 #include <algorithm>
 #include <exception>
 #include <mutex>
@@ -49,10 +51,6 @@ class Bench {
 
 }  // namespace
 
-int number_of_threads(int threads) {
-  return threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
-
 void side_by_side(const std::vector<double>& work, int threads, const CalibrationProgress& progress,
                   const std::function<void(std::size_t, int, const CalibrationProgress&)>& task) {
   Bench bench(work, progress);
@@ -65,7 +63,7 @@ void side_by_side(const std::vector<double>& work, int threads, const Calibratio
   };
   {
     std::vector<std::jthread> helpers;
-    for (int thread = 1; thread < number_of_threads(threads); ++thread)
+    for (int thread = 1; thread < threads_or_all_cpus(threads); ++thread)
       helpers.emplace_back(work_off, thread);
     work_off(0);
   }

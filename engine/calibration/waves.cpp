@@ -3,6 +3,7 @@
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/fracture/crack_path.hpp"
 #include "engine/interrupted.hpp"
+#include "engine/process_limits.hpp"
 
 #include <Eigen/Dense>
 
@@ -135,7 +136,7 @@ std::vector<Swing> watch(const Lattice& plate, double dt, double duration, std::
   constexpr int stride = 4;
   const CrackPath below = straight_path(plate.box.length, -plate.box.height);  // no crack
   Ensemble<double> ensemble(plate, below, -1.0, dt, std::vector<LaneScenario>(throws.size()),
-                            {.threads = number_of_threads(threads)});
+                            {.threads = threads_or_all_cpus(threads)});
   ensemble.start_from(std::vector<Vector6>(plate.centre.size(), Vector6::Zero()));
   for (std::size_t k = 0; k < throws.size(); ++k)
     ensemble.throw_lane(static_cast<int>(k), throws[k].velocity);

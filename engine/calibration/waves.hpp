@@ -25,7 +25,7 @@ struct Wave {
 /// those that do not swing for three quarters of a period, are left out.
 /// @param[in] dt        [s], a stable step
 /// @param[in] expected  [m/s], of the plate's material: where to look, and the field of the Rayleigh wave
-/// @param[in] threads   0 for one per core
+/// @param[in] threads   0 for one per available CPU
 /// Cost of some hundred steps for eight waves at once. Throws Interrupted.
 std::vector<Wave> measured_waves(const Lattice& plate, double dt, const theory::WaveSpeeds& expected,
                                  int threads = 0, const CalibrationProgress& progress = {});

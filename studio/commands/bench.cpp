@@ -1,6 +1,8 @@
 #include "engine/ensemble/benchmark.hpp"
+#include "engine/process_limits.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/run_ending.hpp"
 #include "studio/report/progress.hpp"
 
 #include <CLI/CLI.hpp>
@@ -9,7 +11,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <thread>
 
 namespace rift::studio {
 namespace {
@@ -86,10 +87,12 @@ Cases needs_cases(const BenchOptions& options, int threads) {
   return cases;
 }
 
-std::vector<BenchResult> time_all(const Cases& cases, const BenchOptions& options) {
+/// All of them, or those before a stop.
+std::vector<BenchResult> time_all(const Cases& cases, const BenchOptions& options, const StopSignal& stop) {
   ProgressLine line(progress_style(options.quiet, options.json));
   std::vector<BenchResult> results;
   for (const BenchCase& c : cases) {
+    if (stop.received() != 0) break;
     line.tell("bench", static_cast<double>(results.size()) / static_cast<double>(cases.size()));
     results.push_back(time_case(c, options.runs, options.seconds));
   }
@@ -156,7 +159,7 @@ struct PrecisionError {
   double ratio_double = 0, ratio_single = 0, residual_double = 0, residual_single = 0;
 };
 
-PrecisionError precision_error(const std::string& kinematics, int threads) {
+PrecisionError precision_error(const std::string& kinematics, int threads, const StopSignal& stop) {
   PrecisionError error{.kinematics = kinematics};
   for (const std::string precision : {"double", "single"}) {
     const Preset preset = read_preset_text(
@@ -165,7 +168,9 @@ PrecisionError precision_error(const std::string& kinematics, int threads) {
          "output.samples=100", "solver.kinematics=" + kinematics, "solver.precision=" + precision});
     Cache cache = user_cache();
     const Prepared prepared = prepare(preset, cache);
-    const RunResult result = march(prepared, {}, {.threads = threads});
+    const RunResult result = march(prepared, {.go_on = [&](const Progress&) { return stop.received() == 0; }},
+                                   {.threads = threads});
+    if (result.outcome == Outcome::stopped) return error;
     const bool single = precision == "single";
     (single ? error.ratio_single : error.ratio_double) = rates_of(prepared, result).plateau.mean.ratio;
     (single ? error.residual_single : error.residual_double) = result.lane[0].worst_residual;
@@ -190,17 +195,21 @@ void print_precision(const PrecisionError& e) {
 }
 
 ExitCode bench(const BenchOptions& options) {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  const int threads = options.threads > 0 ? options.threads : std::max(1, cores);
+  const int threads = threads_or_all_cpus(options.threads);
+  const StopSignal stop;
   const MachinePeaks alone = machine_peaks(instruction_set(), 1),
                      together = machine_peaks(instruction_set(), threads);
   const auto peaks_of = [&](const BenchResult& r) { return r.of.threads == 1 ? alone : together; };
   const std::vector<BenchResult> results =
-      time_all(options.needs ? needs_cases(options, threads) : kernel_cases(options, threads), options);
+      time_all(options.needs ? needs_cases(options, threads) : kernel_cases(options, threads), options, stop);
   std::vector<PrecisionError> errors;
   if (!options.needs)
     for (const char* kinematics : {"linear", "corotational"})
-      errors.push_back(precision_error(kinematics, threads));
+      if (stop.received() == 0) errors.push_back(precision_error(kinematics, threads, stop));
+  if (stop.received() != 0) {
+    fmt::print(stderr, "rift bench: stopped; nothing was kept\n");
+    return stopped_by(stop);
+  }
   if (options.json) {
     Json precision = Json::array();
     for (const PrecisionError& e : errors) precision.push_back(json_of(e));
@@ -240,7 +249,9 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
   command.add_option("--elements", options->elements, "Sizes, such as 5000,20000,80000,320000")
       ->delimiter(',')
       ->check(CLI::Range(1000, 2'000'000));
-  command.add_option("--threads", options->threads, "Threads beside one (default: one per core)")
+  command
+      .add_option("--threads", options->threads,
+                  "Threads beside one (default: one per CPU that this process may use)")
       ->check(CLI::Range(1, 1024));
   command.add_option("--runs", options->runs, "Runs of each kernel")->check(CLI::Range(1, 1000));
   command.add_option("--seconds", options->seconds, "Length of a run")->check(CLI::Range(0.001, 100.0));

@@ -329,7 +329,7 @@ void add_reproduce(CLI::App& app, ExitCode& exit_code) {
       ->capture_default_str();
   command
       .add_option("--threads", options->threads,
-                  "Threads (default: one per core); the results do not depend on it")
+                  "Threads (default: one per CPU that this process may use); the results do not depend on it")
       ->check(CLI::Range(1, 1024));
   command.add_flag("--no-cache", options->no_cache,
                    "Neither read nor write the cache of packings and pre-stresses");

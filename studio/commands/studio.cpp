@@ -54,7 +54,8 @@ void add_studio(CLI::App& app, ExitCode& exit_code) {
       .add_option("--lesson", options->lesson,
                   "A guided lesson with a live run: node-release, damping, velocity")
       ->excludes(preset);
-  command.add_option("--threads", options->threads, "Threads (default: one per core)")
+  command
+      .add_option("--threads", options->threads, "Threads (default: one per CPU that this process may use)")
       ->check(CLI::Range(1, 1024));
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = open_studio(*options); });

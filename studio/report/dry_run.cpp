@@ -1,5 +1,6 @@
 #include "studio/report/dry_run.hpp"
 
+#include "engine/process_limits.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
 #include "engine/simulation/march.hpp"
@@ -110,6 +111,7 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["wall_estimate_s"] = seconds_per_step * static_cast<double>(steps_of_all(p));
   j["disk_estimate_bytes"] = disk_bytes(p);
   j["memory_estimate_bytes"] = peak_memory_bytes();
+  j["memory_available_bytes"] = available_memory_bytes();
   j["left_out"] = left_out(lane.scene);
   return j;
 }
@@ -164,9 +166,10 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
                                ? std::string()
                                : fmt::format(", {:.1f} for a beam to soften", number("steps_per_beam"))));
   row("cost",
-      fmt::format("about {} after packing and pre-stress, {:.0f} MB of memory, {:.0f} MB on disk at most",
-                  duration_text(number("wall_estimate_s")), 1e-6 * number("memory_estimate_bytes"),
-                  1e-6 * number("disk_estimate_bytes")));
+      fmt::format(
+          "about {} after packing and pre-stress, {:.0f} of {:.0f} MB of memory, {:.0f} MB on disk at most",
+          duration_text(number("wall_estimate_s")), 1e-6 * number("memory_estimate_bytes"),
+          1e-6 * number("memory_available_bytes"), 1e-6 * number("disk_estimate_bytes")));
   const char* label = "left out";
   for (const auto& line : j.at("left_out")) row(label, line.get<std::string>()), label = "";
   return rows;
