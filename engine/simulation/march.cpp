@@ -1,5 +1,6 @@
 #include "engine/simulation/march.hpp"
 
+#include "engine/process_limits.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/frame.hpp"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <thread>
 
 namespace rift {
 namespace {
@@ -42,7 +42,7 @@ RunResult Run<Real>::march(const Resumption* from) {
   if (from)
     go_on(*from);
   else
-    start_cracks();
+    begin();
   while (busy() || waiting()) {
     if (waiting() && (!busy() || marched_ % between_refills == 0)) refill();
     if (!prepared_.preset.steering.empty()) repeat_changes();
@@ -51,7 +51,9 @@ RunResult Run<Real>::march(const Resumption* from) {
     for (Seat& seat : seat_)
       if (seat.scenario >= 0 && ended(seat)) end(seat);
   }
-  result_.wall_fracture_s = seconds_since(crack_started_) - waited_;
+  result_.wall_fracture_s = marching_s();
+  if (observer_.checkpoint && !stopped_)
+    observer_.checkpoint([this] { return checkpoint(); }, CheckpointMoment::at_end);
   if (std::any_of(result_.lane.begin(), result_.lane.end(),
                   [](const LaneResult& lane) { return !lane.changes.empty(); }))
     result_.steered = std::move(lane_);
@@ -61,8 +63,6 @@ RunResult Run<Real>::march(const Resumption* from) {
 
 template <class Real>
 Ensemble<Real> Run<Real>::make_ensemble(const Prepared& p, const MarchOptions& options) {
-  const int threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
   const int most = most_side_by_side<Real>(p, options.lanes);
   std::vector<LaneScenario> first;
   for (const LanePlan& lane : p.lane)
@@ -71,7 +71,7 @@ Ensemble<Real> Run<Real>::make_ensemble(const Prepared& p, const MarchOptions& o
                                     [](const LanePlan& lane) { return lane.scenario.friction.has_value(); });
   return Ensemble<Real>(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, first,
                         {.kinematics = p.preset.scene.solver.kinematics,
-                         .threads = std::max(1, threads),
+                         .threads = threads_or_all_cpus(options.threads),
                          .lanes = options.lanes > 0 ? lanes_for<Real>(options.lanes) : 0,
                          .contact = touching});
 }
@@ -101,15 +101,24 @@ void Run<Real>::follow_load() {
 }
 
 template <class Real>
+void Run<Real>::begin() {
+  if (ramp() > 0) {
+    ensemble_.set_beta(scene().loading.ramp_beta);
+    ensemble_.set_grip_speed(prepared_.pulled / (static_cast<double>(ramp()) * ensemble_.dt()));
+    for (Seat& seat : seat_) observe(seat);
+    pull();
+  }
+  start_cracks();
+}
+
+template <class Real>
 void Run<Real>::start_cracks() {
-  if (ramp() > 0) pull();
-  crack_started_ = Clock::now();
+  start_clock(0.0);
   damped_ = prepared_.damped.size();
   ensemble_.set_beta(scene().solver.beta);
   ensemble_.start_crack(prepared_.damped);
   for (Seat& seat : seat_) {
     if (seat.scenario < 0) continue;
-    seat.since = crack_started_;
     lane_of(seat).energy_at_crack_start = elastic_energy(seat);
     if (ramp() == 0) observe(seat);
   }
@@ -119,8 +128,8 @@ template <class Real>
 void Run<Real>::end(Seat& seat) {
   LaneResult& lane = lane_of(seat);
   lane.steps = steps(seat);
-  lane.wall_s = (seconds_since(seat.since) - waited_) / static_cast<double>(seat_.size());
-  result_.wall_fracture_s = seconds_since(crack_started_) - waited_;
+  lane.wall_s = (marching_s() - seat.since_s) / static_cast<double>(seat_.size());
+  result_.wall_fracture_s = marching_s();
   if (lane.outcome == Outcome::finished) lane.wake = wake(seat);
   tell_end(seat);
   seat.scenario = -1;
@@ -130,7 +139,7 @@ template <class Real>
 void Run<Real>::refill() {
   for (Seat& seat : seat_) {
     if (seat.scenario >= 0 || !waiting()) continue;
-    seat = {.scenario = next_scenario_++};
+    seat = {.scenario = next_scenario_++, .since_s = marching_s()};
     ensemble_.refill(index(seat), plan(seat).scenario);
     lane_of(seat).energy_at_crack_start = elastic_energy(seat);
     observe(seat);
@@ -239,15 +248,12 @@ void Run<Real>::report_released() {
 
 template <class Real>
 void Run<Real>::pull() {
-  ensemble_.set_beta(scene().loading.ramp_beta);
-  ensemble_.set_grip_speed(prepared_.pulled / (static_cast<double>(ramp()) * ensemble_.dt()));
-  for (Seat& seat : seat_) observe(seat);
-  for (std::int64_t n = 0; n < crack_start() && !stopped_ && any_sound(); ++n) {
-    if (n == ramp()) ensemble_.set_grip_speed(0.0);
+  while (marched_ < crack_start() && !stopped_ && any_sound()) {
+    if (marched_ == ramp()) ensemble_.set_grip_speed(0.0);
     step();
   }
   ensemble_.set_grip_speed(0.0);
-  result_.wall_prestress_s = seconds_since(started_);
+  result_.wall_prestress_s = marching_s();
   for (Seat& seat : seat_) judge_rest(seat);
 }
 

@@ -40,6 +40,8 @@ struct Orders {
   std::int64_t steps = 0;            // asked again after so many steps; 0: after a twentieth of a second
 };
 
+enum class CheckpointMoment { on_the_way, before_stop, at_end };
+
 /// Called while a run marches; any of them may be empty. One way only, but for the answers of go_on and
 /// steer.
 struct Observer {
@@ -51,9 +53,11 @@ struct Observer {
   /// A scenario has come to its end, or a stop; the result holds it and, so far, the times of the run.
   std::function<void(int scenario, const RunResult& so_far)> ended = {};
   std::function<Orders(const Moment&)> steer = {};
-  /// Offered a few times a second while cracks run, and last of all before a stop: makes a checkpoint for who
-  /// wants one (its journal_bytes are the caller's). Cost of making one: a copy of the state.
-  std::function<void(const std::function<results::Checkpoint()>& make, bool stopping)> checkpoint = {};
+  /// Offered a few times a second, before a stop, and at the end where every scenario has come to its own:
+  /// makes a checkpoint for who wants one (its journal_bytes are the caller's). Cost of making one: a copy of
+  /// the state.
+  std::function<void(const std::function<results::Checkpoint()>& make, CheckpointMoment moment)> checkpoint =
+      {};
   /// The march has ended, and so much is to be done yet.
   std::function<void(const char* stage)> stage = {};
   /// A change was made, or (with the reason) was not.
@@ -99,7 +103,7 @@ struct Resumption {
 
 /// How to march; of no influence on the results, but for the last bits by the instruction set.
 struct MarchOptions {
-  int threads = 0;           // 0 for one per core
+  int threads = 0;           // 0 for one per available CPU
   int lanes = 0;             // scenarios side by side; 0 for as many as fill a register
   double checkpoint_s = 30;  // between two checkpoints of a recorded run
 };

@@ -79,7 +79,8 @@ std::string to_json(const MarchNotes& n) {
                      {"next_sample", s.next_sample},
                      {"next_frame", s.next_frame},
                      {"framed_at", s.framed_at},
-                     {"rest", json_of(s.rest)}});
+                     {"rest", json_of(s.rest)},
+                     {"since_s", s.since_s}});
   for (const LaneResult& r : n.lane) lanes.push_back(json_of(r));
   return Json{{"lanes", n.lanes},
               {"instructions", n.instructions},
@@ -87,6 +88,7 @@ std::string to_json(const MarchNotes& n) {
               {"marched", n.marched},
               {"lane_steps", n.lane_steps},
               {"next_scenario", n.next_scenario},
+              {"cracking", n.cracking},
               {"wall_prestress_s", n.wall_prestress_s},
               {"wall_fracture_s", n.wall_fracture_s},
               {"seats", seats},
@@ -103,15 +105,29 @@ MarchNotes march_notes(const std::string& text) try {
   n.marched = j.at("marched");
   n.lane_steps = j.at("lane_steps");
   n.next_scenario = j.at("next_scenario");
+  n.cracking = j.value("cracking", true);
   n.wall_prestress_s = j.at("wall_prestress_s");
   n.wall_fracture_s = j.at("wall_fracture_s");
   for (const Json& s : j.at("seats"))
     n.seats.push_back({s.at("scenario"), s.at("next_sample"), s.at("next_frame"), s.at("framed_at"),
-                       s.contains("rest") ? rest_of(s.at("rest")) : Rest{}});
+                       s.contains("rest") ? rest_of(s.at("rest")) : Rest{}, s.value("since_s", 0.0)});
   for (const Json& r : j.at("lane")) n.lane.push_back(lane_of(r));
   return n;
 } catch (const Json::exception& error) {
   throw std::invalid_argument(std::string("its notes are not of a checkpoint: ") + error.what());
+}
+
+void set_taken_s(results::Checkpoint& checkpoint, double seconds) {
+  Json notes = Json::parse(checkpoint.notes);
+  notes["taken_s"] = seconds;
+  checkpoint.notes = notes.dump();
+}
+
+double taken_s(const results::Checkpoint& checkpoint) {
+  const Json notes = Json::parse(checkpoint.notes, nullptr, false);
+  return notes.is_object() && notes.contains("taken_s") && notes["taken_s"].is_number()
+             ? notes["taken_s"].get<double>()
+             : 0.0;
 }
 
 }  // namespace rift

@@ -25,12 +25,14 @@ struct MarchNotes {
   double dt = 0;  // [s], of the lattice
   std::int64_t marched = 0, lane_steps = 0;
   int next_scenario = 0;
+  bool cracking = true;  // false while the ramp is marched
   double wall_prestress_s = 0, wall_fracture_s = 0;
   struct Seat {
     int scenario = -1;
     std::size_t next_sample = 0, next_frame = 0;
     std::int64_t framed_at = -1;
     Rest rest = {};
+    double since_s = 0;
   };
   std::vector<Seat> seats = {};
   std::vector<LaneResult> lane = {};  // without their books, which the journal holds
@@ -39,5 +41,10 @@ struct MarchNotes {
 std::string to_json(const MarchNotes& notes);
 /// Throws std::invalid_argument where the text is not of such notes.
 MarchNotes march_notes(const std::string& json);
+
+/// Wall time that a run has taken up to a checkpoint, in all its calls, with what went before the march [s]:
+/// said by who keeps the checkpoint, for who goes on from it; 0 where nobody said it.
+void set_taken_s(results::Checkpoint& checkpoint, double seconds);
+double taken_s(const results::Checkpoint& checkpoint);
 
 }  // namespace rift

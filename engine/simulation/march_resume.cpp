@@ -15,10 +15,12 @@ results::Checkpoint Run<Real>::checkpoint() {
                    .marched = marched_,
                    .lane_steps = result_.lane_steps,
                    .next_scenario = next_scenario_,
-                   .wall_prestress_s = result_.wall_prestress_s,
-                   .wall_fracture_s = seconds_since(crack_started_) - waited_};
+                   .cracking = ensemble_.cracking(),
+                   .wall_prestress_s = ensemble_.cracking() ? result_.wall_prestress_s : marching_s(),
+                   .wall_fracture_s = ensemble_.cracking() ? marching_s() : 0.0};
   for (const Seat& seat : seat_)
-    notes.seats.push_back({seat.scenario, seat.next_sample, seat.next_frame, seat.framed_at, seat.rest});
+    notes.seats.push_back(
+        {seat.scenario, seat.next_sample, seat.next_frame, seat.framed_at, seat.rest, seat.since_s});
   notes.lane = result_.lane;
   return {to_json(notes), ensemble_.state(), 0};
 }
@@ -38,20 +40,26 @@ void Run<Real>::go_on(const Resumption& from) {
       (void)change_lane(lane_[k], change, prepared_, change.step);
   for (std::size_t k = 0; k < seat_.size(); ++k) {
     const MarchNotes::Seat& s = notes.seats[k];
-    seat_[k] = {s.scenario, s.next_sample, s.next_frame, s.framed_at, s.rest};
+    seat_[k] = {s.scenario, s.next_sample, s.next_frame, s.framed_at, s.rest, s.since_s};
     if (s.scenario >= 0) ensemble_.steer(static_cast<int>(k), lane_[s.scenario].scenario);
   }
-  const std::vector<DampedBeam> damped = damped_beams(prepared_, lane_);
-  damped_ = damped.size();
-  ensemble_.set_beta(scene().solver.beta);
-  ensemble_.start_crack(damped);
+  if (notes.cracking) {
+    const std::vector<DampedBeam> damped = damped_beams(prepared_, lane_);
+    damped_ = damped.size();
+    ensemble_.set_beta(scene().solver.beta);
+    ensemble_.start_crack(damped);
+  }
   ensemble_.restore(from.checkpoint.state);
   marched_ = notes.marched, result_.lane_steps = notes.lane_steps, next_scenario_ = notes.next_scenario;
-  result_.wall_prestress_s = notes.wall_prestress_s;
-  waited_ = -notes.wall_fracture_s;  // it has marched for so long before
   total_ = 0;
   for (const LanePlan& lane : lane_) total_ += lane.schedule.total();
-  crack_started_ = Clock::now();
+  start_clock(notes.cracking ? notes.wall_fracture_s : notes.wall_prestress_s);
+  if (notes.cracking) {
+    result_.wall_prestress_s = notes.wall_prestress_s;
+  } else {
+    pull();
+    start_cracks();
+  }
 }
 
 template <class Real>

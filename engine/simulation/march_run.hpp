@@ -32,7 +32,7 @@ struct Seat {
   std::size_t next_sample = 0, next_frame = 0;
   std::int64_t framed_at = -1;  // the step of the last frame
   Rest rest = {};
-  Clock::time_point since = Clock::now();
+  double since_s = 0;  // of the time that cracks have run for, when its own began
 };
 
 /// The run as it goes: what the loop needs beside the ensemble.
@@ -88,10 +88,16 @@ class Run {
     return !stopped_ && !moves_grip() && next_scenario_ < static_cast<int>(prepared_.lane.size());
   }
 
+  /// Time spent marching in this phase, the ramp or the cracks, in earlier calls too; not waiting for orders.
+  double marching_s() const { return seconds_since(phase_started_) - waited_; }
+  void start_clock(double marched_before_s) { phase_started_ = Clock::now(), waited_ = -marched_before_s; }
+
   // The loop (march.cpp).
-  void start_cracks();
+  void begin();
   /// The paper's way to pre-stress: pull, hold, both with numerical damping that is taken out afterwards.
+  /// Goes on from the step that has been reached.
   void pull();
+  void start_cracks();
   void judge_rest(Seat& seat);
   void step();
   /// Moves the grip as a load curve says.
@@ -184,9 +190,9 @@ class Run {
   std::int64_t total_ = 0;
   std::int64_t asked_again_at_ = 1;  // of marched_, so that orders come before all else; 0: by the clock
   std::size_t damped_ = 0;           // beams
-  double waited_ = 0;                // [s] for orders
+  double waited_ = 0;                // [s] for orders in this phase, less what was marched in earlier calls
   bool stopped_ = false;
-  Clock::time_point started_ = Clock::now(), asked_ = started_, crack_started_ = started_;
+  Clock::time_point phase_started_ = Clock::now(), asked_ = phase_started_;
 };
 
 }  // namespace rift

@@ -24,10 +24,11 @@ void Run<Real>::ask() {
       std::find_if(seat_.begin(), seat_.end(), [](const Seat& seat) { return seat.scenario >= 0; });
   if (working == seat_.end()) return;
   const Progress progress{phase_at(steps(*working)), result_.lane_steps, total_,
-                          seconds_since(started_) - waited_};
+                          (ensemble_.cracking() ? result_.wall_prestress_s : 0.0) + marching_s()};
   const bool stop = (!observer_.go_on || observer_.go_on(progress)) ? !take_orders(progress) : true;
-  if (observer_.checkpoint && progress.phase == results::Phase::fracture)
-    observer_.checkpoint([this] { return checkpoint(); }, stop);
+  if (observer_.checkpoint)
+    observer_.checkpoint([this] { return checkpoint(); },
+                         stop ? CheckpointMoment::before_stop : CheckpointMoment::on_the_way);
   if (stop) stop_all();
 }
 

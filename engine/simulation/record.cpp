@@ -1,5 +1,6 @@
 #include "engine/simulation/record.hpp"
 
+#include "engine/ensemble/instruction_set.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
@@ -9,12 +10,14 @@
 #include "engine/results/run_writer.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/simulation/march_notes.hpp"
 #include "engine/simulation/summary.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 
 namespace rift {
@@ -28,7 +31,9 @@ struct Recording {
   const Observer& beside;
   const std::filesystem::path& folder;
   double checkpoint_s;
-  Preset steered;  // with the changes so far, and those that are to come
+  Preset steered;             // with the changes so far, and those that are to come
+  double taken_before_s = 0;  // by the run, in its earlier calls and in the preparation of this one
+  Clock::time_point began = Clock::now();
   Clock::time_point checked = Clock::now();
 
   Observer observer() {
@@ -59,8 +64,9 @@ struct Recording {
         writer.flush();  // whoever steers may want to show to others what there is
         return beside.steer(moment);
       };
-    o.checkpoint = [&](const auto& make, bool stopping) {
-      if (stopping || Clock::now() - checked > std::chrono::duration<double>(checkpoint_s))
+    o.checkpoint = [&](const auto& make, CheckpointMoment moment) {
+      const bool due = Clock::now() - checked > std::chrono::duration<double>(checkpoint_s);
+      if (moment == CheckpointMoment::before_stop || (moment == CheckpointMoment::on_the_way && due))
         keep_checkpoint(make());
     };
     o.changed = [&](const Change& change, const std::string& refused) {
@@ -70,9 +76,15 @@ struct Recording {
     return o;
   }
 
+  /// What the run has taken so far, in all its calls [s].
+  double so_far_s() const {
+    return taken_before_s + std::chrono::duration<double>(Clock::now() - began).count();
+  }
+
   void keep_checkpoint(results::Checkpoint checkpoint) {
     writer.flush();
     checkpoint.journal_bytes = writer.journal_bytes();
+    set_taken_s(checkpoint, so_far_s());
     results::write_checkpoint(folder, checkpoint);
     checked = Clock::now();
   }
@@ -87,8 +99,7 @@ struct Recording {
 
 /// Marches, writing all of it, and completes the folder.
 Recorded record(const Prepared& prepared, Recording& recording, const BuildInfo& build,
-                const MarchOptions& options, double preparation_s, const Resumption* from) {
-  const auto start = Clock::now();
+                const MarchOptions& options, const Resumption* from) {
   Recorded run{march(prepared, recording.observer(), options, from), {}};
   Prepared as_steered;
   if (!run.result.steered.empty()) as_steered = prepared, as_steered.lane = run.result.steered;
@@ -99,8 +110,7 @@ Recorded record(const Prepared& prepared, Recording& recording, const BuildInfo&
     rates.push_back(rates_of(done, run.result, lane));
     curves.push_back(rates.back().curve);
   }
-  const double marching_s = std::chrono::duration<double>(Clock::now() - start).count();
-  run.summary = summary_of(done, run.result, rates, build, preparation_s + marching_s);
+  run.summary = summary_of(done, run.result, rates, build, recording.so_far_s());
   if (recording.beside.stage) recording.beside.stage("archive");
   recording.writer.finish(run.summary, curves);
   if (run.result.outcome != Outcome::stopped) results::remove_checkpoints(recording.folder);
@@ -112,8 +122,8 @@ Recorded record(const Prepared& prepared, Recording& recording, const BuildInfo&
 Recorded record_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
                     const Observer& beside, const MarchOptions& options, double preparation_s) {
   results::RunWriter writer(folder, header_of(prepared, build), geometry_of(prepared));
-  Recording recording{writer, beside, folder, options.checkpoint_s, prepared.preset};
-  return record(prepared, recording, build, options, preparation_s, nullptr);
+  Recording recording{writer, beside, folder, options.checkpoint_s, prepared.preset, preparation_s};
+  return record(prepared, recording, build, options, nullptr);
 }
 
 Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
@@ -135,8 +145,28 @@ Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folde
   Resumption from{std::move(*checkpoint), results::scan_journal(folder / results::journal_name).samples};
   if (beside.sample)
     for (const results::Sample& row : from.books) beside.sample(row);
-  Recording recording{writer, beside, folder, options.checkpoint_s, prepared.preset};
-  return record(prepared, recording, build, options, preparation_s, &from);
+  Recording recording{writer,          beside,
+                      folder,          options.checkpoint_s,
+                      prepared.preset, preparation_s + taken_s(from.checkpoint)};
+  return record(prepared, recording, build, options, &from);
+}
+
+RunResult result_of_run(const std::filesystem::path& folder) {
+  const results::RunState state = results::inspect_run(folder);
+  const auto summary = results::read_json(state.summary_json.value(), folder / results::journal_name);
+  RunResult result;
+  for (const auto& scenario : summary.at("scenarios")) {
+    LaneResult& lane = result.lane.emplace_back();
+    for (const Outcome outcome : {Outcome::finished, Outcome::stopped, Outcome::diverged})
+      if (scenario.at("outcome") == name_of(outcome)) lane.outcome = outcome;
+    result.outcome = std::max(result.outcome, lane.outcome);
+  }
+  for (const results::Sample& row : results::scan_journal(folder / results::journal_name).samples) {
+    LaneResult& lane = result.lane.at(static_cast<std::size_t>(row.lane));
+    lane.books.push_back(row);
+    if (!(std::abs(row.residual) <= lane.worst_residual)) lane.worst_residual = std::abs(row.residual);
+  }
+  return result;
 }
 
 std::string no_locks_note(const std::filesystem::path& folder) {
@@ -174,6 +204,14 @@ bool complete_end(const std::filesystem::path& folder) {
   results::complete_folder(folder);
   results::remove_checkpoints(folder);
   return true;
+}
+
+bool is_unfinished_run_of(const std::filesystem::path& folder, const Preset& preset, const BuildInfo& build) {
+  const results::RunState state = results::inspect_run(folder);
+  if (state.header_json.empty()) return false;
+  const auto header = results::read_json(state.header_json, folder / results::journal_name);
+  return header.value("preset", "") == preset_text(preset) && header.value("version", "") == build.version &&
+         header.value("instruction_set", "") == name_of(instruction_set()) && !has_ended(folder);
 }
 
 Preset preset_of_run(const std::filesystem::path& folder) {

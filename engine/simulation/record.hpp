@@ -22,7 +22,8 @@ struct Recorded {
 ///                        (results::ClaimedFolder) where other processes might write into it
 /// @param beside          told all of it as well; steers; what it changes is kept in results::steering_name
 /// there
-/// @param preparation_s   wall time that went before, for the summary's total
+/// @param preparation_s   wall time that this call has taken before, for the summary's total, which is of all
+/// calls
 Recorded record_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
                     const Observer& beside, const MarchOptions& options = {}, double preparation_s = 0);
 
@@ -39,6 +40,10 @@ Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folde
 /// What to say of a run's folder on a file system without locks.
 std::string no_locks_note(const std::filesystem::path& folder);
 
+/// Outcomes, rows and largest residuals of the lanes of a run that has ended, as its folder has them; nothing
+/// else.
+RunResult result_of_run(const std::filesystem::path& folder);
+
 /// Whether every lane of the run in this folder has come to its end, by itself or by diverging, and the files
 /// of its end are there: it is not to be resumed.
 bool has_ended(const std::filesystem::path& folder);
@@ -46,6 +51,10 @@ bool has_ended(const std::filesystem::path& folder);
 /// Makes the files of a run's end from its journal where every lane has come to its end and one of them is
 /// missing: the disk failed, or a kill came, while they were written. @return whether that was so
 bool complete_end(const std::filesystem::path& folder);
+
+/// Whether the folder holds a run of this very preset, by this program with these instructions, that has not
+/// come to its end.
+bool is_unfinished_run_of(const std::filesystem::path& folder, const Preset& preset, const BuildInfo& build);
 
 /// The preset that a run's folder holds, with the changes of who steered it. Throws WorldError where there is
 /// no run, InputError where its preset is not one of this version.

@@ -19,7 +19,7 @@ nlohmann::ordered_json header_of(const Prepared& prepared, const BuildInfo& buil
 
 /// summary.json: one object per lane under "scenarios", names as in docs/results-format.md; what is undefined
 /// is null.
-/// @param[in] wall_total_s  since the program started
+/// @param[in] wall_total_s  that the run has taken, in all its calls
 nlohmann::ordered_json summary_of(const Prepared& prepared, const RunResult& result,
                                   const std::vector<Rates>& rates, const BuildInfo& build,
                                   double wall_total_s);

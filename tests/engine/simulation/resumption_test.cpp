@@ -19,8 +19,8 @@ Resumption stopped_at(const Prepared& p, std::int64_t steps, const MarchOptions&
   };
   observer.sample = [&](const results::Sample& s) { from.books.push_back(s); };
   bool last = false;
-  observer.checkpoint = [&](const std::function<results::Checkpoint()>& make, bool stopping) {
-    if (stopping) from.checkpoint = make(), last = true;
+  observer.checkpoint = [&](const std::function<results::Checkpoint()>& make, CheckpointMoment moment) {
+    if (moment == CheckpointMoment::before_stop) from.checkpoint = make(), last = true;
   };
   EXPECT_EQ(march(p, observer, options).outcome, Outcome::stopped);
   EXPECT_TRUE(last);
@@ -68,17 +68,30 @@ TEST(Resumption, GoesOnToTheSameBitsInEveryKindOfScene) {
        "loading.displacement=0.1 mm"},
       {"loading.method=ramp", "loading.ramp_steps=300", "loading.hold_steps=100",
        "loading.displacement=0.1 mm", "damping.alpha=0.02", "damping.region=surface"},
+      {"loading.method=ramp", "loading.ramp_steps=300", "loading.hold_steps=100",
+       "loading.displacement=0.1 mm", "solver.kinematics=corotational"},
+      {"loading.method=ramp", "loading.ramp_steps=300", "loading.hold_steps=100",
+       "loading.displacement=0.1 mm", "solver.precision=single"},
   };
   for (const auto& scene : scenes) {
     const Prepared p = small_plate(scene);
     const RunResult whole = march(p, {}, {.threads = 2});
     const LanePlan& lane = p.lane[0];
-    for (const double part : {0.1, 0.6}) {
-      const auto at = lane.schedule.crack_start() +
-                      static_cast<std::int64_t>(part * static_cast<double>(lane.schedule.fracture));
+    const auto steps_of = [&](double part) {
+      return lane.schedule.crack_start() +
+             static_cast<std::int64_t>(part * static_cast<double>(lane.schedule.fracture));
+    };
+    std::vector<std::int64_t> moments{steps_of(0.1), steps_of(0.6)};
+    if (lane.schedule.ramp >
+        0)  // while it pulls, as the grip comes to rest, while it holds, as the crack starts
+      for (const std::int64_t moment :
+           {lane.schedule.ramp / 2, lane.schedule.ramp, lane.schedule.ramp + lane.schedule.hold / 2,
+            lane.schedule.crack_start()})
+        moments.push_back(moment);
+    for (const std::int64_t at : moments) {
       const Resumption from = stopped_at(p, at, {.threads = 1});
       expect_same(whole, march(p, {}, {.threads = 2}, &from));
-      if (HasFailure()) FAIL() << (scene.empty() ? "plain" : scene[0]) << " at " << part;
+      if (HasFailure()) FAIL() << (scene.empty() ? "plain" : scene[0]) << " at step " << at;
     }
   }
 }

@@ -35,6 +35,9 @@ struct Twice {
       if (!same) continue;
       EXPECT_EQ(value, b.at(name)) << name;
     }
+    // All times are of all calls: no part is longer than the whole.
+    EXPECT_GE(b.at("wall_total_s").get<double>(),
+              b.at("wall_prestress_s").get<double>() + b.at("wall_fracture_s").get<double>());
   }
 };
 
