@@ -6,6 +6,8 @@
 #include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 #include "engine/scene/axes.hpp"
+#include "engine/simulation/kept_march.hpp"
+#include "engine/simulation/march_notes.hpp"
 #include "engine/simulation/summary.hpp"
 #include "engine/study/cost.hpp"
 #include "engine/study/passes.hpp"
@@ -16,6 +18,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <string>
+#include <system_error>
 
 namespace rift {
 namespace {
@@ -34,11 +43,14 @@ struct Study {
   Cache& cache;
   const BuildInfo& build;
   const StudyObserver& observer;
+  std::vector<StudyItem> items;  // of all parts
   StudyResult result = {};
   int there = 0;                   // scenarios computed or found
   double cost = 0, cost_done = 0;  // of what is to be computed   [cost.hpp]
   bool stopped = false;
   std::vector<Issue> issues = {};
+
+  bool is_there(const StudyItem& item) const { return !result.rows[item.row].is_null(); }
 
   /// Tells how far the whole is when `part` of something of this cost is done.
   bool tell(std::string_view stage, double part, double of_cost) {
@@ -113,19 +125,37 @@ std::string series_of(const LaneResult& lane, const Rates& rates) {
   return results::series_csv(rows, {&curve, 1});
 }
 
-/// Marches what `prepared` holds now and keeps each scenario as it ends.
-void march_pass(Study& study, const Prepared& prepared, const std::vector<StudyItem>& items,
+/// What a pass is known by: the names of its scenarios' results, in the order in which they march.
+std::string pass_identity(std::span<const StudyItem> pass) {
+  std::string names;
+  for (const StudyItem& item : pass) names += hash_text(item.key) + "\n";
+  return names;
+}
+
+std::filesystem::path passes_folder(const Study& study) { return study.options.folder / "passes"; }
+
+/// Marches what `prepared` holds now, keeps each scenario as it ends, and of what is under way a checkpoint.
+void march_pass(Study& study, const Prepared& prepared, std::span<const StudyItem> pass,
                 Clock::time_point started) {
+  const std::string identity = pass_identity(pass);
+  MarchKeeping keeping{
+      .folder = passes_folder(study) / hash_text(identity), .identity = identity, .result_too = false};
+  std::string note;
+  const std::optional<Resumption> from = kept_march(keeping, note);
+  keeping.taken_before_s = seconds_since(started) + (from ? taken_s(from->checkpoint) : 0.0);
+  const auto marching = Clock::now();
   double cost = 0.0;
-  for (const StudyItem& item : items) cost += item.cost;
+  for (const StudyItem& item : pass)
+    if (!study.is_there(item)) cost += item.cost;
   Observer observer;
   observer.ended = [&](int k, const RunResult& so_far) {
     const LaneResult& lane = so_far.lane[k];
-    if (lane.outcome == Outcome::stopped) return;
+    if (lane.outcome == Outcome::stopped || study.is_there(pass[k])) return;
     const Rates rates = rates_of(prepared, so_far, k);
-    const Json scenario = lane_summary(prepared, so_far, k, rates, study.build, seconds_since(started));
+    const Json scenario = lane_summary(prepared, so_far, k, rates, study.build,
+                                       keeping.taken_before_s + seconds_since(marching));
     ++study.result.computed;
-    take(study, items[k], write_result(study.options.folder, items[k].key, scenario, series_of(lane, rates)));
+    take(study, pass[k], write_result(study.options.folder, pass[k].key, scenario, series_of(lane, rates)));
   };
   observer.go_on = [&](const Progress& p) {
     return study.tell("crack", static_cast<double>(p.step) / static_cast<double>(p.total), cost);
@@ -134,21 +164,75 @@ void march_pass(Study& study, const Prepared& prepared, const std::vector<StudyI
   for (const LanePlan& lane : prepared.lane) steps.push_back(lane.schedule.total());
   const bool ramp = prepared.lane.front().schedule.ramp > 0;
   const int lanes = ramp ? 0 : soonest(steps, prepared.preset.scene.solver.precision).lanes;
-  march(prepared, observer, {.threads = study.options.threads, .lanes = lanes});
+  march_and_keep(
+      prepared, observer,
+      {.threads = study.options.threads, .lanes = lanes, .checkpoint_s = study.options.checkpoint_s}, keeping,
+      from ? &*from : nullptr, note);
+  if (!note.empty()) study.cache.notes.push_back(note + ": the pass began anew");
   study.cost_done += cost;
+  if (!study.stopped) forget_march(keeping.folder);
 }
 
-void compute_group(Study& study, const std::vector<StudyItem>& items) {
-  const auto started = Clock::now();
+/// The group's lattice under its pre-stress, with a lane for each of these scenarios.
+Prepared prepare_lanes(Study& study, std::span<const StudyItem> items) {
   std::vector<Scene> scenes;
   for (const StudyItem& item : items) scenes.push_back(item.scene);
   const double preparation = estimated_preparation(scenes.front());
-  Prepared prepared =
-      prepare(preset_of(study, items.front()), scenes, study.cache, [&](std::string_view stage, double done) {
-        const bool packing = stage == "packing";
-        return study.tell(stage, packing ? 0.7 * done : 0.7, preparation);
-      });
-  study.cost_done += preparation;
+  return prepare(preset_of(study, items.front()), scenes, study.cache,
+                 [&](std::string_view stage, double done) {
+                   const bool packing = stage == "packing";
+                   return study.tell(stage, packing ? 0.7 * done : 0.7, preparation);
+                 });
+}
+
+/// A pass that an earlier call has left under way.
+struct PassUnderWay {
+  std::filesystem::path folder;
+  std::vector<StudyItem> items;
+};
+
+/// Those passes whose scenarios are all known: computed, or among `missing`.
+std::vector<PassUnderWay> passes_under_way(const Study& study, std::span<const StudyItem> missing) {
+  std::map<std::string, const StudyItem*> known;  // by the name of the result
+  for (const StudyItem& item : study.items)
+    if (study.is_there(item)) known[hash_text(item.key)] = &item;
+  for (const StudyItem& item : missing) known[hash_text(item.key)] = &item;
+  std::vector<PassUnderWay> passes;
+  std::error_code none;  // no folder, no passes
+  for (const auto& entry : std::filesystem::directory_iterator(passes_folder(study), none)) {
+    PassUnderWay pass{.folder = entry.path(), .items = {}};
+    std::istringstream names(kept_identity(entry.path()));
+    bool whole = true;
+    for (std::string name; whole && std::getline(names, name);) {
+      const auto item = known.find(name);
+      whole = item != known.end();
+      if (whole) pass.items.push_back(*item->second);
+    }
+    if (whole && !pass.items.empty()) passes.push_back(std::move(pass));
+  }
+  return passes;
+}
+
+/// Removes the passes all of whose scenarios have been computed, by whichever call.
+void forget_passes_that_are_done(const Study& study) {
+  for (const PassUnderWay& pass : passes_under_way(study, {})) forget_march(pass.folder);
+  std::error_code none;  // a folder that holds other passes stays
+  std::filesystem::remove(passes_folder(study), none);
+}
+
+void compute_group(Study& study, std::vector<StudyItem> items) {
+  const auto started = Clock::now();
+  for (const PassUnderWay& pass : passes_under_way(study, items)) {
+    if (std::all_of(pass.items.begin(), pass.items.end(),
+                    [&](const StudyItem& item) { return study.is_there(item); }))
+      continue;
+    march_pass(study, prepare_lanes(study, pass.items), pass.items, started);
+    if (study.stopped) return;
+  }
+  std::erase_if(items, [&](const StudyItem& item) { return study.is_there(item); });
+  if (items.empty()) return;
+  Prepared prepared = prepare_lanes(study, items);
+  study.cost_done += estimated_preparation(items.front().scene);
   const std::vector<LanePlan> plans = prepared.lane;
   for (const std::vector<std::size_t>& pass : passes_of(plans)) {
     if (study.stopped) return;
@@ -193,8 +277,8 @@ void compute(Study& study, const std::vector<std::vector<StudyItem>>& groups) {
 StudyResult run_study(const Preset& preset, const StudyOptions& options, Cache& cache, const BuildInfo& build,
                       const StudyObserver& observer) {
   const auto start = Clock::now();
-  Study study{preset, options, cache, build, observer};
-  const std::vector<StudyItem> items = plan_study(preset, build.version);
+  Study study{preset, options, cache, build, observer, plan_study(preset, build.version)};
+  const std::vector<StudyItem>& items = study.items;
   study.result.rows.resize(preset.study.size());
   if (options.shared) {
     open_shared(options.folder);
@@ -210,7 +294,10 @@ StudyResult run_study(const Preset& preset, const StudyOptions& options, Cache& 
   compute(study, missing(study, part_of(items, options.shard, options.shards)));
   if (!study.issues.empty()) throw InputError(study.issues);
   if (options.shards > 1) gather(study, items);
-  if (study.stopped) study.result.outcome = Outcome::stopped;
+  if (study.stopped)
+    study.result.outcome = Outcome::stopped;
+  else
+    forget_passes_that_are_done(study);
   study.result.wall_s = seconds_since(start);
   return std::move(study.result);
 }

@@ -21,8 +21,9 @@ using SummaryRow = nlohmann::ordered_json;
 
 struct StudyOptions {
   std::filesystem::path folder;  // of the study; made or continued
-  int threads = 0;               // 0: one per core
+  int threads = 0;               // 0: one per available CPU
   bool shared = false;           // several studies lie in the folder, each finds its scenarios: no study.json
+  double checkpoint_s = 30;      // between two checkpoints of a pass
   int shard = 1, shards = 1;  // this call computes the i-th part of n and gathers what is there of the others
 };
 
@@ -41,11 +42,11 @@ struct StudyResult {
 
 /// Computes the scenarios of a preset's study that the folder does not hold yet. Each result is bit for bit
 /// that of the scenario run by itself, but for wall times, lanes and threads, and is on the disk as soon as
-/// the scenario ends: a kill loses what is under way and nothing else. Scenarios that differ only in what
-/// lanes may differ in share specimen, lattice and pre-stress, and march side by side where their steps are
-/// equal.
-/// Damaged files are noted in cache.notes and computed again. Throws FolderExists (open_study), InputError
-/// with all scenarios that cannot be run, after the others, and WorldError.
+/// the scenario ends. Of a pass under way a checkpoint is kept in passes/ now and then and at a stop, with
+/// which the next call goes on. Scenarios that differ only in what lanes may differ in share specimen,
+/// lattice and pre-stress, and march side by side where their steps are equal. Damaged files are noted in
+/// cache.notes and computed again. Throws FolderExists (open_study), InputError with all scenarios that
+/// cannot be run, after the others, and WorldError.
 StudyResult run_study(const Preset& preset, const StudyOptions& options, Cache& cache, const BuildInfo& build,
                       const StudyObserver& observer);
 

@@ -124,6 +124,47 @@ void expect_as_run_alone(const Preset& preset, const StudyResult& result, const 
   }
 }
 
+TEST(Study, ACallThatIsStoppedInAPassIsGoneOnWithFromThere) {
+  std::string text = undamped_text();
+  text.replace(text.find("[study]"), std::string::npos,
+               "[study]\ncrack_velocity = [\"0.02 c_r\", \"0.03 c_r\", \"0.9 c_r\"]\n");
+  const Preset preset = preset_from(text);
+  const TemporaryFolder folder;
+  StudyResult result;
+  int calls = 0, stopped = 0;
+  do {
+    ASSERT_LT(++calls, 200) << "each call begins the pass anew";
+    StudyObserver observer;  // stops each call a tenth of a second after its cracks run
+    observer.progress = [&](std::string_view stage, double) { return stage != "crack"; };
+    result = run_study(preset, into(folder.path()), shared_cache(), build, observer);
+    if (result.outcome == Outcome::stopped) {
+      ++stopped;
+      EXPECT_TRUE(fs::exists(folder.path() / "passes"));
+    }
+  } while (result.outcome == Outcome::stopped);
+  EXPECT_GT(stopped, 1);
+  EXPECT_EQ(result.outcome, Outcome::finished);
+  EXPECT_FALSE(fs::exists(folder.path() / "passes"));
+  expect_as_run_alone(preset, result, folder.path());
+  EXPECT_TRUE(shared_cache().notes.empty());
+}
+
+TEST(Study, APassThatOtherProcessesHaveEndedMeanwhileIsForgotten) {
+  const TemporaryFolder folder;
+  StudyObserver observer;
+  observer.progress = [&](std::string_view stage, double) { return stage != "crack"; };
+  std::string text = undamped_text();
+  text.replace(text.find("[study]"), std::string::npos, "[study]\ncrack_velocity = [\"0.02 c_r\"]\n");
+  const Preset preset = preset_from(text);
+  ASSERT_EQ(run_study(preset, into(folder.path()), shared_cache(), build, observer).outcome,
+            Outcome::stopped);
+  fs::rename(folder.path() / "passes", folder.path() / "aside");
+  ASSERT_EQ(run_study(preset, into(folder.path()), shared_cache(), build, {}).outcome, Outcome::finished);
+  fs::rename(folder.path() / "aside", folder.path() / "passes");
+  ASSERT_EQ(run_study(preset, into(folder.path()), shared_cache(), build, {}).found, 1);
+  EXPECT_FALSE(fs::exists(folder.path() / "passes"));
+}
+
 TEST(Study, GivesEachScenarioBitForBitAsRunAlone) {
   const TemporaryFolder folder;
   const StudyResult result = compute(into(folder.path()));
