@@ -1,7 +1,6 @@
 #include "engine/experiment/application.hpp"
 
 #include "engine/fracture/equation_of_motion.hpp"
-#include "engine/interrupted.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/summary.hpp"
 
@@ -83,20 +82,14 @@ std::vector<Application::Point> compared(const Experiment& found, const std::vec
 
 }  // namespace
 
-Application apply(const Preset& preset, const Experiment& found, Cache& cache, const MarchOptions& options,
+Application apply(const Preset& preset, const Experiment& found, Cache& cache, const Parts& parts,
                   const ExperimentProgress& progress) {
   Preset own = preset;
   own.scene = by_itself(preset, found);
   const Prepared prepared =
       prepare(own, cache, [&](std::string_view, double) { return progress("application", 0.0); });
   const RunResult run =
-      march(prepared,
-            {.go_on =
-                 [&](const Progress& p) {
-                   return progress("application", static_cast<double>(p.step) / static_cast<double>(p.total));
-                 }},
-            options);
-  if (run.outcome == Outcome::stopped) throw Interrupted("the application went on");
+      parts.march("application", prepared, [&](double done) { return progress("application", done); });
   Application a;
   a.arrested_m = run.lane[0].arrested_m;
   std::vector<Sample> rows;

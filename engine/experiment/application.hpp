@@ -1,12 +1,13 @@
 #pragma once
 
 #include "engine/experiment/experiment.hpp"
+#include "engine/experiment/kept_parts.hpp"
 
 namespace rift {
 
 /// Lets a crack run by itself in the same plate, with the law that was found as what the material withstands,
 /// and compares it with the measured one. It begins as fast as the measured tip ran over its first window.
-Application apply(const Preset& preset, const Experiment& found, Cache& cache, const MarchOptions& options,
+Application apply(const Preset& preset, const Experiment& found, Cache& cache, const Parts& parts,
                   const ExperimentProgress& progress);
 
 }  // namespace rift

@@ -1,6 +1,5 @@
 #include "engine/experiment/efficiency.hpp"
 
-#include "engine/interrupted.hpp"
 #include "engine/simulation/summary.hpp"
 
 #include <algorithm>
@@ -31,7 +30,7 @@ Scene steady(const Scene& scene, double over_cr, double pulled) {
 }  // namespace
 
 std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, double lowest, double highest,
-                                           Cache& cache, const MarchOptions& options,
+                                           Cache& cache, const Parts& parts,
                                            const ExperimentProgress& progress) {
   std::vector<Scene> scenes;
   std::vector<EfficiencyPoint> points;
@@ -47,13 +46,7 @@ std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, 
   const Prepared prepared =
       prepare(strip, scenes, cache, [&](std::string_view, double) { return progress("efficiency", 0.0); });
   const RunResult run =
-      march(prepared,
-            {.go_on =
-                 [&](const Progress& p) {
-                   return progress("efficiency", static_cast<double>(p.step) / static_cast<double>(p.total));
-                 }},
-            options);
-  if (run.outcome == Outcome::stopped) throw Interrupted("the efficiency was found");
+      parts.march("efficiency", prepared, [&](double done) { return progress("efficiency", done); });
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Rates rates = rates_of(prepared, run, static_cast<int>(k));
     points[k].efficiency = rates.plateau.mean.ratio_with_damping, points[k].scatter = rates.plateau.scatter;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/experiment/experiment.hpp"
+#include "engine/experiment/kept_parts.hpp"
 
 namespace rift {
 
@@ -8,7 +9,7 @@ namespace rift {
 /// runs steadily along the middle of the same strip, where all that is stored ahead arrives (Nilsson 1972).
 /// Lanes of one pass over the preset's own lattice, pulled by `pulled` [m].
 std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, double lowest, double highest,
-                                           Cache& cache, const MarchOptions& options,
+                                           Cache& cache, const Parts& parts,
                                            const ExperimentProgress& progress);
 
 /// Straight between the points, constant beyond them; the scatter too.

@@ -2,6 +2,7 @@
 
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
+#include "engine/experiment/kept_parts.hpp"
 #include "engine/experiment/law.hpp"
 #include "engine/experiment/resampling.hpp"
 #include "engine/interrupted.hpp"
@@ -10,6 +11,8 @@
 #include "engine/simulation/quasi_static.hpp"
 #include "engine/simulation/record.hpp"
 #include "engine/simulation/summary.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,36 +61,39 @@ std::vector<double> rates_at(const Prepared& p, const RunResult& run, int lane,
 
 class Laboratory {
  public:
-  Laboratory(const Preset& preset, const ExperimentWishes& wishes, Cache& cache,
-             const ExperimentProgress& progress)
-      : preset_(preset), wishes_(wishes), cache_(cache), progress_(progress) {}
+  Laboratory(const Preset& preset, const ExperimentWishes& wishes, const std::filesystem::path& folder,
+             Cache& cache, const BuildInfo& build, const ExperimentProgress& progress)
+      : preset_(preset),
+        wishes_(wishes),
+        run_folder_(folder / "run"),
+        cache_(cache),
+        build_(build),
+        progress_(progress),
+        parts_(folder, experiment_identity(preset, wishes, build), {.threads = wishes.threads}) {}
 
-  Experiment run(const std::filesystem::path& folder, const BuildInfo& build) {
-    measure(folder, build);
+  Experiment run() {
+    measure();
     draw_histories();
     draw_specimens();
     read_statics();
-    e_.efficiency = efficiency_of(preset_, pulled_, slowest(), fastest(), cache_, options(), progress_);
+    e_.efficiency = efficiency_of(preset_, pulled_, slowest(), fastest(), cache_, parts_, progress_);
     conclude();
-    if (wishes_.application) e_.application = apply(preset_, e_, cache_, options(), progress_);
+    if (wishes_.application) e_.application = apply(preset_, e_, cache_, parts_, progress_);
     return std::move(e_);
   }
 
  private:
-  MarchOptions options() const { return {.threads = wishes_.threads}; }
-
   StageProgress preparing(const std::string& stage) {
     return [this, stage](std::string_view part, double done) {
       return progress_(stage + ": " + std::string(part), done);
     };
   }
-  Observer marching(const std::string& stage) {
-    return {.go_on = [this, stage](const Progress& p) {
-      return progress_(stage, static_cast<double>(p.step) / static_cast<double>(p.total));
-    }};
+  RunResult march_part(const std::string& name, const std::string& stage, const Prepared& p) {
+    RunResult run = parts_.march(name, p, [&](double done) { return progress_(stage, done); });
+    take(run);
+    return run;
   }
-  void take(const RunResult& run, const char* stage) {
-    if (run.outcome == Outcome::stopped) throw Interrupted(std::string("the ") + stage + " went on");
+  void take(const RunResult& run) {
     e_.outcome = std::max(e_.outcome, run.outcome);
     for (const LaneResult& lane : run.lane)
       e_.worst_residual = std::max(e_.worst_residual, lane.worst_residual);
@@ -98,7 +104,7 @@ class Laboratory {
   static bool by_velocity(const CriticalPoint& a, const CriticalPoint& b) { return a.over_cr < b.over_cr; }
 
   /// The measured crack itself, on the preset's specimen, and the points of the result.
-  void measure(const std::filesystem::path& folder, const BuildInfo& build) {
+  void measure() {
     const Prepared p = prepare(preset_, cache_, preparing("specimen 1"));
     e_.course = measured_course(preset_.scene);
     e_.width = preset_.scene.crack.toughness_window * p.lattice.mean_radius;
@@ -106,15 +112,32 @@ class Laboratory {
     e_.thickness = p.scale.thickness, e_.rayleigh_speed = p.rayleigh_speed,
     e_.mean_radius = p.lattice.mean_radius;
     lay_points(p);
-    results::ClaimedFolder run(folder / "run", true);
-    run.keep();
-    const Recorded recorded = record_run(p, folder / "run", build, marching("measured crack"), options());
-    take(recorded.result, "measured crack");
+    const RunResult run = measured_crack(p);
+    take(run);
     const double width = e_.width;
-    specimens_.push_back(rates_at(p, recorded.result, 0, e_.along, width));
+    specimens_.push_back(rates_at(p, run, 0, e_.along, width));
     for (const double other : {0.5 * width, 2.0 * width})
-      widths_.push_back(rates_at(p, recorded.result, 0, e_.along, other));
+      widths_.push_back(rates_at(p, run, 0, e_.along, other));
     e_.specimens = 1;
+  }
+
+  /// Recorded as a run; by an earlier call, as far as that came.
+  RunResult measured_crack(const Prepared& p) {
+    const Observer marching{.go_on = [this](const Progress& done) {
+      return progress_("measured crack", static_cast<double>(done.step) / static_cast<double>(done.total));
+    }};
+    if (results::inspect_run(run_folder_).header_json.empty()) {
+      results::ClaimedFolder run(run_folder_, true);
+      run.keep();
+      return checked(record_run(p, run_folder_, build_, marching, parts_.options()).result);
+    }
+    if (has_ended(run_folder_)) return result_of_run(run_folder_);
+    std::string ignored;  // a checkpoint that is damaged costs time, nothing else
+    return checked(resume_run(p, run_folder_, build_, marching, ignored, parts_.options()).result);
+  }
+  static RunResult checked(RunResult run) {
+    if (run.outcome == Outcome::stopped) throw Interrupted("marching the measured crack");
+    return run;
   }
 
   void lay_points(const Prepared& p) {
@@ -165,8 +188,7 @@ class Laboratory {
 
   void run_drawn(const std::vector<Scene>& scenes) {
     const Prepared p = prepare(preset_, scenes, cache_, preparing("resampled histories"));
-    const RunResult run = march(p, marching("resampled histories"), options());
-    take(run, "resampled histories");
+    const RunResult run = march_part(fmt::format("resampled_{}", drawn_marches_++), "resampled histories", p);
     for (int lane = 0; lane < static_cast<int>(scenes.size()); ++lane)
       if (run.lane[lane].outcome == Outcome::finished)
         drawn_.push_back(rates_at(p, run, lane, e_.along, e_.width));
@@ -179,8 +201,7 @@ class Laboratory {
       Preset other = preset_;
       other.scene.specimen.seed += k, other.scene.output.frames = 0;
       const Prepared p = prepare(other, cache_, preparing(stage));
-      const RunResult run = march(p, marching(stage), options());
-      take(run, stage.c_str());
+      const RunResult run = march_part(fmt::format("specimen_{}", k + 1), stage, p);
       if (run.outcome != Outcome::finished) continue;
       specimens_.push_back(rates_at(p, run, 0, e_.along, e_.width));
       ++e_.specimens;
@@ -248,9 +269,13 @@ class Laboratory {
 
   const Preset& preset_;
   const ExperimentWishes& wishes_;
+  const std::filesystem::path run_folder_;
   Cache& cache_;
+  const BuildInfo& build_;
   const ExperimentProgress& progress_;
+  const Parts parts_;
   Experiment e_;
+  int drawn_marches_ = 0;
   double pulled_ = 0;  // the first specimen's grip as the crack starts [m]
   std::vector<std::vector<double>> specimens_, drawn_, widths_;  // rates at the points
 };
@@ -260,7 +285,8 @@ class Laboratory {
 Experiment run_experiment(const Preset& preset, const ExperimentWishes& wishes,
                           const std::filesystem::path& folder, Cache& cache, const BuildInfo& build,
                           const ExperimentProgress& progress) {
-  return Laboratory(preset, wishes, cache, progress).run(folder, build);
+  begin_experiment(folder, experiment_identity(preset, wishes, build));
+  return Laboratory(preset, wishes, folder, cache, build, progress).run();
 }
 
 }  // namespace rift

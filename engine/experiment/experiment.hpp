@@ -73,7 +73,9 @@ struct Experiment {
 /// @param done  of the stage, 0 to 1; answers false to stop (Interrupted is thrown)
 using ExperimentProgress = std::function<bool(std::string_view stage, double done)>;
 
-/// Runs it all. The measured crack itself is recorded in folder/run, as `rift run` would.
+/// Runs it all. The measured crack itself is recorded in folder/run, as `rift run` would; it and all other
+/// marches are kept in the folder until forget_parts(), so that a call that was stopped or killed is gone on
+/// with by the same one, to the same bits (kept_parts.hpp). Throws Interrupted, InputError and WorldError.
 /// @param[in] preset  without issues, with crack.history
 Experiment run_experiment(const Preset& preset, const ExperimentWishes& wishes,
                           const std::filesystem::path& folder, Cache& cache, const BuildInfo& build,

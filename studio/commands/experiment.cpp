@@ -1,10 +1,12 @@
 #include "engine/experiment/experiment.hpp"
 
+#include "engine/experiment/kept_parts.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/rows_file.hpp"
+#include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
 #include "studio/commands/run_ending.hpp"
@@ -17,6 +19,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace rift::studio {
 namespace fs = std::filesystem;
@@ -27,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 struct ExperimentCommand {
   SceneOptions scene;
   ExperimentWishes wishes;
-  std::string out, truth;
+  std::string out, truth, budget;
   bool force = false, no_application = false;
   std::unique_ptr<FilmOfRun> film;
 };
@@ -71,12 +74,21 @@ std::string command_text(const ExperimentCommand& command) {
          fmt::format(" --resamples {} --specimens {}", command.wishes.resamples, command.wishes.specimens);
 }
 
-/// What an interrupted experiment has recorded is of no use without the rest; a former report stays.
-void forget(const fs::path& folder) {
-  std::error_code ignored;
-  if (fs::exists(folder / "summary.json", ignored)) return;
-  fs::remove_all(folder / "run", ignored);
-  if (fs::is_empty(folder, ignored)) fs::remove(folder, ignored);
+/// Stopped before its report: what was computed stays for the next call, and where that is nothing, no folder
+/// does.
+ExitCode stopped(const std::string& what, const fs::path& folder, const StopSignal& stop) {
+  const bool anything = holds_parts(folder);
+  if (!anything) {
+    forget_parts(folder);
+    std::error_code ignored;
+    for (const fs::path& empty : {folder / "run", folder})
+      if (fs::is_empty(empty, ignored)) fs::remove(empty, ignored);
+  }
+  fmt::print(stderr, "rift experiment: {}; {}\n", what,
+             anything
+                 ? fmt::format("what was computed is kept in {}: the same command goes on", folder.string())
+                 : "nothing was kept: the same command starts anew");
+  return stopped_by(stop);
 }
 
 ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report, const fs::path& folder,
@@ -85,6 +97,7 @@ ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report
   try {
     line.tell("report", 0.0);
     write_experiment_report(report, folder);
+    forget_parts(folder);
   } catch (const results::WorldError& error) {
     fmt::print(stderr, "rift experiment: {}\n", error.what());
     code = ExitCode::world_failed;
@@ -99,6 +112,7 @@ ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report
 }
 
 ExitCode experiment(ExperimentCommand& command) {
+  const std::optional<double> budget = read_budget("rift experiment", command.budget);
   const Preset preset = read_scene(command.scene);
   check_one_history(preset);
   const CriticalRate truth = read_truth(command.truth);
@@ -109,11 +123,12 @@ ExitCode experiment(ExperimentCommand& command) {
   const fs::path folder = command.out.empty()
                               ? fs::path(fs::path(command.scene.preset).stem().string() + "_experiment")
                               : fs::path(command.out);
+  const bool going_on = is_under_way(folder, experiment_identity(preset, command.wishes, build_info()));
   if (const std::string trouble = command.film->trouble_with(preset, true); !trouble.empty())
     refuse("rift experiment", trouble);
-  ReportFolder owned(folder, command.force, {.own = "toughness_velocity.csv", .has_run = true});
+  ReportFolder owned(folder, command.force || going_on, {.own = "toughness_velocity.csv", .has_run = true});
   const auto start = Clock::now();
-  const StopSignal stop;
+  const StopSignal stop(budget);
   ProgressLine line(progress_style(command.scene.quiet, command.scene.json));
   Cache cache = cache_for(command.scene);
   command.wishes.threads = command.scene.threads;
@@ -137,9 +152,7 @@ ExitCode experiment(ExperimentCommand& command) {
   } catch (const Interrupted& interrupted) {
     (void)command.film->finish(line, [] { return false; });
     line.clear();
-    forget(folder);
-    fmt::print(stderr, "rift experiment: {}; nothing was kept\n", interrupted.what());
-    return stopped_by(stop);
+    return stopped(interrupted.what(), folder, stop);
   }
   const FilmOfRun::Result film = command.film->finish(line, [&] { return stop.received() == 0; });
   line.clear();
@@ -171,6 +184,8 @@ void add_experiment(CLI::App& app, ExitCode& exit_code) {
       ->capture_default_str();
   command.add_option("--against", options->truth,
                      "A critical release rate to compare with: a CSV file as crack.toughness takes it");
+  command.add_option("--budget", options->budget,
+                     "Stop after this time (\"2 h\") with exit code 4; the same command goes on");
   command.add_flag("--no-application", options->no_application,
                    "Leave out the crack that runs by itself with what was found");
   command.callback([options, &exit_code] { exit_code = experiment(*options); });

@@ -88,6 +88,28 @@ TEST(ExperimentCommand, ThatWasKilledDoesNotBlockItsFolder) {
   EXPECT_FALSE(std::filesystem::exists(plate.path() / "out" / "charts" / "earlier.svg"));
 }
 
+TEST(ExperimentCommand, StoppedByItsBudgetGoesOnByTheSameCommandToTheSameBytes) {
+  const MeasuredPlate plate;
+  const std::string wishes = "--resamples 2 --specimens 2 --quiet ";
+  ASSERT_EQ(plate.experiment(wishes).exit_code, 0);
+  std::filesystem::rename(plate.path() / "out", plate.path() / "whole");
+  int stops = 0;
+  Ran ran;
+  for (double budget = 0.2;
+       (ran = plate.experiment(wishes + "--budget '" + std::to_string(budget) + " s'")).exit_code == 4;
+       budget *= 1.2) {  // until it bears what cannot be kept: preparation, on the slowest machine too
+    ++stops;
+    ASSERT_LT(stops, 60) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "the same command ")) << ran.err;
+  }
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_GT(stops, 1);
+  for (const char* file : {"table.csv", "toughness_velocity.csv", "run/series.csv"})
+    EXPECT_EQ(read_text(plate.path() / "whole" / file), read_text(plate.path() / "out" / file)) << file;
+  for (const char* kept : {"parts", "experiment.json"})
+    EXPECT_FALSE(std::filesystem::exists(plate.path() / "out" / kept)) << kept;
+}
+
 TEST(ExperimentCommand, SaysWhatItNeeds) {
   const Ran none = run_rift("experiment quickstart");
   EXPECT_EQ(none.exit_code, 2);

@@ -1,0 +1,70 @@
+#include "engine/experiment/kept_parts.hpp"
+
+#include "engine/ensemble/instruction_set.hpp"
+#include "engine/experiment/experiment.hpp"
+#include "engine/interrupted.hpp"
+#include "engine/results/archive.hpp"
+#include "engine/results/files.hpp"
+#include "engine/results/run_folder.hpp"
+#include "engine/simulation/record.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <system_error>
+
+namespace rift {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path mark_file(const fs::path& folder) { return folder / "experiment.json"; }
+fs::path parts_folder(const fs::path& folder) { return folder / "parts"; }
+
+}  // namespace
+
+std::string experiment_identity(const Preset& preset, const ExperimentWishes& wishes,
+                                const BuildInfo& build) {
+  return fmt::format("{}\nresamples {}\nspecimens {}\nversion {}\ninstruction set {}\n", preset_text(preset),
+                     wishes.resamples, wishes.specimens, build.version, name_of(instruction_set()));
+}
+
+bool is_under_way(const fs::path& folder, const std::string& identity) {
+  if (!fs::exists(mark_file(folder))) return false;
+  const auto mark = nlohmann::json::parse(results::read_whole_file(mark_file(folder)), nullptr, false);
+  return mark.is_object() && mark.contains("identity") && mark["identity"] == identity;
+}
+
+void begin_experiment(const fs::path& folder, const std::string& identity) {
+  if (is_under_way(folder, identity)) return;
+  forget_parts(folder);
+  results::create_run_folder(folder / "run",
+                             true);  // before the mark: a run beside a mark is of its experiment
+  results::write_whole_file(mark_file(folder), nlohmann::json{{"identity", identity}}.dump(2) + "\n");
+}
+
+bool holds_parts(const fs::path& folder) {
+  std::error_code none;
+  return fs::exists(folder / "run" / results::journal_name, none) || fs::exists(parts_folder(folder), none);
+}
+
+void forget_parts(const fs::path& folder) {
+  std::error_code none;
+  fs::remove(mark_file(folder), none);
+  fs::remove_all(parts_folder(folder), none);
+}
+
+RunResult Parts::march(const std::string& name, const Prepared& prepared,
+                       const std::function<bool(double done)>& progress) const {
+  MarchKeeping keeping{.folder = parts_folder(folder_) / name, .identity = identity_ + name};
+  std::string ignored;  // what is damaged is computed again
+  const std::optional<Resumption> from = kept_march(keeping, ignored);
+  const Observer observer{.go_on = [&](const Progress& p) {
+    return progress(static_cast<double>(p.step) / static_cast<double>(p.total));
+  }};
+  RunResult run = march_and_keep(prepared, observer, options_, keeping, from ? &*from : nullptr, ignored);
+  if (run.outcome == Outcome::stopped) throw Interrupted("marching the " + name);
+  return run;
+}
+
+}  // namespace rift

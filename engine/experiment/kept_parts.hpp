@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/simulation/build_info.hpp"
+#include "engine/simulation/kept_march.hpp"
+
+#include <filesystem>
+#include <string>
+
+/// An experiment under way: the marches that it has done so far and the one that it was stopped in, kept in
+/// its folder until its report is there.
+namespace rift {
+
+struct ExperimentWishes;
+
+/// What an experiment is known by: its preset, what is wished of it, the program and its instruction set.
+std::string experiment_identity(const Preset& preset, const ExperimentWishes& wishes, const BuildInfo& build);
+
+/// Whether the folder holds this very experiment, stopped or killed before its report.
+bool is_under_way(const std::filesystem::path& folder, const std::string& identity);
+
+/// Says in the folder that this experiment is under way; what another one has left of itself is removed, an
+/// earlier report stays. Nothing is done where it is under way already. Throws WorldError.
+void begin_experiment(const std::filesystem::path& folder, const std::string& identity);
+
+/// Whether anything has been computed of the experiment under way.
+bool holds_parts(const std::filesystem::path& folder);
+
+/// The experiment has its report, or nothing of it is worth keeping: removes what was kept for the next call.
+void forget_parts(const std::filesystem::path& folder);
+
+/// The marches of an experiment, each by its name: done, gone on with, or found.
+class Parts {
+ public:
+  Parts(std::filesystem::path folder, std::string identity, MarchOptions options)
+      : folder_(std::move(folder)), identity_(std::move(identity)), options_(options) {}
+
+  /// Throws Interrupted where it was stopped, which is kept.
+  /// @param[in] progress  told the fraction of the march; false stops it
+  RunResult march(const std::string& name, const Prepared& prepared,
+                  const std::function<bool(double done)>& progress) const;
+
+  const MarchOptions& options() const { return options_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::string identity_;
+  MarchOptions options_;
+};
+
+}  // namespace rift
