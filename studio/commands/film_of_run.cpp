@@ -107,6 +107,8 @@ FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
 
 FilmOfRun::~FilmOfRun() { maker_->given_up = true; }
 
+bool FilmOfRun::wanted() const { return maker_->wanted(); }
+
 std::string FilmOfRun::trouble_with(const Preset& preset, bool force) {
   if (!maker_->wanted()) return "";
   const Scene& scene = preset.scene;

@@ -21,6 +21,8 @@ class FilmOfRun {
   explicit FilmOfRun(CLI::App& command);
   ~FilmOfRun();
 
+  /// Whether the user asked for a film.
+  [[nodiscard]] bool wanted() const;
   /// Reads the options. @return what is wrong with them for this preset, before anything was computed; empty:
   /// nothing
   /// @param force  a film that is there already may be replaced

@@ -17,6 +17,8 @@ FilmOfRun::~FilmOfRun() = default;
 void FilmOfRun::begin(const std::filesystem::path&, bool) {}
 FilmOfRun::Result FilmOfRun::finish(ProgressLine&, const std::function<bool()>&) { return {}; }
 
+bool FilmOfRun::wanted() const { return maker_->wanted; }
+
 std::string FilmOfRun::trouble_with(const Preset&, bool) {
   if (!maker_->wanted) return "";
   return "--render: this rift was built without its renderer; build it with -DRIFT_VIZ=ON (it needs VTK)";

@@ -1,3 +1,5 @@
+#include "studio/commands/resume.hpp"
+
 #include "engine/interrupted.hpp"
 #include "engine/results/ownership.hpp"
 #include "engine/results/world_error.hpp"
@@ -20,12 +22,6 @@
 namespace rift::studio {
 namespace {
 
-struct ResumeOptions {
-  std::string run, color, budget;
-  int threads = 0;
-  bool quiet = false, json = false, plain = false, no_cache = false;
-};
-
 std::optional<Recorded> go_on_plainly(const ResumeOptions& options, const Preset& preset, Cache& cache,
                                       const StopSignal& stop, ProgressLine& line) try {
   const auto start = std::chrono::steady_clock::now();
@@ -45,7 +41,9 @@ std::optional<Recorded> go_on_plainly(const ResumeOptions& options, const Preset
   return ran;
 } catch (const Interrupted& interrupted) {
   line.clear();
-  fmt::print(stderr, "rift resume: {}; the run is as it was\n", interrupted.what());
+  fmt::print(
+      stderr, "rift resume: {}\n",
+      nothing_kept_text(interrupted.what(), stop, "the run is as it was, and the same command goes on"));
   return std::nullopt;
 }
 
@@ -58,6 +56,8 @@ std::optional<Recorded> go_on_live(const ResumeOptions& options, const Preset& p
   wish.build = build_info();
   return run_in_panel(std::move(wish), wants_color(options.color, stdout), stop);
 }
+
+}  // namespace
 
 ExitCode resume(const ResumeOptions& options) {
   const std::optional<double> budget = read_budget("rift resume", options.budget);
@@ -91,8 +91,6 @@ ExitCode resume(const ResumeOptions& options) {
   return exit_code_of(ran->result.outcome, stop);
 }
 
-}  // namespace
-
 void add_resume(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("resume", "Go on with a run that was stopped or killed, to the same bits");
@@ -100,10 +98,11 @@ void add_resume(CLI::App& app, ExitCode& exit_code) {
   command.add_option("run", options->run, "Folder of the run")->required();
   command
       .add_option("--threads", options->threads,
-                  "Threads (default: one per core); the results do not depend on it")
+                  "Threads (default: one per CPU that this process may use); the results do not depend on it")
       ->check(CLI::Range(1, 1024));
-  command.add_option("--budget", options->budget,
-                     "Stop after this time (\"2 h\") with a checkpoint and exit code 4");
+  command.add_option(
+      "--budget", options->budget,
+      "Stop after this time (\"2 h\") with a checkpoint and exit code 4; the same command goes on");
   command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
   command.add_flag("--quiet", options->quiet, "No progress on stderr");
   command.add_flag("--json", options->json, "Progress as JSON lines on stderr, the result as JSON on stdout");

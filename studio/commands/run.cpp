@@ -1,4 +1,5 @@
 #include "engine/interrupted.hpp"
+#include "engine/process_limits.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
@@ -7,6 +8,7 @@
 #include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
+#include "studio/commands/resume.hpp"
 #include "studio/commands/run_ending.hpp"
 #include "studio/commands/run_panel.hpp"
 #include "studio/commands/scene_options.hpp"
@@ -20,13 +22,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <thread>
 
 namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr const char* nothing_written = "nothing was written, and the same command starts anew";
 
 struct RunOptions {
   SceneOptions scene;
@@ -35,12 +38,21 @@ struct RunOptions {
   std::unique_ptr<FilmOfRun> film;
 };
 
-/// Where the user said, else the first of runs/NAME, runs/NAME-2, ... that does not exist yet.
-fs::path folder_for(const RunOptions& options) {
+/// Whether the folder holds a run that the same command has begun under a budget: a command with one goes on
+/// with it.
+bool goes_on(const RunOptions& options, const Preset& preset, const fs::path& folder) {
+  return !options.budget.empty() && !options.film->wanted() &&
+         is_unfinished_run_of(folder, preset, build_info());
+}
+
+/// Where the user said, else the first of runs/NAME, runs/NAME-2, ... that does not exist yet, or that this
+/// command goes on with.
+fs::path folder_for(const RunOptions& options, const Preset& preset) {
   if (!options.out.empty()) return options.out;
   const std::string name = options.replay.empty() ? fs::path(options.scene.preset).stem().string() : "replay";
   fs::path folder = fs::path("runs") / name;
-  for (int k = 2; fs::exists(folder); ++k) folder = fs::path("runs") / fmt::format("{}-{}", name, k);
+  for (int k = 2; fs::exists(folder) && !goes_on(options, preset, folder); ++k)
+    folder = fs::path("runs") / fmt::format("{}-{}", name, k);
   return folder;
 }
 
@@ -54,8 +66,7 @@ struct Way {
   Clock::time_point start = Clock::now();
 
   void begin_film(const fs::path& folder) const {
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    options.film->begin(folder, options.scene.threads > 0 && options.scene.threads < cores);
+    options.film->begin(folder, options.scene.threads > 0 && options.scene.threads < available_cpus());
   }
 };
 
@@ -77,7 +88,7 @@ std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache&
                     {.threads = way.options.scene.threads, .checkpoint_s = way.checkpoint_s}, preparation);
 } catch (const Interrupted& interrupted) {
   way.line.clear();
-  fmt::print(stderr, "rift run: {}; nothing was written\n", interrupted.what());
+  fmt::print(stderr, "rift run: {}\n", nothing_kept_text(interrupted.what(), way.stop, nothing_written));
   return std::nullopt;
 }
 
@@ -90,7 +101,9 @@ std::optional<Recorded> run_live(const Way& way, const fs::path& path, const Cac
   wish.build = build_info();
   wish.began = [&](const fs::path& folder) { way.begin_film(folder); };
   auto ran = run_in_panel(std::move(wish), wants_color(way.options.scene.color, stdout), way.stop);
-  if (!ran) fmt::print(stderr, "rift run: stopped before the first step; nothing was written\n");
+  if (!ran)
+    fmt::print(stderr, "rift run: {}\n",
+               nothing_kept_text("stopped before the first step", way.stop, nothing_written));
   return ran;
 }
 
@@ -131,11 +144,20 @@ ExitCode run(const RunOptions& options) {
     fmt::print(stderr, "rift run: {}\n", trouble);
     return ExitCode::bad_input;
   }
+  const fs::path path = folder_for(options, preset);
+  if (goes_on(options, preset, path))
+    return resume({.run = path.string(),
+                   .color = options.scene.color,
+                   .budget = options.budget,
+                   .threads = options.scene.threads,
+                   .quiet = options.scene.quiet,
+                   .json = options.scene.json,
+                   .plain = options.plain,
+                   .no_cache = options.scene.no_cache});
   const StopSignal stop(budget);
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
   Cache cache = cache_for(options.scene);
   const Way way{options, preset, stop, line, checkpoint_s};
-  const fs::path path = folder_for(options);
   const std::optional<Recorded> ran =
       wants_panel(options) ? run_live(way, path, cache) : run_plainly(way, path, cache);
   if (!ran) return stopped_by(stop);
@@ -163,7 +185,8 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
       ->capture_default_str();
   command.add_option(
       "--budget", options->budget,
-      "Stop after this time (\"2 h\") with a checkpoint and exit code 4; 'rift resume' goes on");
+      "Stop after this time (\"2 h\") with exit code 4: the same command, or 'rift resume', goes on from its "
+      "checkpoint; before the first step nothing is written");
   command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
   command.add_flag("--force", options->force, "Replace the run that is in the folder");
   CLI::Option* preset = command.get_option("preset");

@@ -50,6 +50,11 @@ ExitCode stopped_by(const StopSignal& stop) {
   return static_cast<ExitCode>(128 + (stop.received() != 0 ? stop.received() : SIGINT));
 }
 
+std::string nothing_kept_text(const std::string& what, const StopSignal& stop, const std::string& then) {
+  return fmt::format("{}{}: {}", what,
+                     stop.received() == StopSignal::time_is_up ? " as the budget ran out" : "", then);
+}
+
 ExitCode exit_code_of(Outcome outcome, const StopSignal& stop) {
   if (outcome == Outcome::diverged) return ExitCode::diverged;
   if (outcome == Outcome::stopped) return stopped_by(stop);

@@ -24,6 +24,11 @@ void print_run(const nlohmann::ordered_json& summary, const std::filesystem::pat
 
 /// By a signal, by a budget, or by hand in the panel, which counts as a Ctrl-C.
 ExitCode stopped_by(const StopSignal& stop);
+
+/// That a run was stopped before its first step, in which nothing can be kept, and what the same command does
+/// then.
+/// @param what  "stopped while packing";  @param then  what the folder is like now
+std::string nothing_kept_text(const std::string& what, const StopSignal& stop, const std::string& then);
 ExitCode exit_code_of(Outcome outcome, const StopSignal& stop);
 
 }  // namespace rift::studio
