@@ -8,7 +8,11 @@
 namespace rift {
 namespace {
 
-int count_hands(int hands, int most) { return std::clamp(threads_or_all_cpus(hands), 1, std::max(1, most)); }
+/// Threads that share a CPU would only take turns, and who waits awake would keep the one that works from it.
+int count_hands(int hands, int most) {
+  const int cpus = available_cpus();
+  return std::clamp(hands > 0 ? std::min(hands, cpus) : cpus, 1, std::max(1, most));
+}
 
 inline void breathe() {
 #if defined(__x86_64__)
@@ -16,17 +20,10 @@ inline void breathe() {
 #endif
 }
 
-/// How often one of so many threads looks at a value that another is about to change, before it goes to
-/// sleep. Where threads share a CPU, never: who looks keeps the one it waits for from working.
-int looks_before_sleep(int hands) {
-  static const int cpus = available_cpus();
-  return hands > cpus ? 0 : 2000;
-}
-
 /// Waits until `value` is no longer `old`: awake for a while, since work mostly comes soon, then asleep.
 template <class T>
-void await_change(const std::atomic<T>& value, T old, int hands) {
-  const int patience = looks_before_sleep(hands);
+void await_change(const std::atomic<T>& value, T old) {
+  constexpr int patience = 2000;
   for (int k = 0; k < patience; ++k) {
     if (value.load(std::memory_order_acquire) != old) return;
     breathe();
@@ -48,7 +45,7 @@ Crew::~Crew() {
 
 void Crew::help(int hand) {
   for (unsigned done = 0;; ++done) {
-    await_change(round_, done, hands_);
+    await_change(round_, done);
     if (call_ == nullptr) return;
     work(hand);
     if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
@@ -68,7 +65,7 @@ void Crew::dispatch(int tasks, const void* task, Call call) {
   if (hands_ == 1) return;
   for (int left = busy_.load(std::memory_order_acquire); left != 0;
        left = busy_.load(std::memory_order_acquire))
-    await_change(busy_, left, hands_);
+    await_change(busy_, left);
 }
 
 void Crew::work(int hand) const {
