@@ -12,7 +12,8 @@ namespace rift {
 /// some fifty microseconds, then sleep.
 class Crew {
  public:
-  /// @param[in] hands  threads, the caller's among them; 0 for one per core
+  /// @param[in] hands  threads, the caller's among them, at most one for each CPU that the process may use; 0 for
+  ///                   as many as that
   /// @param[in] most   more hands than this would find nothing to do
   Crew(int hands, int most);
   ~Crew();
