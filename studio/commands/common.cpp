@@ -79,7 +79,8 @@ bool is_cut_off(const fs::path& folder, ReportKind kind) {
   bool begun = false;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = results::target_name(entry.path().filename().string());
-    const bool run = kind.has_run && name == "run" && entry.is_directory();
+    const bool run = kind.has_run && (name == "run" || name == "parts") && entry.is_directory();
+    if (kind.has_run && name == "experiment.json") continue;  // beside parts/ and run/: what is under way
     if (!run && name != "charts" && (!report_files().contains(name) || name == "report.html")) return false;
     begun = begun || run || name == "charts" || name == "summary.json";
   }
