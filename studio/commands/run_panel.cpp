@@ -12,8 +12,15 @@ bool panel_there() { return Terminal::there(); }
 std::optional<Recorded> run_in_panel(RunWish wish, bool color, const StopSignal& stop) {
   Workshop workshop = workshop_here(wish.threads);
   auto screen = std::make_unique<RunScreen>(workshop, std::move(wish), true);
+  const RunScreen& panel = *screen;
   const std::shared_ptr<LiveRun> run = screen->run();
-  work_in_terminal(std::move(screen), color, [&] { return stop.received() != 0; });
+  ProgressLine line(ProgressStyle::plain);
+  const auto go_on_unseen = [&](bool gone) {
+    if (gone) run->go_on_alone();
+    line.tell("run", panel.live().done, panel.live().state);
+  };
+  work_in_terminal(
+      std::move(screen), color, [&] { return stop.received() != 0; }, go_on_unseen);
   run->stop();
   return run->result();
 }

@@ -10,8 +10,9 @@ namespace rift::studio {
 /// Whether there is a terminal for a live panel, and this build has one.
 bool panel_there();
 
-/// Runs in the live panel, which goes when the run has ended. @return nothing where it was stopped before its
-/// first step. Throws what the run threw.
+/// Runs in the live panel, which goes when the run has ended. While another job has the terminal, or when it
+/// is gone, lines of progress stand for the panel. @return nothing where it was stopped before its first
+/// step. Throws what the run threw.
 std::optional<Recorded> run_in_panel(RunWish wish, bool color, const StopSignal& stop);
 
 }  // namespace rift::studio

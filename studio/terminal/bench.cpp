@@ -3,6 +3,8 @@
 #include "studio/screen/box.hpp"
 #include "studio/terminal/terminal.hpp"
 
+#include <chrono>
+#include <thread>
 #include <vector>
 
 namespace rift::studio {
@@ -17,10 +19,26 @@ class Bench {
 
   [[nodiscard]] bool empty() const { return stack_.empty(); }
 
-  void round() {
+  /// @return whether the terminal is still there
+  bool round(const Unseen& unseen) {
+    terminal_.stop_if_asked();
     turn(top().look());
-    if (empty()) return;
-    draw();
+    if (empty()) return true;
+    const Terminal::Hold hold = terminal_.hold();
+    if (hold == Terminal::Hold::ours) {
+      draw();
+      press();
+      return true;
+    }
+    if (unseen) unseen(hold == Terminal::Hold::gone);
+    std::this_thread::sleep_for(std::chrono::milliseconds(between_drawings_ms));
+    return hold != Terminal::Hold::gone;
+  }
+
+ private:
+  Screen& top() { return *stack_.back(); }
+
+  void press() {
     const Press press = terminal_.press(between_drawings_ms);
     if (press.key == key_none) return;
     const bool asked_for_help = !top().typing() && action_of(top().where(), press.key) == Action::help;
@@ -30,9 +48,6 @@ class Bench {
     }
     turn(top().press(press));
   }
-
- private:
-  Screen& top() { return *stack_.back(); }
 
   void draw() {
     Canvas canvas(terminal_.width(), terminal_.height());
@@ -56,9 +71,11 @@ class Bench {
 
 }  // namespace
 
-void work_in_terminal(std::unique_ptr<Screen> first, bool color, const std::function<bool()>& stopped) {
+void work_in_terminal(std::unique_ptr<Screen> first, bool color, const std::function<bool()>& stopped,
+                      const Unseen& unseen) {
   Bench bench(std::move(first), color);
-  while (!bench.empty() && !stopped()) bench.round();
+  bool there = true;
+  while (!bench.empty() && !stopped() && (there || unseen)) there = bench.round(unseen);
 }
 
 }  // namespace rift::studio

@@ -41,8 +41,10 @@ void write_text(const char* text) {
 }
 
 void on_crash(int number) {
-  restore_codes.write_to(STDOUT_FILENO);
-  if (have_modes) tcsetattr(STDIN_FILENO, TCSANOW, &modes);
+  if (tcgetpgrp(STDIN_FILENO) == getpgrp()) {  // another job's terminal is left alone
+    restore_codes.write_to(STDOUT_FILENO);
+    if (have_modes) tcsetattr(STDIN_FILENO, TCSANOW, &modes);
+  }
   char digits[] = "rift: crashed (signal ..)\n";
   char* at = std::strchr(digits, '.');
   at[0] = static_cast<char>('0' + number / 10 % 10);

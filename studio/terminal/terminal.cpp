@@ -1,5 +1,6 @@
 #include "studio/terminal/terminal.hpp"
 
+#include "engine/base/console.hpp"
 #include "studio/terminal/crash.hpp"
 
 #define NCURSES_WIDECHAR 1
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
@@ -111,12 +113,23 @@ char32_t grey_of(const Style& style) {
   return greys[static_cast<std::size_t>(step) * greys.size() / shade_steps];
 }
 
+volatile std::sig_atomic_t stop_asked = 0;
+
+void note_stop(int) { stop_asked = 1; }
+
+Terminal::Hold hold_now() {
+  const pid_t foreground = tcgetpgrp(STDIN_FILENO);
+  if (foreground < 0) return Terminal::Hold::gone;
+  return foreground == getpgrp() ? Terminal::Hold::ours : Terminal::Hold::lent;
+}
+
 bool is_utf8() { return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0; }
 
 }  // namespace
 
 std::string Terminal::why_not() {
   if (isatty(STDIN_FILENO) != 1 || isatty(STDOUT_FILENO) != 1) return "no terminal";
+  if (!base::in_foreground(STDIN_FILENO)) return "a terminal in whose background it was started";
   const char* kind = std::getenv("TERM");
   if (kind == nullptr || *kind == '\0') return "a terminal of no kind (TERM is not set)";
   if (std::strcmp(kind, "dumb") == 0) return "a terminal that cannot be drawn on (TERM=dumb)";
@@ -132,6 +145,9 @@ Terminal::Terminal(bool color) {
   setlocale(LC_CTYPE, "");
   glyphs_ = is_utf8() ? Glyphs::unicode : Glyphs::ascii;
   keep_modes();
+  // ncurses leaves a handler alone that it finds. Its own would draw at once after bg, which stops the
+  // process.
+  if (std::signal(SIGTSTP, note_stop) == SIG_IGN) std::signal(SIGTSTP, SIG_IGN);
   initscr();
   guard_terminal(code("rmcup") + code("cnorm") + code("sgr0") + code("rmkx") + "\033[?1000l");
   cbreak();
@@ -148,8 +164,30 @@ Terminal::Terminal(bool color) {
 }
 
 Terminal::~Terminal() {
-  endwin();
+  if (hold_now() == Hold::ours) endwin();
   unguard_terminal();
+  if (std::signal(SIGTSTP, SIG_DFL) == SIG_IGN) std::signal(SIGTSTP, SIG_IGN);
+}
+
+void Terminal::stop_if_asked() {
+  if (stop_asked == 0) return;
+  stop_asked = 0;
+  if (hold_now() == Hold::ours) endwin();
+  away_ = true;
+  std::signal(SIGTSTP, SIG_DFL);
+  std::raise(SIGTSTP);  // comes back from here after fg or bg
+  std::signal(SIGTSTP, note_stop);
+}
+
+Terminal::Hold Terminal::hold() {
+  const Hold now = hold_now();
+  if (now == Hold::ours && away_) {
+    if (!isendwin()) endwin();  // stopped by a signal that leaves no time to give the terminal back
+    clearok(curscr, TRUE);
+    refresh();  // the program's modes, and all that was shown
+  }
+  away_ = now != Hold::ours;
+  return now;
 }
 
 int Terminal::width() const { return getmaxx(stdscr); }
@@ -204,6 +242,6 @@ Press Terminal::press(int milliseconds) {
   return kind == KEY_CODE_YES ? special(static_cast<int>(pressed)) : letter(static_cast<int>(pressed));
 }
 
-void Terminal::say_in_a_crash(const std::string& text) { studio::say_in_a_crash(text); }
+void Terminal::say_in_a_crash(const std::string& text) { studio::say_in_a_crash(base::escaped(text, "\n")); }
 
 }  // namespace rift::studio

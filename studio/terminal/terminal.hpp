@@ -3,6 +3,7 @@
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/press.hpp"
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -10,9 +11,16 @@
 namespace rift::studio {
 
 /// The user's terminal, taken over for the life of the object by ncurses and given back as it was: also on
-/// Ctrl-Z, and when the program crashes.
+/// Ctrl-Z, and when the program crashes. While another job has it (Ctrl-Z and bg), and when it is gone,
+/// nothing here touches it.
 class Terminal {
  public:
+  enum class Hold : std::uint8_t {
+    ours,  // this process is in its foreground
+    lent,  // another job is, until fg
+    gone,  // closed
+  };
+
   /// Why there is no terminal to draw on, such as "no terminal" or "a terminal that is not known here
   /// (TERM=foo)"; empty where there is one.
   [[nodiscard]] static std::string why_not();
@@ -23,6 +31,11 @@ class Terminal {
   ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
+
+  /// Where Ctrl-Z was pressed, gives the terminal back and stops the process until somebody lets it go on.
+  void stop_if_asked();
+  /// Whose the terminal is now; taken up anew where it is ours again. Only then is anything shown or pressed.
+  [[nodiscard]] Hold hold();
 
   [[nodiscard]] int width() const;
   [[nodiscard]] int height() const;
@@ -38,7 +51,7 @@ class Terminal {
   [[nodiscard]] int pair_of(int foreground, int background);
   void set_style(const Style& style);
 
-  bool color_;
+  bool color_, away_ = false;
   Glyphs glyphs_;
   Canvas shown_{0, 0};
   std::map<std::pair<int, int>, int> pairs_;  // of foreground and background

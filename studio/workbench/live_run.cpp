@@ -243,6 +243,14 @@ void LiveRun::change_speed(int by) {
   news_.notify_all();
 }
 
+void LiveRun::go_on_alone() {
+  const std::lock_guard lock(mutex_);
+  paused_ = false;
+  steps_wanted_ = 0;
+  speed_ = 0;
+  news_.notify_all();
+}
+
 void LiveRun::change(Change wish) {
   const std::lock_guard lock(mutex_);
   changes_wanted_.push_back(std::move(wish));

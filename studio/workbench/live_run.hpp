@@ -61,6 +61,7 @@ class LiveRun {
   void single_step();
   void change_speed(int by);  // one slower is -1, one faster 1
   void change(Change wish);
+  void go_on_alone();              // nobody is there to end a pause or slow motion
   void store_frame();              // of all lanes, into the journal
   void store_frames(bool wanted);  // again and again
   [[nodiscard]] bool storing() const { return storing_; }
