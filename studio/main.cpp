@@ -1,3 +1,4 @@
+#include "engine/base/console.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
@@ -10,7 +11,9 @@
 
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
+#include <system_error>
 
 namespace {
 
@@ -19,12 +22,14 @@ using rift::studio::ExitCode;
 // CLI11 reports --help and --version as exceptions too: those with code 0.
 ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) {
-    app.exit(error);
+    std::ostringstream text;
+    app.exit(error, text, text);
+    rift::base::print_text(text.str());
     return ExitCode::done;
   }
   std::string command = "rift";
   for (const CLI::App* chosen : app.get_subcommands()) command += " " + chosen->get_name();
-  fmt::print(stderr, "{}: {}\nTry '{} --help'.\n", command, error.what(), command);
+  rift::base::message("{}: {}\nTry '{} --help'.\n", command, error.what(), command);
   return ExitCode::bad_input;
 }
 
@@ -46,22 +51,24 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  rift::base::secure_standard_streams();
   rift::studio::let_large_writes_fail();
   ExitCode code = ExitCode::done;
   try {
     code = run(argc, argv);
   } catch (const rift::InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    for (const rift::Issue& issue : error.issues) rift::base::message("{}\n", rift::to_text(issue));
     code = ExitCode::bad_input;
   } catch (const rift::results::FolderExists& error) {
-    fmt::print(stderr, "rift: {}\n", error.what());
+    rift::base::message("rift: {}\n", error.what());
     code = ExitCode::bad_input;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "rift: {}\n", rift::results::plain_text(error));
+    rift::base::message("rift: {}\n", rift::results::plain_text(error));
     code = ExitCode::world_failed;
   }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    fmt::print(stderr, "rift: cannot write to standard output\n");
+  if (const int failure = rift::base::printing_failure(); failure != 0) {
+    rift::base::message("rift: cannot write to standard output: {}\n",
+                        std::generic_category().message(failure));
     if (code == ExitCode::done) code = ExitCode::world_failed;
   }
   return static_cast<int>(code);

@@ -1,5 +1,6 @@
 #include "viz/job.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/json_text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,7 +12,20 @@ namespace rift::viz {
 NLOHMANN_JSON_SERIALIZE_ENUM(Camera, {{Camera::plate, "plate"}, {Camera::tip, "tip"}, {Camera::side, "side"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Beams,
                              {{Beams::none, "none"}, {Beams::crossing, "crossing"}, {Beams::all, "all"}})
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pane, run, lane, title)
+
+// The run's path byte by byte, as numbers: JSON text holds UTF-8 alone, and a path anything.
+static void to_json(nlohmann::json& json, const Pane& pane) {
+  const std::string& path = pane.run.native();
+  json = {{"run", std::vector<unsigned char>(path.begin(), path.end())},
+          {"lane", pane.lane},
+          {"title", pane.title}};
+}
+
+static void from_json(const nlohmann::json& json, Pane& pane) {
+  const auto path = json.at("run").get<std::vector<unsigned char>>();
+  pane = {std::string(path.begin(), path.end()), json.at("lane"), json.at("title")};
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Look, field, range, colours, camera, beams, spheres, magnification,
                                    close_up_m, chart, boundaries, large_text, title)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, panes, look, width, height)
@@ -31,7 +45,7 @@ Enum named(const std::string& word) {
 Camera camera_named(const std::string& word) { return named<Camera>(word); }
 Beams beams_named(const std::string& word) { return named<Beams>(word); }
 
-std::string to_json(const Job& job) { return nlohmann::json(job).dump(); }
+std::string to_json(const Job& job) { return base::json_text(nlohmann::json(job)); }
 
 Job job_from_json(std::string_view text) {
   try {

@@ -1,5 +1,6 @@
 #include "engine/results/archive.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/cell_fields.hpp"
 #include "engine/results/columns.hpp"
 #include "engine/results/files.hpp"
@@ -238,7 +239,7 @@ void write_scene(Group& root, const JournalScan& scan) {
       std::replace_if(
           name.begin(), name.end(), [](char c) { return c == '/' || c == '.'; }, '_');
       if (name.empty() || name == "header" || name == "summary") continue;
-      scene.write_text(name, value.is_string() ? value.get<std::string>() : value.dump());
+      scene.write_text(name, value.is_string() ? value.get<std::string>() : base::json_text(value));
     }
   }
   scene.write_text("header", scan.header_json);

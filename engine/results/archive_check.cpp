@@ -1,5 +1,6 @@
 #include "engine/results/archive_check.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/child.hpp"
 #include "engine/results/columns.hpp"
 #include "engine/results/hdf5.hpp"
@@ -182,10 +183,13 @@ class Inspection {
 };
 
 std::string to_text(const ArchiveCheck& check) {
-  return nlohmann::json{{"problems", check.problems}, {"digest", check.digest}, {"moments", check.moments},
-                        {"samples", check.samples},   {"events", check.events}, {"elements", check.elements},
-                        {"beams", check.beams}}
-      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return base::json_text(nlohmann::json{{"problems", check.problems},
+                                        {"digest", check.digest},
+                                        {"moments", check.moments},
+                                        {"samples", check.samples},
+                                        {"events", check.events},
+                                        {"elements", check.elements},
+                                        {"beams", check.beams}});
 }
 
 ArchiveCheck from_text(const std::string& text) {

@@ -1,5 +1,6 @@
 #include "engine/results/checkpoint.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/hdf5.hpp"
 #include "engine/results/json_text.hpp"
@@ -41,7 +42,7 @@ Checkpoint read_file(const fs::path& path) {
   const hdf5::InputFile file(path);
   const Json index = read_json(file.text("index"), path);
   Checkpoint checkpoint;
-  checkpoint.notes = index.at("notes").dump();
+  checkpoint.notes = base::json_text(index.at("notes"));
   checkpoint.journal_bytes = index.at("journal_bytes").get<std::uint64_t>();
   for (const auto& [name, count] : index.at("state").items())
     checkpoint.state[name] = count == 0 ? std::vector<double>{} : file.doubles(name);
@@ -71,7 +72,7 @@ void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) 
         index["state"][name] = numbers.size();
         if (!numbers.empty()) root.write<double>(name, numbers);
       }
-      root.write_text("index", index.dump());
+      root.write_text("index", base::json_text(index));
     }
     file.close();
   }

@@ -1,5 +1,6 @@
 #include "engine/results/run_writer.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/json_text.hpp"
@@ -12,15 +13,6 @@
 #include <utility>
 
 namespace rift::results {
-namespace {
-
-/// NaN and infinities become null (JSON has neither); bytes that are no UTF-8, as paths may hold, are
-/// replaced.
-std::string json_text(const nlohmann::ordered_json& value, int indent) {
-  return value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
-}  // namespace
 
 RunWriter::RunWriter(std::filesystem::path folder, const nlohmann::ordered_json& header,
                      const Geometry& geometry)
@@ -28,7 +20,7 @@ RunWriter::RunWriter(std::filesystem::path folder, const nlohmann::ordered_json&
       journal_(folder_ / journal_name),
       held_(folder_ / journal_name),
       series_(folder_ / series_name) {
-  journal_.write(RunHeader{json_text(header, -1)});
+  journal_.write(RunHeader{base::json_text(header, -1)});
   journal_.write(geometry);
   journal_.flush();
 }
@@ -81,7 +73,7 @@ void RunWriter::finish(const nlohmann::ordered_json& summary,
                        const std::vector<std::vector<RatePoint>>& rate_per_lane) {
   for (std::size_t lane = 0; lane < rate_per_lane.size(); ++lane)
     journal_.write(RateCurve{static_cast<std::int32_t>(lane), rate_per_lane[lane]});
-  journal_.write(RunEnd{json_text(summary, -1)});
+  journal_.write(RunEnd{base::json_text(summary, -1)});
   journal_.close();
   series_.close();
 
@@ -98,7 +90,7 @@ void complete_folder(const std::filesystem::path& folder, const std::function<vo
   assemble_archive(folder);
   if (check) check();
   const auto summary = read_json(*scan.summary_json, folder / journal_name);
-  write_whole_file(folder / summary_name, json_text(summary, 2) + "\n");
+  write_whole_file(folder / summary_name, base::json_text(summary, 2) + "\n");
 }
 
 }  // namespace rift::results

@@ -1,5 +1,6 @@
 #include "engine/results/verify.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/archive_check.hpp"
 #include "engine/results/checkpoint.hpp"
@@ -242,7 +243,7 @@ class Verifier {
       return found(summary_name, Found::damaged, "the journal's summary is no JSON that can be read");
     const auto there =
         fs::exists(summary) ? json_or_discarded(read_whole_file(summary)) : nlohmann::ordered_json();
-    table(summary_name, expected.dump(2) + "\n", there == expected);
+    table(summary_name, base::json_text(expected, 2) + "\n", there == expected);
   }
 
   const fs::path& folder_;

@@ -1,5 +1,7 @@
 #include "engine/scene/wording.hpp"
 
+#include "engine/base/text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,15 +33,7 @@ bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 
 std::string printable(std::string_view text, std::size_t limit) {
   std::size_t end = std::min(text.size(), limit);
   while (end < text.size() && end > 0 && continues_utf8(text[end])) --end;  // never cut a letter in two
-  std::string out;
-  for (const char c : text.substr(0, end)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\x{:02x}", byte);
-    } else {
-      out += c;
-    }
-  }
+  const std::string out = base::escaped(text.substr(0, end));
   return end < text.size() ? out + "..." : out;
 }
 

@@ -8,8 +8,7 @@
 /// Small helpers for texts that quote what a user wrote.
 namespace rift {
 
-/// The text on one line, short and harmless on a terminal: control characters become \xNN, bytes past `limit`
-/// "...".
+/// The text on one line, short and harmless on a terminal: escaped (base/text.hpp), bytes past `limit` "...".
 std::string printable(std::string_view text, std::size_t limit = 60);
 
 /// "a", "a or b", "a, b or c"; `last` is the word before the last name.

@@ -1,5 +1,6 @@
 #include "engine/simulation/march_notes.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/json_text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -82,18 +83,17 @@ std::string to_json(const MarchNotes& n) {
                      {"rest", json_of(s.rest)},
                      {"since_s", s.since_s}});
   for (const LaneResult& r : n.lane) lanes.push_back(json_of(r));
-  return Json{{"lanes", n.lanes},
-              {"instructions", n.instructions},
-              {"dt", n.dt},
-              {"marched", n.marched},
-              {"lane_steps", n.lane_steps},
-              {"next_scenario", n.next_scenario},
-              {"cracking", n.cracking},
-              {"wall_prestress_s", n.wall_prestress_s},
-              {"wall_fracture_s", n.wall_fracture_s},
-              {"seats", seats},
-              {"lane", lanes}}
-      .dump();
+  return base::json_text(Json{{"lanes", n.lanes},
+                              {"instructions", n.instructions},
+                              {"dt", n.dt},
+                              {"marched", n.marched},
+                              {"lane_steps", n.lane_steps},
+                              {"next_scenario", n.next_scenario},
+                              {"cracking", n.cracking},
+                              {"wall_prestress_s", n.wall_prestress_s},
+                              {"wall_fracture_s", n.wall_fracture_s},
+                              {"seats", seats},
+                              {"lane", lanes}});
 }
 
 MarchNotes march_notes(const std::string& text) try {

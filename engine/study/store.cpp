@@ -1,5 +1,6 @@
 #include "engine/study/store.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/json_text.hpp"
 #include "engine/results/run_folder.hpp"
@@ -54,7 +55,7 @@ Json to_json(const StudyManifest& manifest) {
 }
 
 std::string check_of(const std::string& key, const Json& scenario, const std::string& series_hash) {
-  return hash_text(key + scenario.dump() + series_hash);
+  return hash_text(key + base::json_text(scenario) + series_hash);
 }
 
 fs::path series_file(fs::path result) { return result.replace_extension(".csv"); }
@@ -79,7 +80,7 @@ void open_study(const fs::path& folder, const StudyManifest& manifest, std::vect
     throw results::FolderExists(
         fmt::format("{} is not empty and holds no study; choose another with --out", folder.string()));
   }
-  results::write_whole_file(file, to_json(manifest).dump(2) + "\n");
+  results::write_whole_file(file, base::json_text(to_json(manifest), 2) + "\n");
   results::make_folder(folder / "runs");
 }
 
@@ -111,13 +112,13 @@ Json write_result(const fs::path& folder, const std::string& key, const Json& sc
                   const std::string& series_csv) {
   const fs::path file = result_file(folder, key);
   results::write_whole_file(series_file(file), series_csv);
-  Json kept = results::read_json(scenario.dump(), file);  // what is undefined is null from here on
+  Json kept = results::read_json(base::json_text(scenario), file);  // what is undefined is null from here on
   const std::string series_hash = hash_text(series_csv);
   const Json j{{"key", key},
                {"scenario", kept},
                {"series_hash", series_hash},
                {"check", check_of(key, kept, series_hash)}};
-  results::write_whole_file(file, j.dump(2) + "\n");
+  results::write_whole_file(file, base::json_text(j, 2) + "\n");
   return kept;
 }
 

@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/json_text.hpp"
 #include "engine/results/run_folder.hpp"
@@ -61,7 +63,7 @@ void open_folder(const fs::path& folder, const Preset& preset) {
   const Json mark = mark_of(preset);
   if (fs::exists(file)) {
     const Json there = results::json_or_discarded(results::read_whole_file(file));
-    if (there == mark) return;
+    if (there == results::read_json(base::json_text(mark), file)) return;  // a name that is no UTF-8 is kept as text is
     throw results::FolderExists(
         fmt::format("{} holds the accuracy of another scene; nothing was changed, choose another with --out",
                     folder.string()));
@@ -70,7 +72,7 @@ void open_folder(const fs::path& folder, const Preset& preset) {
     throw results::FolderExists(
         fmt::format("{} is not empty and holds no accuracy; choose another with --out", folder.string()));
   results::make_folder(folder);
-  results::write_whole_file(file, mark.dump(2) + "\n");
+  results::write_whole_file(file, base::json_text(mark, 2) + "\n");
 }
 
 /// The user's cache. With --no-cache one within the folder, gone at the end: variants share their packings.
@@ -94,11 +96,11 @@ void tell_finished(const AccuracyCommand& command, ProgressLine& line, const Var
   if (command.scene.quiet) return;
   if (command.scene.json) {
     const Json told{{"finished", variant.label}, {"knob", name_of(variant.knob)}, {"done", done}, {"of", of}};
-    fmt::print(stderr, "{}\n", told.dump());
+    base::message("{}\n", base::json_text(told));
     return;
   }
-  fmt::print(stderr, "[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, name_of(variant.knob),
-             variant.label, number_in(row, "ratio_with_damping"), number_in(row, "wall_fracture_s"));
+  base::message("[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, name_of(variant.knob), variant.label,
+                number_in(row, "ratio_with_damping"), number_in(row, "wall_fracture_s"));
 }
 
 std::string command_text(const AccuracyCommand& command) {
@@ -110,10 +112,9 @@ std::string command_text(const AccuracyCommand& command) {
 }
 
 ExitCode stopped(const AccuracyRun& run, int received, const fs::path& folder) {
-  fmt::print(stderr,
-             "rift accuracy: {}; {} of {} variants are kept in {}: the same command goes on from here\n",
-             received != 0 ? "stopped" : "the budget ran out", run.computed + run.found, run.tried.size(),
-             folder.string());
+  base::message("rift accuracy: {}; {} of {} variants are kept in {}: the same command goes on from here\n",
+                received != 0 ? "stopped" : "the budget ran out", run.computed + run.found, run.tried.size(),
+                folder.string());
   return received != 0 ? static_cast<ExitCode>(128 + received) : ExitCode::budget_ran_out;
 }
 
@@ -122,7 +123,7 @@ ExitCode write_files(const AccuracyReport& report, const fs::path& folder) {
   try {
     write_accuracy_report(report, folder);
   } catch (const results::WorldError& error) {
-    fmt::print(stderr, "rift accuracy: {}\n", error.what());
+    base::message("rift accuracy: {}\n", error.what());
     return ExitCode::world_failed;
   }
   return ExitCode::done;
@@ -131,12 +132,12 @@ ExitCode write_files(const AccuracyReport& report, const fs::path& folder) {
 void print_result(const AccuracyCommand& command, const AccuracyReport& report, const AccuracyRun& run,
                   const fs::path& folder) {
   if (command.scene.json) {
-    fmt::print("{}\n", accuracy_json(report).dump(2));
+    base::print_text(base::json_text(accuracy_json(report), 2) + "\n");
     return;
   }
-  fmt::print("{}{} computed, {} found, {} in all; {}/  table.csv, report.html, charts\n",
-             accuracy_text(report, wants_color(command.scene.color, stdout)), run.computed, run.found,
-             duration_text(report.wall_s), folder.string());
+  base::print_text(accuracy_text(report, wants_color(command.scene.color, stdout)));
+  base::print("{} computed, {} found, {} in all; {}/  table.csv, report.html, charts\n", run.computed,
+              run.found, duration_text(report.wall_s), folder.string());
 }
 
 ExitCode compute(const AccuracyCommand& command, const Preset& preset, const AccuracyPlan& plan,
@@ -190,7 +191,7 @@ ExitCode accuracy(const AccuracyCommand& command) {
   const Preset preset = read_scene(command.scene);
   check_one_scene(preset);
   if (command.scene.print_config) {
-    fmt::print("{}", preset_text(preset));
+    base::print_text(preset_text(preset));
     return ExitCode::done;
   }
   const AccuracyPlan plan =

@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/ensemble/benchmark.hpp"
 #include "engine/process_limits.hpp"
 #include "engine/simulation/summary.hpp"
@@ -129,13 +131,13 @@ Json json_of(const BenchResult& r, const BenchResult& base, const MachinePeaks& 
 }
 
 void print_peaks(const MachinePeaks& peaks, int threads) {
-  fmt::print("  {} thread{}: memory {:.1f} GB/s, arithmetic {:.0f} GFlop/s double, {:.0f} single\n", threads,
-             threads > 1 ? "s" : "", 1e-9 * peaks.memory_bytes_per_s, 1e-9 * peaks.flops_double,
-             1e-9 * peaks.flops_single);
+  base::print("  {} thread{}: memory {:.1f} GB/s, arithmetic {:.0f} GFlop/s double, {:.0f} single\n", threads,
+              threads > 1 ? "s" : "", 1e-9 * peaks.memory_bytes_per_s, 1e-9 * peaks.flops_double,
+              1e-9 * peaks.flops_single);
 }
 
 void print_row(const BenchResult& r, const BenchResult& base, const MachinePeaks& peaks) {
-  fmt::print(
+  base::print(
       "  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>7.1f} ({:.0f}-{:.0f}){:>9.1f}{:>8.2f} x{:>7.0f} B{:>5.0f} %{:>5.0f} "
       "%\n",
       r.of.name, precision_name(r.of.precision), r.of.scenarios, r.of.threads, r.of.elements,
@@ -188,7 +190,7 @@ Json json_of(const PrecisionError& e) {
 }
 
 void print_precision(const PrecisionError& e) {
-  fmt::print(
+  base::print(
       "  single against double, {}: ratio {:.5f} against {:.5f} ({:+.1e}), books to {:.1e} against {:.1e}\n",
       e.kinematics, e.ratio_single, e.ratio_double, e.ratio_single - e.ratio_double, e.residual_single,
       e.residual_double);
@@ -207,7 +209,7 @@ ExitCode bench(const BenchOptions& options) {
     for (const char* kinematics : {"linear", "corotational"})
       if (stop.received() == 0) errors.push_back(precision_error(kinematics, threads, stop));
   if (stop.received() != 0) {
-    fmt::print(stderr, "rift bench: stopped; nothing was kept\n");
+    base::message("rift bench: stopped; nothing was kept\n");
     return stopped_by(stop);
   }
   if (options.json) {
@@ -221,17 +223,18 @@ ExitCode bench(const BenchOptions& options) {
                        {"flops_double", together.flops_double},
                        {"flops_single", together.flops_single},
                        {"simd", name_of(instruction_set())}};
-    fmt::print("{}\n", Json{{"machine", machine}, {"rows", rows}, {"precision", precision}}.dump(2));
+    base::print_text(
+        base::json_text(Json{{"machine", machine}, {"rows", rows}, {"precision", precision}}, 2) + "\n");
     return ExitCode::done;
   }
-  fmt::print("{}\n", heading(version_text(), wants_color(options.color, stdout)));
+  base::print_text(heading(version_text(), wants_color(options.color, stdout)) + "\n");
   print_peaks(alone, 1);
   if (threads > 1) print_peaks(together, threads);
-  fmt::print("  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>21}{:>7}{:>9}{:>9}{:>7}{:>7}\n", "kernel", "state", "L", "T",
-             "N", "M beam-steps/s (least-most)", "M el.-", options.needs ? "of bare" : "of plain", "a beam",
-             "mem.", "flops");
+  base::print("  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>21}{:>7}{:>9}{:>9}{:>7}{:>7}\n", "kernel", "state", "L", "T",
+              "N", "M beam-steps/s (least-most)", "M el.-", options.needs ? "of bare" : "of plain", "a beam",
+              "mem.", "flops");
   for (const BenchResult& r : results) print_row(r, base_of(results, r, options.needs), peaks_of(r));
-  fmt::print(
+  base::print(
       "  L scenarios side by side, T threads, N elements; medians of {} runs of {:g} s; whole steps.\n"
       "  A beam: compulsory traffic a beam and scenario; mem., flops: share of what this machine was "
       "measured to do.\n",

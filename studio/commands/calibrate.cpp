@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/calibration/calibration_study.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/lattice/stiffness.hpp"
@@ -64,7 +66,7 @@ Calibration compute(const CalibrateOptions& options, const Preset& preset, Cache
 ExitCode calibrate_material(const CalibrateOptions& options) {
   const Preset preset = preset_for(options);
   if (options.scene.print_config) {
-    fmt::print("{}", preset_text(preset));
+    base::print_text(preset_text(preset));
     return ExitCode::done;
   }
   const bool report = !options.out.empty();
@@ -83,14 +85,14 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
       line.clear();
     }
     if (options.scene.json) {
-      fmt::print("{}\n", calibration_json(calibration).dump(2));
+      base::print_text(base::json_text(calibration_json(calibration), 2) + "\n");
     } else {
-      fmt::print("{}", calibration_text(calibration, wants_color(options.scene.color, stdout)));
-      if (report) fmt::print("\n{}/  report.html, table.csv, material.toml, charts\n", options.out);
+      base::print_text(calibration_text(calibration, wants_color(options.scene.color, stdout)));
+      if (report) base::print("\n{}/  report.html, table.csv, material.toml, charts\n", options.out);
     }
   } catch (const Interrupted& interrupted) {
     line.clear();
-    fmt::print(stderr, "rift calibrate: {}; what was computed is in the cache\n", interrupted.what());
+    base::message("rift calibrate: {}; what was computed is in the cache\n", interrupted.what());
     return static_cast<ExitCode>(128 + stop.received());
   } catch (const OutOfReach& error) {
     throw InputError({issue_at(preset, "material.poisson_ratio", error.what())});

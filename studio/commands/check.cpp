@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/simulation/own_numbers.hpp"
 #include "engine/simulation/quasi_static.hpp"
@@ -18,8 +20,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 void print_table(const Json& j, const std::string& title, bool color) {
-  fmt::print("{}\n", heading(title, color));
-  for (const auto& [label, text] : dry_run_rows(j)) fmt::print("  {:<16}{}\n", label, text);
+  base::print_text(heading(title, color) + "\n");
+  for (const auto& [label, text] : dry_run_rows(j)) base::print("  {:<16}{}\n", label, text);
 }
 
 /// What the specimen shows of itself, under the dry run's table.
@@ -27,23 +29,24 @@ void print_measured(const Json& j, bool color) {
   const auto number = [&](const char* name) {
     return j.at(name).is_number() ? j.at(name).get<double>() : std::numeric_limits<double>::quiet_NaN();
   };
-  fmt::print("\n{}\n", heading("measured on this specimen", color));
+  base::print_text("\n" + heading("measured on this specimen", color) + "\n");
   for (const char* way : {"along", "across"})
-    fmt::print("  {:<16}E {:.2f} GPa, nu {:.3f}\n", fmt::format("pulled {}", way),
-               number(fmt::format("measured_young_modulus_{}_pa", way).c_str()) / 1e9,
-               number(fmt::format("measured_poisson_ratio_{}", way).c_str()));
+    base::print("  {:<16}E {:.2f} GPa, nu {:.3f}\n", fmt::format("pulled {}", way),
+                number(fmt::format("measured_young_modulus_{}_pa", way).c_str()) / 1e9,
+                number(fmt::format("measured_poisson_ratio_{}", way).c_str()));
   for (const char* kind : {"dilatational", "shear", "rayleigh"}) {
     const double measured = number(fmt::format("measured_{}_speed_m_s", kind).c_str()),
                  nominal = number(fmt::format("nominal_{}_speed_m_s", kind).c_str());
-    fmt::print("  {:<16}{:.0f} m/s, the material's {:.0f}: {:.3f} of it\n", kind, measured, nominal,
-               measured / nominal);
+    base::print("  {:<16}{:.0f} m/s, the material's {:.0f}: {:.3f} of it\n", kind, measured, nominal,
+                measured / nominal);
   }
-  fmt::print("  {:<16}G/G_I0 = {:.4f} over the window, released progressively and infinitely slowly\n",
-             "quasi-static", number("ratio_quasi_static"));
-  fmt::print("\n{}\n", heading("speed over that of the longest wave, by wavelength over mean radius", color));
+  base::print("  {:<16}G/G_I0 = {:.4f} over the window, released progressively and infinitely slowly\n",
+              "quasi-static", number("ratio_quasi_static"));
+  base::print_text(
+      "\n" + heading("speed over that of the longest wave, by wavelength over mean radius", color) + "\n");
   for (const Json& wave : j.at("waves")) {
     const auto kind = wave.at("kind").get<std::string>();
-    fmt::print(
+    base::print(
         "  {:<16}{:6.1f}   {:.3f}\n", kind, wave.at("wavelength_over_radius").get<double>(),
         wave.at("speed_m_s").get<double>() / number(fmt::format("measured_{}_speed_m_s", kind).c_str()));
   }
@@ -58,7 +61,7 @@ ExitCode check(const CheckOptions& check_options) {
   const SceneOptions& options = check_options.scene;
   const Preset preset = read_scene(options);
   if (options.print_config) {
-    fmt::print("{}", preset_text(preset));
+    base::print_text(preset_text(preset));
     return ExitCode::done;
   }
   const std::vector<Scene> lanes = scenes_of_run(preset);
@@ -81,14 +84,14 @@ ExitCode check(const CheckOptions& check_options) {
     line.clear();
     print_notes(cache);
     if (options.json) {
-      fmt::print("{}\n", j.dump(2));
+      base::print_text(base::json_text(j, 2) + "\n");
     } else {
       print_table(j, prepared.preset.name, wants_color(options.color, stdout));
       if (check_options.measure) print_measured(j["measured"], wants_color(options.color, stdout));
     }
   } catch (const Interrupted& interrupted) {
     line.clear();
-    fmt::print(stderr, "rift check: {}\n", interrupted.what());
+    base::message("rift check: {}\n", interrupted.what());
     return static_cast<ExitCode>(128 + stop.received());
   }
   return ExitCode::done;

@@ -1,5 +1,7 @@
 #include "engine/experiment/experiment.hpp"
 
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/experiment/kept_parts.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/results/world_error.hpp"
@@ -84,7 +86,7 @@ ExitCode stopped(const std::string& what, const fs::path& folder, const StopSign
     for (const fs::path& empty : {folder / "run", folder})
       if (fs::is_empty(empty, ignored)) fs::remove(empty, ignored);
   }
-  fmt::print(stderr, "rift experiment: {}; {}\n", what,
+  base::message("rift experiment: {}; {}\n", what,
              anything
                  ? fmt::format("what was computed is kept in {}: the same command goes on", folder.string())
                  : "nothing was kept: the same command starts anew");
@@ -99,15 +101,15 @@ ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report
     write_experiment_report(report, folder);
     forget_parts(folder);
   } catch (const results::WorldError& error) {
-    fmt::print(stderr, "rift experiment: {}\n", error.what());
+    base::message("rift experiment: {}\n", error.what());
     code = ExitCode::world_failed;
   }
   line.clear();
   if (command.scene.json)
-    fmt::print("{}\n", experiment_json(report).dump(2));
+    base::print_text(base::json_text(experiment_json(report), 2) + "\n");
   else
-    fmt::print("{}{}/  report.html, table.csv, toughness_*.csv, charts, run/\n",
-               experiment_text(report, wants_color(command.scene.color, stdout)), folder.string());
+    base::print_text(experiment_text(report, wants_color(command.scene.color, stdout))),
+        base::print("{}/  report.html, table.csv, toughness_*.csv, charts, run/\n", folder.string());
   return code;
 }
 
@@ -117,7 +119,7 @@ ExitCode experiment(ExperimentCommand& command) {
   check_one_history(preset);
   const CriticalRate truth = read_truth(command.truth);
   if (command.scene.print_config) {
-    fmt::print("{}", preset_text(preset));
+    base::print_text(preset_text(preset));
     return ExitCode::done;
   }
   const fs::path folder = command.out.empty()
@@ -160,7 +162,7 @@ ExitCode experiment(ExperimentCommand& command) {
   report.smoothing = smoothing_text(preset.scene, report.experiment.course);
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   const ExitCode code = finish(command, report, owned.keep(), line);
-  if (!film.trouble.empty()) fmt::print(stderr, "rift experiment: no film: {}\n", film.trouble);
+  if (!film.trouble.empty()) base::message("rift experiment: no film: {}\n", film.trouble);
   return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
 }
 

@@ -1,5 +1,6 @@
 #include "engine/results/export.hpp"
 
+#include "engine/base/console.hpp"
 #include "engine/results/export_ovito.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/report/progress.hpp"
@@ -43,7 +44,7 @@ void add_export(CLI::App& app, ExitCode& exit_code) {
     line.tell("export", 0.0);
     const std::filesystem::path made = exports.at(options->to)(options->run);
     line.clear();
-    fmt::print("{}\n", made.string());
+    base::print_path(made);
     exit_code = ExitCode::done;
   });
 }

@@ -1,5 +1,6 @@
 #include "studio/commands/film_of_run.hpp"
 
+#include "engine/base/console.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/ownership.hpp"
@@ -120,7 +121,7 @@ std::string FilmOfRun::trouble_with(const Preset& preset, bool force) {
   };
   maker_->frames_expected = static_cast<std::size_t>(scene.output.frames);
   try {
-    for (const std::string& note : read_wish(maker_->options)) fmt::print(stderr, "rift run: {}\n", note);
+    for (const std::string& note : read_wish(maker_->options)) base::message("rift run: {}\n", note);
   } catch (const viz::BadWish& wish) {
     return wish.what();
   }

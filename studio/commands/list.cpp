@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/report/catalogue.hpp"
 
@@ -22,7 +24,7 @@ void print_json(const std::vector<PresetEntry>& entries) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const PresetEntry& e : entries)
     all.push_back({{"name", e.name}, {"path", e.path.string()}, {"shows", e.shows}, {"cost", e.cost}});
-  fmt::print("{}\n", all.dump(2));
+  base::print_text(base::json_text(all, 2) + "\n");
 }
 
 void print_table(const std::vector<PresetEntry>& entries, bool color) {
@@ -35,8 +37,8 @@ void print_table(const std::vector<PresetEntry>& entries, bool color) {
   const auto row = [&](const PresetEntry& e) {
     return fmt::format("{:<{}}  {:<{}}  {}", e.name, name_width, e.cost, cost_width, e.shows);
   };
-  fmt::print("{}\n", heading(row(titles), color));
-  for (const PresetEntry& e : entries) fmt::print("{}\n", row(e));
+  base::print_text(heading(row(titles), color) + "\n");
+  for (const PresetEntry& e : entries) base::print("{}\n", row(e));
 }
 
 void list(const ListOptions& options) {

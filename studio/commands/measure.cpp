@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
@@ -122,15 +124,15 @@ ExitCode finish(const MeasureCommand& command, const InstrumentsReport& report, 
     line.tell("report", 0.0);
     write_instruments_report(report, folder);
   } catch (const results::WorldError& error) {
-    fmt::print(stderr, "rift measure: {}\n", error.what());
+    base::message("rift measure: {}\n", error.what());
     code = ExitCode::world_failed;
   }
   line.clear();
   if (command.json)
-    fmt::print("{}\n", instruments_json(report).dump(2));
+    base::print_text(base::json_text(instruments_json(report), 2) + "\n");
   else
-    fmt::print("{}{}/  report.html, stress_intensity.csv, field.csv, charts\n",
-               instruments_text(report, wants_color(command.color, stdout)), folder.string());
+    base::print_text(instruments_text(report, wants_color(command.color, stdout))),
+        base::print("{}/  report.html, stress_intensity.csv, field.csv, charts\n", folder.string());
   return code;
 }
 
@@ -163,7 +165,7 @@ ExitCode measure(const MeasureCommand& command) {
     file.keep();
   } catch (const Interrupted& interrupted) {
     line.clear();
-    fmt::print(stderr, "rift measure: {}; nothing was kept\n", interrupted.what());
+    base::message("rift measure: {}; nothing was kept\n", interrupted.what());
     return stopped_by(stop);
   }
   return finish(command, report, folder, line);

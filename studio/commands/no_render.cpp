@@ -1,3 +1,4 @@
+#include "engine/base/console.hpp"
 #include "studio/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
@@ -10,8 +11,7 @@ void add_render(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand("render", "Films and pictures of a run (not in this build)");
   command.allow_extras();
   command.callback([&exit_code] {
-    fmt::print(
-        stderr,
+    base::message(
         "rift render: this rift was built without its renderer; build it with -DRIFT_VIZ=ON (it needs VTK), "
         "or look at the run in ParaView: rift export RUN --to pvd\n");
     exit_code = ExitCode::world_failed;

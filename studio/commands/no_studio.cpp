@@ -1,3 +1,4 @@
+#include "engine/base/console.hpp"
 #include "studio/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
@@ -7,8 +8,7 @@
 namespace rift::studio {
 
 ExitCode open_studio() {
-  fmt::print(
-      stderr,
+  base::message(
       "rift studio: this rift was built without its panels; build it with -DRIFT_STUDIO_TUI=ON (it needs "
       "ncurses); 'rift run PRESET' runs a scene, 'rift list' shows the presets\n");
   return ExitCode::bad_input;

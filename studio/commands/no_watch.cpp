@@ -1,3 +1,4 @@
+#include "engine/base/console.hpp"
 #include "studio/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
@@ -10,8 +11,7 @@ void add_watch(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand("watch", "A live panel of a run (not in this build)");
   command.allow_extras();
   command.callback([&exit_code] {
-    fmt::print(
-        stderr,
+    base::message(
         "rift watch: this rift was built without its panels; build it with -DRIFT_STUDIO_TUI=ON (it needs "
         "ncurses)\n");
     exit_code = ExitCode::world_failed;

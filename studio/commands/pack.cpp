@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/lattice/cached_packing.hpp"
 #include "engine/lattice/specimen.hpp"
@@ -49,7 +51,7 @@ PackedSpecimen packed(const ReportOptions& options, const Preset& preset, Cache&
 ExitCode pack_specimen(const ReportOptions& options) {
   const Preset preset = preset_for(options.scene);
   if (options.scene.print_config) {
-    fmt::print("{}", preset_text(preset));
+    base::print_text(preset_text(preset));
     return ExitCode::done;
   }
   const bool report = !options.out.empty();
@@ -72,14 +74,14 @@ ExitCode pack_specimen(const ReportOptions& options) {
       line.clear();
     }
     if (options.scene.json) {
-      fmt::print("{}\n", summary.dump(2));
+      base::print_text(base::json_text(summary, 2) + "\n");
     } else {
-      fmt::print("{}", packing_text(summary, wants_color(options.scene.color, stdout)));
-      if (report) fmt::print("{}/  report.html, summary.json, elements.csv, charts\n", options.out);
+      base::print_text(packing_text(summary, wants_color(options.scene.color, stdout)));
+      if (report) base::print("{}/  report.html, summary.json, elements.csv, charts\n", options.out);
     }
   } catch (const Interrupted& interrupted) {
     line.clear();
-    fmt::print(stderr, "rift pack: {}\n", interrupted.what());
+    base::message("rift pack: {}\n", interrupted.what());
     return static_cast<ExitCode>(128 + stop.received());
   }
   return ExitCode::done;

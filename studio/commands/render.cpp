@@ -1,3 +1,4 @@
+#include "engine/base/console.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/units.hpp"
@@ -90,7 +91,7 @@ void draw_picture(const RenderOptions& options, const viz::Plan& plan, double ti
                   const viz::Making& making) {
   check_file(path, options.force);
   viz::make_picture(plan.job, time_s, path, making);
-  fmt::print("{}\n", path.string());
+  base::print_path(path);
 }
 
 /// Where ffmpeg fails, the frames are drawn as pictures instead.
@@ -101,18 +102,18 @@ ExitCode draw_film(const RenderOptions& options, const viz::Plan& plan, const st
     viz::make_film(plan.job, times, rate_of(options.look, times.size()), path,
                    making_of(options, line, stop, path.filename().string()));
     line.clear();
-    fmt::print("{}\n", path.string());
+    base::print_path(path);
     return ExitCode::done;
   } catch (const viz::FilmFailed& failure) {
     line.clear();
     fs::path folder = path;
     folder.replace_extension();
     folder += "_frames";
-    fmt::print(stderr, "rift render: {}; the frames are drawn as pictures instead\n", failure.what());
+    base::message("rift render: {}; the frames are drawn as pictures instead\n", failure.what());
     check_folder_of_pictures(folder, options.force);
     viz::make_pictures(plan.job, times, folder, making_of(options, line, stop, folder.filename().string()));
     line.clear();
-    fmt::print("{}\n", folder.string());
+    base::print_path(folder);
     return ExitCode::world_failed;
   }
 }
@@ -141,7 +142,7 @@ ExitCode draw(const RenderOptions& options, const viz::Plan& plan, ProgressLine&
   if (!options.pictures.empty()) {
     check_folder_of_pictures(options.pictures, options.force);
     viz::make_pictures(plan.job, times, options.pictures, making_of(options, line, stop, "pictures"));
-    fmt::print("{}\n", options.pictures);
+    base::print_path(options.pictures);
   }
   const bool nothing_else = !options.at && options.pictures.empty() && !options.poster;
   fs::path film = options.film;
@@ -159,22 +160,22 @@ ExitCode draw(const RenderOptions& options, const viz::Plan& plan, ProgressLine&
 }
 
 ExitCode render(RenderOptions options) try {
-  for (const std::string& note : read_wish(options.look)) fmt::print(stderr, "rift render: {}\n", note);
+  for (const std::string& note : read_wish(options.look)) base::message("rift render: {}\n", note);
   check_files(options);
   for (const std::string& run : options.runs) options.look.wish.runs.emplace_back(run);
   const viz::Plan plan = viz::plan_of(options.look.wish);
-  for (const std::string& note : plan.notes) fmt::print(stderr, "rift render: {}\n", note);
+  for (const std::string& note : plan.notes) base::message("rift render: {}\n", note);
   const StopSignal stop;
   ProgressLine line(progress_style(options.quiet, options.json));
   try {
     return draw(options, plan, line, stop);
   } catch (const viz::Stopped&) {
     line.clear();
-    fmt::print(stderr, "rift render: stopped; nothing half-made is left\n");
+    base::message("rift render: stopped; nothing half-made is left\n");
     return static_cast<ExitCode>(128 + stop.received());
   }
 } catch (const viz::BadWish& wish) {
-  fmt::print(stderr, "rift render: {}\n", wish.what());
+  base::message("rift render: {}\n", wish.what());
   return ExitCode::bad_input;
 }
 

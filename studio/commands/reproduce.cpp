@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/calibration/calibration_study.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/lattice/stiffness.hpp"
@@ -262,11 +264,11 @@ void write_report(const Reproduction& report, const ReproduceOptions& options) {
   results::write_whole_file(folder / "report.html", reproduction_html(report));
   results::write_whole_file(folder / "reproduction.md", reproduction_markdown(report));
   if (options.json) {
-    fmt::print("{}\n", reproduction_json(report).dump(2));
+    base::print_text(base::json_text(reproduction_json(report), 2) + "\n");
     return;
   }
-  fmt::print("{}\n{}/  report.html, reproduction.md, charts, runs\n",
-             reproduction_text(report, wants_color(options.color, stdout)), folder.string());
+  base::print_text(reproduction_text(report, wants_color(options.color, stdout)) + "\n");
+  base::print("{}/  report.html, reproduction.md, charts, runs\n", folder.string());
 }
 
 ExitCode reproduce(const ReproduceOptions& options) {
@@ -280,8 +282,8 @@ ExitCode reproduce(const ReproduceOptions& options) {
   const StopSignal stop;
   const StudyResult result = compute(options, study, stop);
   if (result.outcome == Outcome::stopped) {
-    fmt::print(stderr, "rift reproduce: stopped; {} of {} scenarios are kept in {}: the same call goes on\n",
-               result.computed + result.found, study.preset.study.size(), options.out);
+    base::message("rift reproduce: stopped; {} of {} scenarios are kept in {}: the same call goes on\n",
+                  result.computed + result.found, study.preset.study.size(), options.out);
     return static_cast<ExitCode>(128 + stop.received());
   }
   Reproduction report{.build = build_info(),
@@ -306,8 +308,7 @@ ExitCode reproduce(const ReproduceOptions& options) {
       if (claim.claim->name == "fig15") add_own_speed(claim, study, result, options, report.elements, stop);
     draw_pictures(report, options, stop);
   } catch (const Interrupted& interrupted) {
-    fmt::print(stderr, "rift reproduce: {}; what was computed is kept in {}\n", interrupted.what(),
-               options.out);
+    base::message("rift reproduce: {}; what was computed is kept in {}\n", interrupted.what(), options.out);
     return static_cast<ExitCode>(128 + stop.received());
   }
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();

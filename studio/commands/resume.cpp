@@ -1,5 +1,6 @@
 #include "studio/commands/resume.hpp"
 
+#include "engine/base/console.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/results/ownership.hpp"
 #include "engine/results/world_error.hpp"
@@ -37,13 +38,12 @@ std::optional<Recorded> go_on_plainly(const ResumeOptions& options, const Preset
                          .stage = [&](const char* stage) { line.tell(stage, 0.0); }},
                         note, {.threads = options.threads}, preparation);
   line.clear();
-  if (!note.empty()) fmt::print(stderr, "rift resume: {}\n", note);
+  if (!note.empty()) base::message("rift resume: {}\n", note);
   return ran;
 } catch (const Interrupted& interrupted) {
   line.clear();
-  fmt::print(
-      stderr, "rift resume: {}\n",
-      nothing_kept_text(interrupted.what(), stop, "the run is as it was, and the same command goes on"));
+  base::message("rift resume: {}\n",
+                nothing_kept_text(interrupted.what(), stop, "the run is as it was, and the same command goes on"));
   return std::nullopt;
 }
 
@@ -64,13 +64,12 @@ ExitCode resume(const ResumeOptions& options) {
   if (results::is_folder_being_written(options.run))
     throw results::WorldError("resume", options.run, "another process is writing it");
   if (complete_end(options.run)) {
-    fmt::print(stderr,
-               "rift resume: {} had come to its end; the files of its end are made from its journal\n",
-               options.run);
+    base::message("rift resume: {} had come to its end; the files of its end are made from its journal\n",
+                  options.run);
     return ExitCode::done;
   }
   if (has_ended(options.run)) {
-    fmt::print(stderr, "rift resume: {} has come to its end: nothing is left of it\n", options.run);
+    base::message("rift resume: {} has come to its end: nothing is left of it\n", options.run);
     return ExitCode::done;
   }
   const Preset preset = preset_of_run(options.run);

@@ -1,3 +1,4 @@
+#include "engine/base/console.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/process_limits.hpp"
 #include "engine/results/archive.hpp"
@@ -73,7 +74,7 @@ struct Way {
 /// With lines of progress. Nothing where the user stopped it before its first step.
 std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache& cache) try {
   results::ClaimedFolder folder(path, way.options.force);
-  if (!folder.has_locks()) fmt::print(stderr, "rift run: {}\n", no_locks_note(path));
+  if (!folder.has_locks()) base::message("rift run: {}\n", no_locks_note(path));
   const Prepared prepared =
       prepare(way.preset, scenes_of_run(way.preset), cache, [&](std::string_view stage, double done) {
         way.line.tell(stage, done);
@@ -88,7 +89,7 @@ std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache&
                     {.threads = way.options.scene.threads, .checkpoint_s = way.checkpoint_s}, preparation);
 } catch (const Interrupted& interrupted) {
   way.line.clear();
-  fmt::print(stderr, "rift run: {}\n", nothing_kept_text(interrupted.what(), way.stop, nothing_written));
+  base::message("rift run: {}\n", nothing_kept_text(interrupted.what(), way.stop, nothing_written));
   return std::nullopt;
 }
 
@@ -102,8 +103,7 @@ std::optional<Recorded> run_live(const Way& way, const fs::path& path, const Cac
   wish.began = [&](const fs::path& folder) { way.begin_film(folder); };
   auto ran = run_in_panel(std::move(wish), wants_color(way.options.scene.color, stdout), way.stop);
   if (!ran)
-    fmt::print(stderr, "rift run: {}\n",
-               nothing_kept_text("stopped before the first step", way.stop, nothing_written));
+    base::message("rift run: {}\n", nothing_kept_text("stopped before the first step", way.stop, nothing_written));
   return ran;
 }
 
@@ -136,12 +136,12 @@ ExitCode run(const RunOptions& options) {
   const double checkpoint_s = checkpoint_seconds(options);
   const std::optional<double> budget = read_budget("rift run", options.budget);
   if (options.scene.print_config) {
-    fmt::print("{}", preset_text(preset));
+    base::print_text(preset_text(preset));
     return ExitCode::done;
   }
   (void)scenes_of_run(preset);  // a study is refused before a folder is claimed
   if (const std::string trouble = options.film->trouble_with(preset, options.force); !trouble.empty()) {
-    fmt::print(stderr, "rift run: {}\n", trouble);
+    base::message("rift run: {}\n", trouble);
     return ExitCode::bad_input;
   }
   const fs::path path = folder_for(options, preset);
@@ -165,7 +165,7 @@ ExitCode run(const RunOptions& options) {
   line.clear();
   print_notes(cache);
   print_run(ran->summary, path, options.scene.json, wants_color(options.scene.color, stdout), film.path);
-  if (!film.trouble.empty()) fmt::print(stderr, "rift run: no film: {}\n", film.trouble);
+  if (!film.trouble.empty()) base::message("rift run: no film: {}\n", film.trouble);
   const ExitCode code = exit_code_of(ran->result.outcome, stop);
   return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
 }

@@ -1,5 +1,7 @@
 #include "studio/commands/run_ending.hpp"
 
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "studio/report/run_table.hpp"
 
 #include <fmt/format.h>
@@ -31,16 +33,16 @@ std::function<bool(const Progress&)> telling(ProgressLine& line, const StopSigna
 void print_run(const nlohmann::ordered_json& summary, const std::filesystem::path& folder, bool json,
                bool color, const std::string& film) {
   if (json) {
-    fmt::print("{}\n", summary.dump(2));
+    base::print_text(base::json_text(summary, 2) + "\n");
     return;
   }
-  for (const auto& scenario : summary.at("scenarios")) fmt::print("{}", run_table(scenario, color));
-  fmt::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
-             folder.string());
-  if (!film.empty()) fmt::print("  {:<22}{}\n", "film", film);
+  for (const auto& scenario : summary.at("scenarios")) base::print_text(run_table(scenario, color));
+  base::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
+              folder.string());
+  if (!film.empty()) base::print("  {:<22}{}\n", "film", film);
   for (const auto& scenario : summary.at("scenarios"))
     if (scenario.value("outcome", std::string()) == name_of(Outcome::stopped)) {
-      fmt::print("  {:<22}rift resume {}\n", "to go on", folder.string());
+      base::print("  {:<22}rift resume {}\n", "to go on", folder.string());
       break;
     }
 }

@@ -1,5 +1,6 @@
 #include "studio/commands/scene_options.hpp"
 
+#include "engine/base/console.hpp"
 #include "studio/commands/common.hpp"
 
 #include <CLI/CLI.hpp>
@@ -35,7 +36,7 @@ void add_report_options(CLI::App& command, ReportOptions& options, const std::st
 Preset read_scene(const SceneOptions& options) {
   Preset preset = read_preset(resolve_preset(options.preset), options.overrides);
   if (!preset.issues.empty()) throw InputError(preset.issues);
-  for (const std::string& note : preset.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : preset.notes) base::message("note: {}\n", note);
   return preset;
 }
 
@@ -51,7 +52,7 @@ std::vector<Scene> scenes_of_run(const Preset& preset) {
 Cache cache_for(const SceneOptions& options) { return options.no_cache ? Cache{} : user_cache(); }
 
 void print_notes(const Cache& cache) {
-  for (const std::string& note : cache.notes) fmt::print(stderr, "cache: {}\n", note);
+  for (const std::string& note : cache.notes) base::message("cache: {}\n", note);
 }
 
 }  // namespace rift::studio

@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/stability/suite.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
@@ -46,16 +48,16 @@ ExitCode stability(const StabilityOptions& options) {
   line.clear();
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   if (options.json)
-    fmt::print("{}\n", stability_json(report).dump(2));
+    base::print_text(base::json_text(stability_json(report), 2) + "\n");
   else
-    fmt::print("{}", stability_text(report, wants_color(options.color, stdout)));
+    base::print_text(stability_text(report, wants_color(options.color, stdout)));
   if (stop.received() != 0) return static_cast<ExitCode>(128 + stop.received());
   if (!options.out.empty()) {
     line.tell("report", 0.0);
     write_stability_report(report, folder->keep());
     line.clear();
     if (!options.json)
-      fmt::print("{}/  report.html, table.csv, claims.csv, summary.json, charts\n", options.out);
+      base::print("{}/  report.html, table.csv, claims.csv, summary.json, charts\n", options.out);
   }
   const bool all = std::all_of(report.rows.begin(), report.rows.end(),
                                [](const StabilityRow& row) { return row.as_expected; });

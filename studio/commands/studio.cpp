@@ -1,3 +1,4 @@
+#include "engine/base/console.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/commands/workshop.hpp"
@@ -27,11 +28,11 @@ std::unique_ptr<Screen> first_screen(const StudioOptions& options, Workshop& wor
 
 ExitCode open_studio(const StudioOptions& options) {
   if (const std::string why = Terminal::why_not(); !why.empty()) {
-    fmt::print(stderr,
-               "rift studio: needs a terminal, and this is {}; without one 'rift run PRESET' runs a scene, "
-               "'rift study "
-               "PRESET' a study, 'rift list' shows the presets, 'rift --help' the rest\n",
-               why);
+    base::message(
+        "rift studio: needs a terminal, and this is {}; without one 'rift run PRESET' runs a scene, "
+        "'rift study "
+        "PRESET' a study, 'rift list' shows the presets, 'rift --help' the rest\n",
+        why);
     return ExitCode::bad_input;
   }
   Workshop workshop = workshop_here(options.threads);

@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/study/cost.hpp"
@@ -90,7 +92,8 @@ std::string finished_text(const SummaryRow& row, int done, int of) {
       text += fmt::format(" {} {}", table.head[k], table.rows[0][k]) + (k + 1 < axes ? "," : ":");
   const std::string outcome = row.at("outcome").get<std::string>();
   text += fmt::format("  ratio {}  {} s", table.rows[0][axes], table.rows[0][axes + 3]);
-  return outcome == "finished" ? text : text + "  " + outcome + ": " + row.at("outcome_where").dump();
+  return outcome == "finished" ? text
+                               : text + "  " + outcome + ": " + base::json_text(row.at("outcome_where"));
 }
 
 void tell_finished(const StudyCommand& command, ProgressLine& line, const SummaryRow& row, int done, int of) {
@@ -98,9 +101,9 @@ void tell_finished(const StudyCommand& command, ProgressLine& line, const Summar
   if (command.scene.quiet) return;
   if (command.scene.json) {
     const Json told{{"finished", row.at("row")}, {"axes", row.at("axes")}, {"done", done}, {"of", of}};
-    fmt::print(stderr, "{}\n", told.dump());
+    base::message("{}\n", base::json_text(told));
   } else {
-    fmt::print(stderr, "{}\n", finished_text(row, done, of));
+    base::message("{}\n", finished_text(row, done, of));
   }
 }
 
@@ -115,20 +118,20 @@ std::string files_in(const fs::path& folder) {
 void print_result(const StudyCommand& command, const Preset& preset, const StudyResult& result,
                   const fs::path& folder) {
   if (command.scene.json) {
-    fmt::print("{}\n", Json{{"preset", preset.name}, {"scenarios", result.rows}}.dump(2));
+    base::print_text(base::json_text(Json{{"preset", preset.name}, {"scenarios", result.rows}}, 2) + "\n");
     return;
   }
   const bool color = wants_color(command.scene.color, stdout);
   const Table table = scenario_table(result.rows), seeds = seed_table(result.rows);
-  if (!table.rows.empty()) fmt::print("{}\n", plain_table(table, color));
-  if (!seeds.rows.empty()) fmt::print("mean ± scatter over seeds\n{}\n", plain_table(seeds, color));
+  if (!table.rows.empty()) base::print_text(plain_table(table, color) + "\n");
+  if (!seeds.rows.empty()) base::print_text("mean ± scatter over seeds\n" + plain_table(seeds, color) + "\n");
   if (table.rows.size() < result.rows.size())
-    fmt::print("{} of {} scenarios are not computed yet\n", result.rows.size() - table.rows.size(),
-               result.rows.size());
-  fmt::print("{} computed, {} found, {} in all; {}/  {}\n", result.computed, result.found,
-             duration_text(result.wall_s), folder.string(), files_in(folder));
+    base::print("{} of {} scenarios are not computed yet\n", result.rows.size() - table.rows.size(),
+                result.rows.size());
+  base::print("{} computed, {} found, {} in all; {}/  {}\n", result.computed, result.found,
+              duration_text(result.wall_s), folder.string(), files_in(folder));
   if (!command.shard.empty())
-    fmt::print(
+    base::print(
         "when all parts have ended, the same command without --shard writes table, charts and report\n");
 }
 
@@ -144,7 +147,7 @@ ExitCode write_files(const StudyCommand& command, const Preset& preset, const St
   try {
     write_study_report(preset, build_info(), result, folder);
   } catch (const results::WorldError& error) {
-    fmt::print(stderr, "rift study: {}\n", error.what());
+    base::message("rift study: {}\n", error.what());
     return ExitCode::world_failed;
   }
   return ExitCode::done;
@@ -169,15 +172,15 @@ ExitCode compute(const StudyCommand& command, const Preset& preset, const StudyO
   };
   const StudyResult result = run_study(preset, options, cache, build_info(), observer);
   line.clear();
-  for (const std::string& note : cache.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : cache.notes) base::message("note: {}\n", note);
   line.tell("report", 0.0);
   const ExitCode files = write_files(command, preset, result, options.folder);
   line.clear();
   print_result(command, preset, result, options.folder);
   if (result.outcome == Outcome::stopped) {
     const bool by_signal = stop.received() != 0;
-    fmt::print(stderr, "rift study: {}; the same command goes on from here\n",
-               by_signal ? "stopped" : "the budget ran out");
+    base::message("rift study: {}; the same command goes on from here\n",
+                  by_signal ? "stopped" : "the budget ran out");
     return by_signal ? static_cast<ExitCode>(128 + stop.received()) : ExitCode::budget_ran_out;
   }
   if (files != ExitCode::done) return files;
@@ -189,7 +192,7 @@ ExitCode study(const StudyCommand& command) {
   const std::optional<double> budget = read_budget("rift study", command.budget);
   const Preset preset = read_scene(command.scene);
   if (command.scene.print_config) {
-    fmt::print("{}", preset_text(preset));
+    base::print_text(preset_text(preset));
     return ExitCode::done;
   }
   check_holds_study(preset);

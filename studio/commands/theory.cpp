@@ -1,3 +1,5 @@
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/theory/references.hpp"
 #include "engine/theory/wave_speeds.hpp"
@@ -100,15 +102,16 @@ void print_json(const Table& t) {
                                       {"cr_over_cs", t.cr_over_cs},
                                       {"cd_over_cs", t.cd_over_cs},
                                       {"factors", factors}};
-  fmt::print("{}\n", all.dump(2));  // NaN, the strip at c_R, becomes null
+  base::print_text(base::json_text(all, 2) + "\n");  // NaN, the strip at c_R, becomes null
 }
 
 void print_csv(const Table& t) {
-  fmt::print("poisson,plane,v_over_cr,cr_over_cs,cd_over_cs,broberg_k,broberg_g,freund_k,freund_g,strip_g\n");
+  base::print(
+      "poisson,plane,v_over_cr,cr_over_cs,cd_over_cs,broberg_k,broberg_g,freund_k,freund_g,strip_g\n");
   for (const Row& r : t.rows)
-    fmt::print("{},{},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g}\n", t.poisson, t.plane,
-               r.v_over_cr, t.cr_over_cs, t.cd_over_cs, r.broberg.k, r.broberg.g, r.freund.k, r.freund.g,
-               r.strip.g);
+    base::print("{},{},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g}\n", t.poisson, t.plane,
+                r.v_over_cr, t.cr_over_cs, t.cd_over_cs, r.broberg.k, r.broberg.g, r.freund.k, r.freund.g,
+                r.strip.g);
 }
 
 std::string cell(double factor) { return std::isnan(factor) ? "-" : fmt::format("{:#.12g}", factor); }
@@ -119,16 +122,16 @@ void print_table(const Table& t, bool color) {
     for (const std::string& text : cells) line += fmt::format("{:<19}", text);
     return line.substr(0, line.find_last_not_of(' ') + 1);
   };
-  fmt::print("Poisson's ratio {}, plane {}: c_R/c_s = {:.13g}, c_d/c_s = {:.13g}\n\n", t.poisson, t.plane,
-             t.cr_over_cs, t.cd_over_cs);
+  base::print("Poisson's ratio {}, plane {}: c_R/c_s = {:.13g}, c_d/c_s = {:.13g}\n\n", t.poisson, t.plane,
+              t.cr_over_cs, t.cd_over_cs);
   const std::string titles = row({"v/c_R", "Broberg k", "Broberg g", "Freund k", "Freund g", "strip g"});
-  fmt::print("{}\n", heading(titles, color));
+  base::print_text(heading(titles, color) + "\n");
   for (const Row& r : t.rows)
-    fmt::print("{}\n", row({fmt::format("{:.10g}", r.v_over_cr), cell(r.broberg.k), cell(r.broberg.g),
-                            cell(r.freund.k), cell(r.freund.g), cell(r.strip.g)}));
-  fmt::print("\n{}\n{}\n",
-             "k = K/K_static, g = G_ID/G_I0. Broberg: a crack expanding from zero; Freund: a half-infinite",
-             "crack; strip: a steady crack in a clamped strip, below c_R only.");
+    base::print("{}\n", row({fmt::format("{:.10g}", r.v_over_cr), cell(r.broberg.k), cell(r.broberg.g),
+                             cell(r.freund.k), cell(r.freund.g), cell(r.strip.g)}));
+  base::print("\n{}\n{}\n",
+              "k = K/K_static, g = G_ID/G_I0. Broberg: a crack expanding from zero; Freund: a half-infinite",
+              "crack; strip: a steady crack in a clamped strip, below c_R only.");
 }
 
 void theory_factors(const TheoryOptions& options) {

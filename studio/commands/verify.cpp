@@ -1,5 +1,7 @@
 #include "engine/results/verify.hpp"
 
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/report/progress.hpp"
 #include "studio/report/table.hpp"
@@ -41,12 +43,13 @@ ExitCode verify(const VerifyOptions& options) {
                                      {"running", v.running},   {"samples", v.run.samples},
                                      {"frames", v.run.frames}, {"last_step", v.run.last_step},
                                      {"files", files}};
-    fmt::print("{}\n", all.dump(2));
+    base::print_text(base::json_text(all, 2) + "\n");
   } else {
     Table table{{"file", "is", ""}, {}};
     for (const results::Finding& f : v.files)
       table.rows.push_back({f.file, results::name_of(f.found), f.text});
-    fmt::print("{}\n{}\n", plain_table(table, wants_color(options.color, stdout)), verdict(v, options.run));
+    base::print_text(plain_table(table, wants_color(options.color, stdout)) + "\n");
+    base::print("{}\n", verdict(v, options.run));
   }
   return results::is_whole(v) ? ExitCode::done : ExitCode::world_failed;
 }

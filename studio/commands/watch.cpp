@@ -1,3 +1,4 @@
+#include "engine/base/console.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/commands/workshop.hpp"
@@ -19,11 +20,11 @@ struct WatchOptions {
 
 ExitCode watch(const WatchOptions& options) {
   if (const std::string why = Terminal::why_not(); !why.empty()) {
-    fmt::print(stderr,
-               "rift watch: needs a terminal, and this is {0}; without one, look at {1}/series.csv or rift "
-               "render {1} "
-               "--at 1\n",
-               why, options.run);
+    base::message(
+        "rift watch: needs a terminal, and this is {0}; without one, look at {1}/series.csv or rift "
+        "render {1} "
+        "--at 1\n",
+        why, options.run);
     return ExitCode::bad_input;
   }
   Workshop workshop = workshop_here(0);

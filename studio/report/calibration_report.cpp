@@ -1,5 +1,6 @@
 #include "studio/report/calibration_report.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/lattice/stiffness.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/world_error.hpp"
@@ -104,7 +105,7 @@ std::string csv_of(const std::vector<SummaryRow>& rows) {
     for (const auto& [name, value] : row.items())
       line += (line.empty() ? "" : ",") + (value.is_null()     ? ""
                                            : value.is_string() ? value.get<std::string>()
-                                                               : value.dump());
+                                                               : base::json_text(value));
     csv += line + '\n';
   }
   return csv;
@@ -170,7 +171,7 @@ void write_calibration_report(const Calibration& c, const fs::path& folder) {
   results::make_folder(folder);
   results::write_whole_file(folder / "table.csv", csv_of(rows));
   results::write_whole_file(folder / "material.toml", material_block(c));
-  results::write_whole_file(folder / "summary.json", calibration_json(c).dump(2) + "\n");
+  results::write_whole_file(folder / "summary.json", base::json_text(calibration_json(c), 2) + "\n");
   std::string figures;
   for (const NamedChart& named : calibration_charts(rows, bulk_micro_material.young_modulus))
     figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);

@@ -1,5 +1,6 @@
 #include "studio/report/chart_look.hpp"
 
+#include "engine/base/text.hpp"
 #include "studio/report/label.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +40,7 @@ std::string range_line(char axis, const AxisRange& range) {
 }
 
 std::string script_head(const std::string& title, const std::string& name, int height) {
-  std::string words = plain_text(title);
+  std::string words = base::escaped(plain_text(title), "\n\r");
   for (char& c : words)
     if (c == '\n' || c == '\r' || c == '\\') c = ' ';  // a backslash would go on with the comment
   std::string out = fmt::format("# {}\n# In this folder `gnuplot {}.gp` draws {}.svg and {}.png.\n", words,

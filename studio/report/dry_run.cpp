@@ -1,5 +1,6 @@
 #include "studio/report/dry_run.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/process_limits.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
@@ -138,8 +139,9 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
   const auto number = [&](const char* key) { return j.at(key).get<double>(); };
   const auto row = [&](const char* label, const std::string& text) { rows.emplace_back(label, text); };
   row("lattice", fmt::format("{} elements, {} beams ({} crossed, {} damped), {} rattlers",
-                             j.at("elements").dump(), j.at("beams").dump(), j.at("beams_crossed").dump(),
-                             j.at("beams_damped").dump(), j.at("rattlers").dump()));
+                             base::json_text(j.at("elements")), base::json_text(j.at("beams")),
+                             base::json_text(j.at("beams_crossed")), base::json_text(j.at("beams_damped")),
+                             base::json_text(j.at("rattlers"))));
   row("", fmt::format("mean radius {:.4f} mm, thickness {:.4g} mm", 1e3 * number("mean_radius_m"),
                       1e3 * number("thickness_m")));
   row("material", fmt::format("density {:.1f} kg/m³, micro modulus {:.1f} GPa", number("density_kg_m3"),
@@ -161,7 +163,7 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
                   number("dt_fraction"), number("dt_critical_s"), number("dt_element_bound_s")));
   if (number("dt_critical_damped_s") < number("dt_critical_s"))
     row("", fmt::format("with damping the critical step is {:.4e} s", number("dt_critical_damped_s")));
-  row("steps", fmt::format("{}{}", j.at("steps").dump(),
+  row("steps", fmt::format("{}{}", base::json_text(j.at("steps")),
                            j.at("steps_per_beam").is_null()
                                ? std::string()
                                : fmt::format(", {:.1f} for a beam to soften", number("steps_per_beam"))));

@@ -1,5 +1,7 @@
 #include "studio/report/experiment_report.hpp"
 
+#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/world_error.hpp"
@@ -112,9 +114,10 @@ std::string csv_of(const Experiment& e) {
 }
 
 std::string toughness_csv(const ExperimentReport& report, bool by_position) {
-  std::string csv = fmt::format(
-      "# G_IDc of {}, as the paper reads it{}: for crack.toughness\n{};release_rate [J/m2]\n", report.preset,
-      by_position ? "" : ", made to rise", by_position ? "position [m]" : "velocity [c_r]");
+  std::string csv =
+      fmt::format("# G_IDc of {}, as the paper reads it{}: for crack.toughness\n{};release_rate [J/m2]\n",
+                  base::escaped(report.preset), by_position ? "" : ", made to rise",
+                  by_position ? "position [m]" : "velocity [c_r]");
   if (by_position)
     for (const CriticalPoint& p : report.experiment.along)
       csv += fmt::format("{};{}\n", p.position, p.as_paper);
@@ -208,7 +211,7 @@ Json experiment_json(const ExperimentReport& report) {
 }
 
 void write_experiment_report(const ExperimentReport& report, const std::filesystem::path& folder) {
-  results::write_whole_file(folder / "summary.json", experiment_json(report).dump(2) + "\n");
+  results::write_whole_file(folder / "summary.json", base::json_text(experiment_json(report), 2) + "\n");
   results::write_whole_file(folder / "table.csv", csv_of(report.experiment));
   results::write_whole_file(folder / "toughness_position.csv", toughness_csv(report, true));
   results::write_whole_file(folder / "toughness_velocity.csv", toughness_csv(report, false));

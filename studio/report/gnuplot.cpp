@@ -2,6 +2,7 @@
 
 #include "engine/results/files.hpp"
 #include "engine/results/world_error.hpp"
+#include "studio/report/html.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -110,12 +111,6 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
     text.replace(at, what.size(), by);
 }
 
-std::string attribute_text(std::string text) {
-  for (const auto& [what, by] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
-    replace_all(text, what, by);
-  return text;
-}
-
 }  // namespace
 
 void run_script(const fs::path& folder, const std::string& name) {
@@ -144,7 +139,7 @@ std::string inline_svg(std::string_view svg, const std::string& name, const std:
     for (const std::string before : {" id='", " id=\"", "href='#", "href=\"#", "url(#"})
       replace_all(text, before, before + name + "_");
     if (text.starts_with("<svg"))
-      text.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", attribute_text(title)));
+      text.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", html_escape(title)));
     at = text == "<title>" ? svg.find("</title>", end) + 8 : end;
     if (text != "<title>") out += text;
   }

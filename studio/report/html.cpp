@@ -1,5 +1,6 @@
 #include "studio/report/html.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/results/files.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ std::string base64(std::string_view bytes) {
 
 std::string html_escape(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : base::escaped(text, "\n\t")) {
     if (c == '&')
       out += "&amp;";
     else if (c == '<')

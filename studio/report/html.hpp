@@ -9,7 +9,8 @@
 /// Reports as one self-contained HTML page: no script, nothing loaded from elsewhere.
 namespace rift::studio {
 
-/// Text with &, <, > and quotes made harmless.
+/// Text with &, <, > and quotes made harmless, other control characters than line breaks and tabs and what is
+/// no UTF-8 escaped.
 std::string html_escape(std::string_view text);
 
 /// The whole page. @param body  HTML

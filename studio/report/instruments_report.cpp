@@ -1,5 +1,6 @@
 #include "studio/report/instruments_report.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/world_error.hpp"
 #include "studio/report/html.hpp"
@@ -216,7 +217,7 @@ Json instruments_json(const InstrumentsReport& report) {
 }
 
 void write_instruments_report(const InstrumentsReport& report, const std::filesystem::path& folder) {
-  results::write_whole_file(folder / "summary.json", instruments_json(report).dump(2) + "\n");
+  results::write_whole_file(folder / "summary.json", base::json_text(instruments_json(report), 2) + "\n");
   results::write_whole_file(folder / "stress_intensity.csv", intensity_csv(report.seen));
   std::string curves, maps;
   std::optional<results::WorldError> failure;

@@ -1,12 +1,14 @@
 #include "studio/report/label.hpp"
 
+#include "engine/base/text.hpp"
+
 #include <algorithm>
 
 namespace rift::studio {
 
 std::string escape_label(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : base::escaped(text)) {
     if (std::string_view("\\_^{}@&~").find(c) != std::string_view::npos) out += '\\';
     out += c;
   }
@@ -26,7 +28,7 @@ std::string plain_text(std::string_view label) {
 
 std::string script_string(std::string_view label) {
   std::string out = "'";
-  for (const char c : label) {
+  for (const char c : base::escaped(label, "\n\r")) {
     out += c == '\n' || c == '\r' ? ' ' : c;
     if (c == '\'') out += '\'';
   }
@@ -40,6 +42,7 @@ std::size_t letters(std::string_view label) {
 }
 
 std::string csv_field(std::string text) {
+  text = base::escaped(text, "\n\r");
   for (char& c : text) {
     if (c == ',') c = ';';
     if (c == '"') c = '\'';

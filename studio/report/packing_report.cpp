@@ -1,5 +1,6 @@
 #include "studio/report/packing_report.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
 #include "engine/scene/parameters.hpp"
 #include "studio/report/chart.hpp"
@@ -106,7 +107,7 @@ std::string packing_text(const Json& j, bool color) {
 
 void write_packing_report(const PackedSpecimen& s, const Json& summary, const fs::path& folder) {
   results::make_folder(folder);
-  results::write_whole_file(folder / "summary.json", summary.dump(2) + "\n");
+  results::write_whole_file(folder / "summary.json", base::json_text(summary, 2) + "\n");
   std::string csv = "x_m,y_m,z_m,radius_m\n";
   for (std::size_t i = 0; i < s.packing.radius.size(); ++i) {
     const Eigen::Vector3d& p = s.packing.centre[i];

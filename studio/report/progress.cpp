@@ -1,5 +1,8 @@
 #include "studio/report/progress.hpp"
 
+#include "engine/base/console.hpp"
+#include "engine/base/json_text.hpp"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,12 +24,6 @@ std::string bar(double done) {
   std::string text;
   for (int k = 0; k < bar_width; ++k) text += k < full ? "█" : "░";
   return text;
-}
-
-/// Never throws: it is called by a thread beside the one that works.
-void put(const std::string& text) {
-  std::fputs(text.c_str(), stderr);
-  std::fflush(stderr);
 }
 
 std::string clock_in(double seconds) {
@@ -53,7 +50,7 @@ std::string magnitude_text(double value) {
 ProgressStyle progress_style(bool quiet, bool json) {
   if (quiet) return ProgressStyle::none;
   if (json) return ProgressStyle::json;
-  return isatty(fileno(stderr)) ? ProgressStyle::line : ProgressStyle::plain;
+  return isatty(STDERR_FILENO) ? ProgressStyle::line : ProgressStyle::plain;
 }
 
 void Pace::note(double now, double done) {
@@ -104,7 +101,7 @@ void ProgressLine::keep_showing(const std::stop_token& ended) {
 
 void ProgressLine::show_if_due() {
   const auto now = Clock::now();
-  const double since = elapsed(), pause = style_ == ProgressStyle::line ? redraw_s : plain_s;
+  const double since = elapsed(), pause = redrawn() ? redraw_s : plain_s;
   const bool first = last_ == Clock::time_point{};
   if (since < quiet_start_s || (!first && std::chrono::duration<double>(now - last_).count() < pause)) return;
   last_ = now;
@@ -116,28 +113,33 @@ void ProgressLine::show(double elapsed) {
   if (style_ == ProgressStyle::json) {
     nlohmann::ordered_json line{{"stage", stage_}, {"done", done_}, {"elapsed_s", elapsed}};
     line["remaining_s"] = left < 0.0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(left);
-    put(line.dump() + "\n");
+    base::message("{}\n", base::json_text(line));
     return;
   }
   std::string text = fmt::format("{:<13}", stage_);
-  if (style_ == ProgressStyle::line) text += fmt::format(" {}", bar(done_));
+  const bool in_place = redrawn();
+  if (in_place) text += fmt::format(" {}", bar(done_));
   text += fmt::format(" {:3.0f} %", 100.0 * done_);
   if (left < 0.0) text += fmt::format("  for {} so far", duration_text(elapsed));
   if (left >= 0.0) text += fmt::format("  {} left, done at {}", duration_text(left), clock_in(left));
   if (!rate_.empty()) text += fmt::format("  {}", rate_);
-  if (style_ == ProgressStyle::line) {
-    put("\r" + text + "\x1b[K");
+  if (in_place) {
+    base::message("\r{}\x1b[K", text);
     drawn_ = true;
   } else {
-    put(text + "\n");
+    base::message("{}\n", text);
   }
+}
+
+bool ProgressLine::redrawn() const {
+  return style_ == ProgressStyle::line && base::in_foreground(STDERR_FILENO);
 }
 
 void ProgressLine::clear() {
   const std::lock_guard lock(mutex_);
   goes_on_ = false;
   if (!drawn_) return;
-  put("\r\x1b[K");
+  if (redrawn()) base::message("\r\x1b[K");
   drawn_ = false;
 }
 

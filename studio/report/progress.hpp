@@ -29,8 +29,9 @@ class Pace {
   std::deque<std::pair<double, double>> noted_;  // (now, done); done rises from one to the next
 };
 
-/// A line that is redrawn on a terminal, a line every five seconds elsewhere, or JSON lines; nothing for
-/// stages that end within a second. A thread of its own shows a stage that goes on without telling anything.
+/// A line that is redrawn on a terminal, a line every five seconds elsewhere and in a
+/// terminal's background, or JSON lines; nothing for stages that end within a second. A thread of its own
+/// shows a stage that goes on without telling anything.
 class ProgressLine {
  public:
   explicit ProgressLine(ProgressStyle style) : style_(style) {}
@@ -49,6 +50,7 @@ class ProgressLine {
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - stage_start_).count(); }
   void show_if_due();
   void show(double elapsed);
+  [[nodiscard]] bool redrawn() const;  // on a terminal in whose foreground this process is
   void keep_showing(const std::stop_token& ended);
 
   ProgressStyle style_;

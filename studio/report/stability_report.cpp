@@ -1,5 +1,6 @@
 #include "studio/report/stability_report.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/world_error.hpp"
 #include "studio/report/html.hpp"
@@ -215,7 +216,7 @@ Json stability_json(const StabilityReport& report) {
 
 void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder) {
   results::make_folder(folder);
-  results::write_whole_file(folder / "summary.json", stability_json(report).dump(2) + "\n");
+  results::write_whole_file(folder / "summary.json", base::json_text(stability_json(report), 2) + "\n");
   results::write_whole_file(folder / "table.csv", csv_of(report.rows));
   results::write_whole_file(folder / "claims.csv", claims_csv(report.rows));
   std::string figures;

@@ -1,5 +1,6 @@
 #include "studio/report/study_table.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "studio/report/progress.hpp"
 
 #include <fmt/format.h>
@@ -47,9 +48,9 @@ std::string csv_field(const Json& value) {
     for (const auto& [name, of_axis] : value.items())
       text += fmt::format("{}{} = {}", text.empty() ? "" : "; ", name, of_axis.get<std::string>());
   } else if (value.is_array()) {
-    for (const Json& part : value) text += (text.empty() ? "" : " ") + part.dump();
+    for (const Json& part : value) text += (text.empty() ? "" : " ") + base::json_text(part);
   } else {
-    return value.dump();
+    return base::json_text(value);
   }
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

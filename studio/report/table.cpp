@@ -1,5 +1,7 @@
 #include "studio/report/table.hpp"
 
+#include "engine/base/text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +13,13 @@ namespace {
 bool is_numeric_column(const Table& table, std::size_t column) {
   return std::all_of(table.rows.begin(), table.rows.end(),
                      [&](const auto& row) { return is_numeric(row[column]); });
+}
+
+Table escaped_cells(Table table) {
+  for (std::string& cell : table.head) cell = base::escaped(cell);
+  for (auto& row : table.rows)
+    for (std::string& cell : row) cell = base::escaped(cell);
+  return table;
 }
 
 std::string line_of(const std::vector<std::string>& cells, const std::vector<std::size_t>& width,
@@ -27,7 +36,8 @@ std::string line_of(const std::vector<std::string>& cells, const std::vector<std
 }  // namespace
 
 std::string heading(std::string_view text, bool color) {
-  return color ? fmt::format("\033[1m{}\033[0m", text) : std::string(text);
+  const std::string harmless = base::escaped(text);
+  return color ? fmt::format("\033[1m{}\033[0m", harmless) : harmless;
 }
 
 std::size_t width_of(const std::string& text) {
@@ -40,7 +50,8 @@ bool is_numeric(const std::string& cell) {
   return cell.find_first_not_of(of_numbers) == std::string::npos;
 }
 
-std::string plain_table(const Table& table, bool color) {
+std::string plain_table(const Table& raw, bool color) {
+  const Table table = escaped_cells(raw);
   std::vector<std::size_t> width;
   std::vector<char> to_the_right;
   for (std::size_t k = 0; k < table.head.size(); ++k) {

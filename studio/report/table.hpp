@@ -12,11 +12,11 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// The text as a heading: bold where `color`.
+/// The text as a heading: escaped, bold where `color`.
 std::string heading(std::string_view text, bool color);
 
 /// Columns two spaces apart under their heads, numbers (with their ±) to the right; the head bold where
-/// `color`.
+/// `color`. What a cell holds is escaped.
 std::string plain_table(const Table& table, bool color);
 
 /// Letters that a UTF-8 text takes on a terminal.

@@ -1,5 +1,7 @@
 #include "studio/screen/canvas.hpp"
 
+#include "engine/base/text.hpp"
+
 namespace rift::studio {
 namespace {
 
@@ -47,12 +49,13 @@ std::u32string letters_of(std::string_view text) {
 
 void Canvas::put(int x, int y, char32_t glyph, const Style& style) {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
-  cell_[static_cast<std::size_t>(y) * width_ + x] = {glyph, style};
+  const bool control = glyph < 0x20 || (glyph >= 0x7F && glyph < 0xA0);
+  cell_[static_cast<std::size_t>(y) * width_ + x] = {control ? U'?' : glyph, style};
 }
 
 int Canvas::text(int x, int y, std::string_view text, const Style& style, int width) {
   int taken = 0;
-  for (const char32_t letter : letters_of(text)) {
+  for (const char32_t letter : letters_of(base::escaped(text))) {
     if (taken >= width) break;
     put(x + taken++, y, letter, style);
   }

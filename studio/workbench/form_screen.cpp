@@ -1,5 +1,6 @@
 #include "studio/workbench/form_screen.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/results/files.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
@@ -340,8 +341,8 @@ void FormScreen::save() try {
   } else {
     results::make_folder(workshop_.own_presets);
     results::write_whole_file(
-        file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}", path_.stem().string(),
-                          changes_.size(), preset_text(preset_)));
+        file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}",
+                          base::escaped(path_.stem().string()), changes_.size(), preset_text(preset_)));
     message_ = "saved: " + file.string();
   }
 } catch (const std::exception& error) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The house has one direction: studio -> viz -> results, studio -> engine -> results.
+# The house has one direction: studio -> viz -> results, studio -> engine -> results; and one place for some things.
 set -u
 cd "$1" || exit 2
 wrong=0
@@ -12,6 +12,7 @@ refuse() { # WHAT PATTERN FOLDERS...
   wrong=1
 }
 refuse 'engine reaches upwards' '#include "(viz|studio)/' engine
+refuse 'base knows more than itself' '#include "(viz|studio|engine/(history|scene|lattice|mechanics|fracture|theory|measurement|ensemble|calibration|study|simulation|stability|experiment|results))/' engine/base
 refuse 'results reaches into the engine' '#include "engine/(history|scene|lattice|mechanics|fracture|theory|measurement|ensemble|calibration|study|simulation|stability|experiment)/' engine/results
 refuse 'viz knows more than results' '#include "(studio|engine/(history|scene|lattice|mechanics|fracture|theory|measurement|ensemble|calibration|study|simulation|stability|experiment))/' viz
 refuse 'history knows more than itself' '#include "engine/(results|scene|lattice|mechanics|fracture|theory|measurement|ensemble|calibration|study|simulation|stability|experiment)/' engine/history
@@ -21,4 +22,7 @@ refuse 'ncurses outside studio/terminal' '#include <n?curses' engine viz studio/
 refuse 'CLI11 outside studio' '#include <CLI/' engine viz studio/screen studio/workbench
 refuse 'screens know what acts on them' '#include "studio/(workbench|terminal|commands)/' studio/screen
 refuse 'the workbench knows a terminal' '#include "studio/(terminal|commands)/' studio/workbench
+# What may be written wherever a name is shown is written in one place, which knows how.
+refuse 'a standard stream is written outside engine/base/console.cpp' '(fmt::print|std::(cerr|cout|clog|puts|printf)|fprintf|fputs|perror)\b' engine/[!b]* viz studio
+refuse 'JSON becomes text outside engine/base/json_text.cpp' '\.dump\(' engine/[!b]* viz studio
 exit $wrong

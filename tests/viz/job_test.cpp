@@ -32,6 +32,13 @@ TEST(Job, ComesBackFromItsText) {
   EXPECT_EQ(job_from_json(text).look.range[1], 12.5);
 }
 
+TEST(Job, KeepsThePathOfARunByteByByte) {
+  Job job;
+  const std::filesystem::path run = "r\xe9s\x1b[2J\nb/run";
+  job.panes = {{.run = run, .lane = 0, .title = "r\xe9s"}};
+  EXPECT_EQ(job_from_json(to_json(job)).panes[0].run, run);
+}
+
 TEST(Job, TextThatIsNoJobIsRefused) {
   EXPECT_THROW((void)job_from_json("hello"), std::invalid_argument);
   EXPECT_THROW((void)job_from_json("{}"), std::invalid_argument);

@@ -37,6 +37,18 @@ TEST(Render, MakesOnePictureAPosterAndASequence) {
   EXPECT_FALSE(fs::exists(folder / "frames" / "frame_000003.png"));
 }
 
+TEST(Render, DrawsARunWhoseNameIsNoUtf8) {
+  const Folder folder;
+  const std::string name = "r\xe9s\x1b[2J\nb";
+  write_run(folder / name);
+  const Ran ran = render_in(folder, "'" + name + "' --size 320x180 --poster --film 'f\xe9.mp4'");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  EXPECT_EQ(ran.out, "f\xe9.mp4\nf\xe9.png\n");
+  EXPECT_GT(fs::file_size(folder / "f\xe9.mp4"), 1000U);
+  EXPECT_EQ(viz::read_png(folder / "f\xe9.png").width, 320);
+}
+
 TEST(Render, NeverOverwritesSilently) {
   const Folder folder;
   write_run(folder / "run");

@@ -1,3 +1,4 @@
+#include "engine/base/console.hpp"
 #include "viz/draw/offscreen.hpp"
 #include "viz/draw/picture.hpp"
 
@@ -37,17 +38,18 @@ void answer_times(const rift::viz::Job& job) {
 }  // namespace
 
 int main() try {
+  rift::base::secure_standard_streams();
   std::string line;
   if (!std::getline(std::cin, line)) throw std::invalid_argument("no job on the input");
   answer_times(rift::viz::job_from_json(line));
   return 0;
 } catch (const rift::viz::NoOpenGl& error) {
-  std::fprintf(stderr, "%s\n", error.what());
+  rift::base::message("{}\n", error.what());
   return no_opengl;
 } catch (const std::bad_alloc&) {
-  std::fprintf(stderr, "not enough memory for such a frame\n");
+  rift::base::message_text("not enough memory for such a frame\n");
   return failed;
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "%s\n", error.what());
+  rift::base::message("{}\n", error.what());
   return failed;
 }

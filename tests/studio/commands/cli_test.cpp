@@ -47,7 +47,7 @@ TEST(CommandLine, OneCommandAtATime) { EXPECT_EQ(run_rift("theory list").exit_co
 TEST(CommandLine, AFullDiskUnderStdoutIsAFailureOfTheWorld) {
   const Ran ran = run_rift("theory >/dev/full");
   EXPECT_EQ(ran.exit_code, 1);
-  EXPECT_EQ(ran.err, "rift: cannot write to standard output\n");
+  EXPECT_EQ(ran.err, "rift: cannot write to standard output: No space left on device\n");
 }
 
 TEST(Color, IsAbsentFromPipesUnlessAskedFor) {

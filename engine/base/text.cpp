@@ -1,0 +1,50 @@
+#include "engine/base/text.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+namespace rift::base {
+namespace {
+
+constexpr unsigned first_byte(std::string_view text) { return static_cast<unsigned char>(text.front()); }
+
+/// How many bytes the letter takes with which the text begins, 0 where it begins with none: overlong forms,
+/// surrogates and values beyond U+10FFFF are none.   [RFC 3629, section 4]
+std::size_t bytes_of_first_letter(std::string_view text) {
+  const unsigned first = first_byte(text);
+  if (first < 0x80) return 1;
+  const std::size_t count = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+  if (count == 0 || text.size() < count) return 0;
+  for (std::size_t k = 1; k < count; ++k)
+    if ((static_cast<unsigned char>(text[k]) & 0xC0U) != 0x80U) return 0;
+  const unsigned second = static_cast<unsigned char>(text[1]);
+  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool beyond = (first == 0xED && second >= 0xA0) || (first == 0xF4 && second >= 0x90);
+  return overlong || beyond ? 0 : count;
+}
+
+bool is_control(std::string_view letter) {
+  if (letter.size() == 1) return first_byte(letter) < 0x20 || first_byte(letter) == 0x7F;
+  return letter.size() == 2 && first_byte(letter) == 0xC2 && static_cast<unsigned char>(letter[1]) < 0xA0;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text, std::string_view kept) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t count = bytes_of_first_letter(text);
+    const std::string_view letter = text.substr(0, count == 0 ? 1 : count);
+    const bool stays = count == 1 && kept.find(letter) != std::string_view::npos;
+    if (count != 0 && (stays || !is_control(letter)))
+      out += letter;
+    else
+      for (const char byte : letter) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+    text.remove_prefix(letter.size());
+  }
+  return out;
+}
+
+}  // namespace rift::base

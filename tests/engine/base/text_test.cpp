@@ -1,0 +1,36 @@
+#include "engine/base/text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rift::base {
+namespace {
+
+TEST(Escaped, LeavesUtf8AsItIs) {
+  for (const char* text : {"", "run 1", "α = 0, 3 µm, ±", "日本語", "\U0001F600"})
+    EXPECT_EQ(escaped(text), text);
+}
+
+TEST(Escaped, ShowsControlCharactersAsNumbers) {
+  EXPECT_EQ(escaped("a\x1b[2J\nb\x7f"), "a\\x1b[2J\\x0ab\\x7f");
+  EXPECT_EQ(escaped("\u009b2J"), "\\xc2\\x9b2J");  // another beginning of an escape sequence
+  EXPECT_EQ(escaped("a\u00a0b"), "a\u00a0b");      // the first letter behind them
+}
+
+TEST(Escaped, ShowsBytesThatAreNoUtf8AsNumbers) {
+  EXPECT_EQ(escaped("r\xe9sultats"), "r\\xe9sultats");
+  EXPECT_EQ(escaped("cut \xc3"), "cut \\xc3");
+  EXPECT_EQ(escaped("\xc0\xaf"), "\\xc0\\xaf");                    // overlong
+  EXPECT_EQ(escaped("\xe0\x80\xaf"), "\\xe0\\x80\\xaf");           // overlong
+  EXPECT_EQ(escaped("\xed\xa0\x80"), "\\xed\\xa0\\x80");           // half of a pair of UTF-16
+  EXPECT_EQ(escaped("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond the last letter
+}
+
+TEST(Escaped, KeepsWhatItIsToldTo) { EXPECT_EQ(escaped("a\tb\nc\x1b", "\n\t"), "a\tb\nc\\x1b"); }
+
+TEST(Escaped, TwiceIsOnce) {
+  const std::string once = escaped("r\xe9s\x1b[31m");
+  EXPECT_EQ(escaped(once), once);
+}
+
+}  // namespace
+}  // namespace rift::base
