@@ -105,11 +105,12 @@ ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report
     code = ExitCode::world_failed;
   }
   line.clear();
-  if (command.scene.json)
+  if (command.scene.json) {
     base::print_text(base::json_text(experiment_json(report), 2) + "\n");
-  else
-    base::print_text(experiment_text(report, wants_color(command.scene.color, stdout))),
-        base::print("{}/  report.html, table.csv, toughness_*.csv, charts, run/\n", folder.string());
+  } else {
+    base::print_text(experiment_text(report, wants_color(command.scene.color, stdout)));
+    base::print("{}/  report.html, table.csv, toughness_*.csv, charts, run/\n", folder.string());
+  }
   return code;
 }
 

@@ -128,11 +128,12 @@ ExitCode finish(const MeasureCommand& command, const InstrumentsReport& report, 
     code = ExitCode::world_failed;
   }
   line.clear();
-  if (command.json)
+  if (command.json) {
     base::print_text(base::json_text(instruments_json(report), 2) + "\n");
-  else
-    base::print_text(instruments_text(report, wants_color(command.color, stdout))),
-        base::print("{}/  report.html, stress_intensity.csv, field.csv, charts\n", folder.string());
+  } else {
+    base::print_text(instruments_text(report, wants_color(command.color, stdout)));
+    base::print("{}/  report.html, stress_intensity.csv, field.csv, charts\n", folder.string());
+  }
   return code;
 }
 
