@@ -1,7 +1,7 @@
 #include "viz/job.hpp"
 
 #include "engine/base/json_text.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 
 #include <nlohmann/json.hpp>
 

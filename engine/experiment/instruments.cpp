@@ -4,7 +4,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/crack_tip.hpp"
 #include "engine/results/journal_scan.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/ownership.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"

@@ -1,10 +1,12 @@
 #include "engine/experiment/kept_parts.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/experiment/experiment.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/simulation/record.hpp"
 
@@ -31,7 +33,7 @@ std::string experiment_identity(const Preset& preset, const ExperimentWishes& wi
 
 bool is_under_way(const fs::path& folder, const std::string& identity) {
   if (!fs::exists(mark_file(folder))) return false;
-  const auto mark = nlohmann::json::parse(results::read_whole_file(mark_file(folder)), nullptr, false);
+  const auto mark = results::json_or_discarded(results::read_whole_file(mark_file(folder)));
   return mark.is_object() && mark.contains("identity") && mark["identity"] == identity;
 }
 
@@ -40,7 +42,8 @@ void begin_experiment(const fs::path& folder, const std::string& identity) {
   forget_parts(folder);
   results::create_run_folder(folder / "run",
                              true);  // before the mark: a run beside a mark is of its experiment
-  results::write_whole_file(mark_file(folder), nlohmann::json{{"identity", identity}}.dump(2) + "\n");
+  results::write_whole_file(mark_file(folder),
+                            base::json_text(nlohmann::json{{"identity", identity}}, 2) + "\n");
 }
 
 bool holds_parts(const fs::path& folder) {

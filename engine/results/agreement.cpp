@@ -1,6 +1,6 @@
 #include "engine/results/agreement.hpp"
 
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "engine/results/child.hpp"
 #include "engine/results/columns.hpp"
 #include "engine/results/hdf5.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

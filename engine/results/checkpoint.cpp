@@ -3,7 +3,7 @@
 #include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/hdf5.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 #include "engine/base/json_text.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
-#include "engine/results/json_text.hpp"
 #include "engine/results/journal_scan.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>

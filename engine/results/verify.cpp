@@ -6,7 +6,7 @@
 #include "engine/results/checkpoint.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 #include "engine/results/world_error.hpp"

@@ -1,6 +1,8 @@
 #include "engine/simulation/kept_march.hpp"
 
+#include "engine/base/json_text.hpp"
 #include "engine/results/columns.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/simulation/march_notes.hpp"
 
@@ -53,7 +55,8 @@ Sample row_from(const double* numbers) {
 /// beside it.
 results::Checkpoint wrapped(results::Checkpoint checkpoint, const std::string& identity,
                             const std::vector<Sample>& rows) {
-  checkpoint.notes = Json{{"identity", identity}, {"march", Json::parse(checkpoint.notes)}}.dump();
+  checkpoint.notes =
+      base::json_text(Json{{"identity", identity}, {"march", results::json_or_discarded(checkpoint.notes)}});
   std::vector<double>& numbers = checkpoint.state[rows_name];
   numbers.reserve(rows.size() * numbers_of_row);
   for (const Sample& row : rows) append_row(numbers, row);
@@ -68,7 +71,7 @@ Resumption unwrapped(results::Checkpoint checkpoint) {
   for (std::size_t k = 0; k < found->second.size(); k += numbers_of_row)
     from.books.push_back(row_from(&found->second[k]));
   checkpoint.state.erase(found);
-  checkpoint.notes = Json::parse(checkpoint.notes).at("march").dump();
+  checkpoint.notes = base::json_text(results::json_or_discarded(checkpoint.notes).at("march"));
   from.checkpoint = std::move(checkpoint);
   return from;
 }
@@ -138,7 +141,7 @@ class Keeper {
 
 std::optional<Resumption> kept_march(const MarchKeeping& keeping, std::string& note) try {
   std::optional<results::Checkpoint> checkpoint = results::read_checkpoint(keeping.folder, 0, note);
-  if (!checkpoint || Json::parse(checkpoint->notes).value("identity", "") != keeping.identity)
+  if (!checkpoint || results::json_or_discarded(checkpoint->notes).value("identity", "") != keeping.identity)
     return std::nullopt;
   return unwrapped(std::move(*checkpoint));
 } catch (const std::exception& error) {  // sealed, but not by this program
@@ -161,7 +164,7 @@ RunResult march_and_keep(const Prepared& prepared, const Observer& observer, con
 std::string kept_identity(const fs::path& folder) try {
   std::string ignored;
   const auto checkpoint = results::read_checkpoint(folder, 0, ignored);
-  return checkpoint ? Json::parse(checkpoint->notes).value("identity", "") : std::string();
+  return checkpoint ? results::json_or_discarded(checkpoint->notes).value("identity", "") : std::string();
 } catch (const std::exception&) {
   return {};
 }

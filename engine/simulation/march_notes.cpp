@@ -1,7 +1,7 @@
 #include "engine/simulation/march_notes.hpp"
 
 #include "engine/base/json_text.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -118,13 +118,13 @@ MarchNotes march_notes(const std::string& text) try {
 }
 
 void set_taken_s(results::Checkpoint& checkpoint, double seconds) {
-  Json notes = Json::parse(checkpoint.notes);
+  Json notes = results::json_or_discarded(checkpoint.notes);
   notes["taken_s"] = seconds;
-  checkpoint.notes = notes.dump();
+  checkpoint.notes = base::json_text(notes);
 }
 
 double taken_s(const results::Checkpoint& checkpoint) {
-  const Json notes = Json::parse(checkpoint.notes, nullptr, false);
+  const Json notes = results::json_or_discarded(checkpoint.notes);
   return notes.is_object() && notes.contains("taken_s") && notes["taken_s"].is_number()
              ? notes["taken_s"].get<double>()
              : 0.0;

@@ -4,7 +4,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/ownership.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/run_writer.hpp"

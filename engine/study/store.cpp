@@ -2,7 +2,7 @@
 
 #include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/study/identity.hpp"

@@ -1,7 +1,7 @@
 #include "engine/study/stored_study.hpp"
 
 #include "engine/results/files.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/study/store.hpp"
 

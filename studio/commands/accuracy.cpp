@@ -1,7 +1,7 @@
 #include "engine/base/console.hpp"
 #include "engine/base/json_text.hpp"
 #include "engine/results/files.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/world_error.hpp"
 #include "engine/study/accuracy_run.hpp"
@@ -63,7 +63,8 @@ void open_folder(const fs::path& folder, const Preset& preset) {
   const Json mark = mark_of(preset);
   if (fs::exists(file)) {
     const Json there = results::json_or_discarded(results::read_whole_file(file));
-    if (there == results::read_json(base::json_text(mark), file)) return;  // a name that is no UTF-8 is kept as text is
+    if (there == results::read_json(base::json_text(mark), file))
+      return;  // a name that is no UTF-8 is kept as text is
     throw results::FolderExists(
         fmt::format("{} holds the accuracy of another scene; nothing was changed, choose another with --out",
                     folder.string()));

@@ -86,10 +86,10 @@ ExitCode stopped(const std::string& what, const fs::path& folder, const StopSign
     for (const fs::path& empty : {folder / "run", folder})
       if (fs::is_empty(empty, ignored)) fs::remove(empty, ignored);
   }
-  base::message("rift experiment: {}; {}\n", what,
-             anything
-                 ? fmt::format("what was computed is kept in {}: the same command goes on", folder.string())
-                 : "nothing was kept: the same command starts anew");
+  base::message(
+      "rift experiment: {}; {}\n", what,
+      anything ? fmt::format("what was computed is kept in {}: the same command goes on", folder.string())
+               : "nothing was kept: the same command starts anew");
   return stopped_by(stop);
 }
 

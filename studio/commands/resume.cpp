@@ -42,8 +42,8 @@ std::optional<Recorded> go_on_plainly(const ResumeOptions& options, const Preset
   return ran;
 } catch (const Interrupted& interrupted) {
   line.clear();
-  base::message("rift resume: {}\n",
-                nothing_kept_text(interrupted.what(), stop, "the run is as it was, and the same command goes on"));
+  base::message("rift resume: {}\n", nothing_kept_text(interrupted.what(), stop,
+                                                       "the run is as it was, and the same command goes on"));
   return std::nullopt;
 }
 

@@ -103,7 +103,8 @@ std::optional<Recorded> run_live(const Way& way, const fs::path& path, const Cac
   wish.began = [&](const fs::path& folder) { way.begin_film(folder); };
   auto ran = run_in_panel(std::move(wish), wants_color(way.options.scene.color, stdout), way.stop);
   if (!ran)
-    base::message("rift run: {}\n", nothing_kept_text("stopped before the first step", way.stop, nothing_written));
+    base::message("rift run: {}\n",
+                  nothing_kept_text("stopped before the first step", way.stop, nothing_written));
   return ran;
 }
 

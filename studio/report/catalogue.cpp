@@ -2,7 +2,7 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/files.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/study/store.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "viz/draw/moment.hpp"
 
 #include "engine/results/archive.hpp"
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "engine/results/json_text.hpp"
+#include "engine/results/json_input.hpp"
 
 #include "engine/results/world_error.hpp"
 
