@@ -56,8 +56,9 @@ int main(int argc, char** argv) {
   ExitCode code = ExitCode::done;
   try {
     code = run(argc, argv);
-  } catch (const rift::InputError& error) {
-    for (const rift::Issue& issue : error.issues) rift::base::message("{}\n", rift::to_text(issue));
+  } catch (const rift::scene::InputError& error) {
+    for (const rift::scene::Issue& issue : error.issues)
+      rift::base::message("{}\n", rift::scene::to_text(issue));
     code = ExitCode::bad_input;
   } catch (const rift::results::FolderExists& error) {
     rift::base::message("rift: {}\n", error.what());

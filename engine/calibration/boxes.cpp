@@ -6,29 +6,30 @@
 
 #include <fmt/format.h>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
 std::string key_of(const BoxTest& test) {
   constexpr int version = 1;
-  return fmt::format("box {} {} tolerance {:a} beams {:a} {:a}", version, key_of(test.packing),
+  return fmt::format("box {} {} tolerance {:a} beams {:a} {:a}", version, lattice::key_of(test.packing),
                      test.contact_tolerance, test.beams.radius_ratio, test.beams.poisson_ratio);
 }
 
-constexpr std::size_t own_numbers = 2;
+constexpr std::size_t numbers_before_stiffness = 2;
 
 BoxResult result_of(const BoxTest& test, const std::vector<double>& n) {
-  return {test.packing, n[0], n[1], Eigen::Map<const Matrix6>(n.data() + own_numbers)};
+  return {test.packing, n[0], n[1], Eigen::Map<const Matrix6>(n.data() + numbers_before_stiffness)};
 }
 
 BoxResult homogenise(const BoxTest& test, Cache& cache, const CalibrationProgress& tell) {
   constexpr double share_of_packing = 0.4;
   bool found = false;
-  const Packing packing = cached_packing(
+  const lattice::Packing packing = lattice::cached_packing(
       test.packing, cache, found, [&](double done) { return tell(share_of_packing * done); }, 1);
-  const Specimen specimen = make_free_specimen(packing, test.packing.box, test.contact_tolerance);
-  const Lattice lattice =
-      make_lattice(specimen, {1.0, test.beams.poisson_ratio, test.beams.radius_ratio}, 1.0);
+  const lattice::Specimen specimen =
+      lattice::make_free_specimen(packing, test.packing.box, test.contact_tolerance);
+  const lattice::Lattice lattice =
+      lattice::make_lattice(specimen, {1.0, test.beams.poisson_ratio, test.beams.radius_ratio}, 1.0);
   return {test.packing, specimen.packing.coordination, specimen.packing.solid_fraction,
           homogenised_stiffness(lattice, [&](double done) {
             return tell(share_of_packing + (1.0 - share_of_packing) * done);
@@ -39,7 +40,7 @@ BoxResult homogenised_or_recalled(const BoxTest& test, Cache& cache, const Calib
   const std::string key = key_of(test);
   const auto known = recall(cache, "box", key);
   BoxResult result;
-  if (known && known->size() == own_numbers + 36) {
+  if (known && known->size() == numbers_before_stiffness + 36) {
     result = result_of(test, *known);
   } else {
     result = homogenise(test, cache, tell);
@@ -58,4 +59,4 @@ std::vector<BoxResult> homogenise_boxes(const std::vector<BoxTest>& tests, Cache
   return each_specimen(tests, cache, progress, threads, homogenised_or_recalled);
 }
 
-}  // namespace rift
+}  // namespace rift::calibration

@@ -4,17 +4,17 @@
 #include "engine/calibration/cylinders.hpp"
 #include "engine/calibration/homogenise.hpp"
 
-namespace rift {
+namespace rift::calibration {
 
 /// A periodic box that is homogenised with beams of unit modulus.
 struct BoxTest {
-  PackingRequest packing;  // in a periodic box
+  lattice::PackingRequest packing;  // in a periodic box
   double contact_tolerance = 1;
   BeamShape beams;
 };
 
 struct BoxResult {
-  PackingRequest packing;
+  lattice::PackingRequest packing;
   double coordination = 0, solid_fraction = 0;
   Matrix6 stiffness;  // over E_mu
   Isotropic isotropic() const { return isotropic_part(stiffness); }
@@ -24,4 +24,4 @@ struct BoxResult {
 std::vector<BoxResult> homogenise_boxes(const std::vector<BoxTest>& tests, Cache& cache,
                                         const CalibrationProgress& progress = {}, int threads = 0);
 
-}  // namespace rift
+}  // namespace rift::calibration

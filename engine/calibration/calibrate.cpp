@@ -10,7 +10,7 @@
 #include <functional>
 #include <limits>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
 std::vector<Scattered> over_packings(const std::vector<CylinderResult>& packings,
@@ -77,11 +77,11 @@ OutOfReach::OutOfReach(double wanted, std::array<double, 2> range)
                       range[0], range[1])),
       attainable(range) {}
 
-std::vector<CylinderTest> cylinders_for(const Scene& scene, int elements,
+std::vector<CylinderTest> cylinders_for(const scene::Scene& scene, int elements,
                                         const std::vector<BeamShape>& beams) {
   constexpr double diameter = 20e-3;  // any: only ratios of lengths count
-  PackingRequest request = request_of(scene);
-  request.box = {diameter, 2.0 * diameter, diameter, Walls::cylinder};
+  lattice::PackingRequest request = scene::request_of(scene);
+  request.box = {diameter, 2.0 * diameter, diameter, lattice::Walls::cylinder};
   request.elements = elements;
   std::vector<CylinderTest> tests;
   for (int k = 0; k < scene.calibration.packings; ++k) {
@@ -91,9 +91,10 @@ std::vector<CylinderTest> cylinders_for(const Scene& scene, int elements,
   return tests;
 }
 
-std::vector<BeamShape> scanned_beams(const Scene& scene) {
+std::vector<BeamShape> scanned_beams(const scene::Scene& scene) {
   std::vector<BeamShape> beams;
-  for (double r : scene.calibration.radius_ratios) beams.push_back({r, bulk_micro_material.poisson_ratio});
+  for (double r : scene.calibration.radius_ratios)
+    beams.push_back({r, lattice::bulk_micro_material.poisson_ratio});
   return beams;
 }
 
@@ -105,7 +106,7 @@ std::vector<Scattered> poisson_of(const std::vector<CylinderResult>& packings) {
   return over_packings(packings, [](const Response& r) { return r.poisson_ratio; });
 }
 
-Calibrated calibrate(const Scene& scene, double young_modulus, double poisson_ratio, Cache& cache,
+Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio, Cache& cache,
                      const CalibrationProgress& progress, int threads) {
   constexpr double close_enough = 2e-4, share_of_scan = 0.7;
   constexpr int most_secants = 5;
@@ -135,4 +136,4 @@ Calibrated calibrate(const Scene& scene, double young_modulus, double poisson_ra
   }
 }
 
-}  // namespace rift
+}  // namespace rift::calibration

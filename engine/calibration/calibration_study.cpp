@@ -5,16 +5,17 @@
 
 #include <algorithm>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
-constexpr BeamShape paper_beams{bulk_micro_material.radius_ratio, bulk_micro_material.poisson_ratio};
+constexpr BeamShape paper_beams{lattice::bulk_micro_material.radius_ratio,
+                                lattice::bulk_micro_material.poisson_ratio};
 
 /// Periodic boxes of this coordination, half as many elements as the scan's cylinders.
-std::vector<BoxTest> boxes_of(const Scene& scene, double coordination) {
+std::vector<BoxTest> boxes_of(const scene::Scene& scene, double coordination) {
   constexpr double edge = 10e-3;
-  PackingRequest request = request_of(scene);
-  request.box = {edge, edge, edge, Walls::periodic};
+  lattice::PackingRequest request = scene::request_of(scene);
+  request.box = {edge, edge, edge, lattice::Walls::periodic};
   request.elements = std::max(100, scene.calibration.elements / 2);
   request.coordination = coordination;
   request.solid_fraction = 0.0;
@@ -80,7 +81,7 @@ std::vector<Row> rows_of(const CalibrationStudy& study) {
   return rows;
 }
 
-CalibrationStudy study_calibration(const Scene& scene, Cache& cache, const StudyStage& progress,
+CalibrationStudy study_calibration(const scene::Scene& scene, Cache& cache, const StudyStage& progress,
                                    int threads) {
   const auto stage = [&](const char* name) {
     return [&progress, name](double done) { return !progress || progress(name, done); };
@@ -108,4 +109,4 @@ CalibrationStudy study_calibration(const Scene& scene, Cache& cache, const Study
   return study;
 }
 
-}  // namespace rift
+}  // namespace rift::calibration

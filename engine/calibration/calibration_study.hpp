@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace rift {
+namespace rift::calibration {
 
 /// What Fig. 17 of the paper shows, and the periodic boxes beside it.
 struct CalibrationStudy {
@@ -20,7 +20,8 @@ using StudyStage = std::function<bool(const char* stage, double done)>;
 
 /// Convergence over the sizes of the scene's [calibration], the scan of r_mu, and homogenised boxes of as
 /// many packings. E_mu is not scanned: every modulus is proportional to it.
-CalibrationStudy study_calibration(const Scene& scene, Cache& cache, const StudyStage& progress, int threads);
+CalibrationStudy study_calibration(const scene::Scene& scene, Cache& cache, const StudyStage& progress,
+                                   int threads);
 
 /// Every result as a row, as tables and verdicts take it: "series" (size, scan, twisted or box), "elements",
 /// "seed", "coordination", "core_coordination", "solid_fraction", "micro_radius_ratio",
@@ -28,4 +29,4 @@ CalibrationStudy study_calibration(const Scene& scene, Cache& cache, const Study
 /// what a row does not have.
 std::vector<nlohmann::ordered_json> rows_of(const CalibrationStudy& study);
 
-}  // namespace rift
+}  // namespace rift::calibration

@@ -8,20 +8,20 @@
 
 #include <fmt/format.h>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
 std::string key_of(const CylinderTest& test) {
   constexpr int version = 1;
-  std::string key =
-      fmt::format("cylinder {} {} tolerance {:a}", version, key_of(test.packing), test.contact_tolerance);
+  std::string key = fmt::format("cylinder {} {} tolerance {:a}", version, lattice::key_of(test.packing),
+                                test.contact_tolerance);
   for (const BeamShape& b : test.beams)
     key += fmt::format(" beams {:a} {:a}", b.radius_ratio, b.poisson_ratio);
   return key;
 }
 
 /// What is remembered of a result: its own numbers, then three a response.
-constexpr std::size_t own_numbers = 4;
+constexpr std::size_t numbers_before_responses = 4;
 
 std::vector<double> numbers_of(const CylinderResult& r) {
   std::vector<double> numbers{r.coordination, r.core_coordination, r.solid_fraction,
@@ -33,28 +33,30 @@ std::vector<double> numbers_of(const CylinderResult& r) {
 
 CylinderResult result_of(const CylinderTest& test, const std::vector<double>& n) {
   CylinderResult r{test.packing, n[0], n[1], n[2], static_cast<int>(n[3]), test.beams, {}};
-  for (std::size_t k = own_numbers; k < n.size(); k += 3) r.responses.push_back({n[k], n[k + 1], n[k + 2]});
+  for (std::size_t k = numbers_before_responses; k < n.size(); k += 3)
+    r.responses.push_back({n[k], n[k + 1], n[k + 2]});
   return r;
 }
 
 CylinderResult press(const CylinderTest& test, Cache& cache, const CalibrationProgress& progress) {
   constexpr double share_of_packing = 0.6;
   bool found = false;
-  const Packing packing = cached_packing(
+  const lattice::Packing packing = lattice::cached_packing(
       test.packing, cache, found, [&](double done) { return progress(share_of_packing * done); }, 1);
-  const Box& box = test.packing.box;
-  const Specimen specimen = make_free_specimen(packing, box, test.contact_tolerance);
-  CylinderResult result{
-      test.packing,
-      specimen.packing.coordination,
-      core_coordination(packing, box, contacts(packing, box, 1.0), 4.0 * specimen.packing.mean_radius),
-      specimen.packing.solid_fraction,
-      specimen.rattlers,
-      test.beams,
-      {}};
+  const lattice::Box& box = test.packing.box;
+  const lattice::Specimen specimen = lattice::make_free_specimen(packing, box, test.contact_tolerance);
+  CylinderResult result{test.packing,
+                        specimen.packing.coordination,
+                        core_coordination(packing, box, lattice::contacts(packing, box, 1.0),
+                                          4.0 * specimen.packing.mean_radius),
+                        specimen.packing.solid_fraction,
+                        specimen.rattlers,
+                        test.beams,
+                        {}};
   for (const BeamShape& beams : test.beams) {
-    const Lattice lattice = make_lattice(specimen, {1.0, beams.poisson_ratio, beams.radius_ratio}, 1.0);
-    FreeBody body(lattice);
+    const lattice::Lattice lattice =
+        lattice::make_lattice(specimen, {1.0, beams.poisson_ratio, beams.radius_ratio}, 1.0);
+    mechanics::FreeBody body(lattice);
     const auto all = static_cast<double>(test.beams.size());
     const auto tell = [&, before = static_cast<double>(result.responses.size())](double done) {
       return progress(share_of_packing + (1.0 - share_of_packing) * (before + done) / all);
@@ -70,7 +72,7 @@ CylinderResult press(const CylinderTest& test, Cache& cache, const CalibrationPr
 CylinderResult pressed_or_recalled(const CylinderTest& test, Cache& cache, const CalibrationProgress& tell) {
   const std::string key = key_of(test);
   if (const auto known = recall(cache, "cylinder", key);
-      known && known->size() == own_numbers + 3 * test.beams.size()) {
+      known && known->size() == numbers_before_responses + 3 * test.beams.size()) {
     if (!tell(1.0)) throw Interrupted("pressing cylinders");
     return result_of(test, *known);
   }
@@ -81,13 +83,13 @@ CylinderResult pressed_or_recalled(const CylinderTest& test, Cache& cache, const
 
 }  // namespace
 
-double core_coordination(const Packing& packing, const Box& box,
+double core_coordination(const lattice::Packing& packing, const lattice::Box& box,
                          const std::vector<std::array<int, 2>>& contacts, double away) {
   std::vector<int> degree(packing.radius.size());
   for (const auto& [i, j] : contacts) ++degree[i], ++degree[j];
   double sum = 0.0, members = 0.0;
   for (std::size_t i = 0; i < degree.size(); ++i)
-    if (wall_push(box, packing.centre[i], away).isZero(0.0)) sum += degree[i], members += 1.0;
+    if (lattice::wall_push(box, packing.centre[i], away).isZero(0.0)) sum += degree[i], members += 1.0;
   if (members > 0.0) return sum / members;
   return 2.0 * static_cast<double>(contacts.size()) / static_cast<double>(degree.size());
 }
@@ -97,4 +99,4 @@ std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tes
   return each_specimen(tests, cache, progress, threads, pressed_or_recalled);
 }
 
-}  // namespace rift
+}  // namespace rift::calibration

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::calibration {
 
 /// The beams of a lattice but for their modulus, to which all its moduli are proportional.
 struct BeamShape {
@@ -25,13 +25,13 @@ struct Response {
 
 /// One packing with all the beams that are tried in it.
 struct CylinderTest {
-  PackingRequest packing;  // in a cylinder
+  lattice::PackingRequest packing;  // in a cylinder
   double contact_tolerance = 1;
   std::vector<BeamShape> beams;
 };
 
 struct CylinderResult {
-  PackingRequest packing;
+  lattice::PackingRequest packing;
   double coordination = 0, core_coordination = 0;  // of all elements; of those away from the walls
   double solid_fraction = 0;
   int rattlers = 0;
@@ -48,7 +48,7 @@ std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tes
 
 /// Mean of the coordination of the elements further than `away` from the walls [as the box]; of all elements
 /// where none is.
-double core_coordination(const Packing& packing, const Box& box,
+double core_coordination(const lattice::Packing& packing, const lattice::Box& box,
                          const std::vector<std::array<int, 2>>& contacts, double away);
 
-}  // namespace rift
+}  // namespace rift::calibration

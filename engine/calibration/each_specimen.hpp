@@ -4,7 +4,7 @@
 #include "engine/calibration/side_by_side.hpp"
 #include "engine/process_limits.hpp"
 
-namespace rift {
+namespace rift::calibration {
 
 /// The result of each test, several at once, the largest packing first; each thread has a cache of its own,
 /// whose notes are gathered in `cache`.
@@ -24,4 +24,4 @@ auto each_specimen(const std::vector<Test>& tests, Cache& cache, const Calibrati
   return results;
 }
 
-}  // namespace rift
+}  // namespace rift::calibration

@@ -7,7 +7,7 @@
 #include <array>
 #include <cassert>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
 /// The a-th unit strain as a symmetric matrix.
@@ -21,20 +21,21 @@ Eigen::Matrix3d unit_strain(int a) {
 
 /// The motions of a beam's ends where the whole box is strained: those of the elements, and the far end moved
 /// by the strain over the beam, whichever image of the element it joins.
-BeamStrain strain_in(const Beam& beam, const Eigen::Matrix3d& strain, const Vector6& q_i,
-                     const Vector6& q_j) {
-  Vector6 far = q_j;
+mechanics::BeamStrain strain_in(const mechanics::Beam& beam, const Eigen::Matrix3d& strain,
+                                const mechanics::Vector6& q_i, const mechanics::Vector6& q_j) {
+  mechanics::Vector6 far = q_j;
   far.head<3>() += strain * (beam.length * beam.axis);
-  return strain_of(beam, q_i, far);
+  return mechanics::strain_of(beam, q_i, far);
 }
 
 /// Forces of the beams on the elements where nothing has moved yet but the box.
-std::vector<Vector6> loads_of_strain(const Lattice& lattice, const Eigen::Matrix3d& strain) {
-  std::vector<Vector6> load(lattice.centre.size(), Vector6::Zero());
+std::vector<mechanics::Vector6> loads_of_strain(const lattice::Lattice& lattice,
+                                                const Eigen::Matrix3d& strain) {
+  std::vector<mechanics::Vector6> load(lattice.centre.size(), mechanics::Vector6::Zero());
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
-    Vector6 far = Vector6::Zero();
+    mechanics::Vector6 far = mechanics::Vector6::Zero();
     far.head<3>() = strain * (lattice.beam[b].length * lattice.beam[b].axis);
-    const BeamLoads l = loads_of(lattice.beam[b], Vector6::Zero(), far);
+    const mechanics::BeamLoads l = mechanics::loads_of(lattice.beam[b], mechanics::Vector6::Zero(), far);
     const auto& [i, j] = lattice.ends[b];
     load[i].head<3>() += l.force_i, load[i].tail<3>() += l.moment_i;
     load[j].head<3>() -= l.force_i, load[j].tail<3>() += l.moment_j;
@@ -58,22 +59,23 @@ std::array<double, 2> reuss(const Matrix6& stiffness) {
 
 }  // namespace
 
-Matrix6 homogenised_stiffness(const Lattice& lattice, const FractionTold& told) {
-  assert(lattice.box.walls == Walls::periodic);
-  FreeBody body(lattice);
-  std::array<std::vector<Vector6>, 6> motion;
+Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const FractionTold& told) {
+  assert(lattice.box.walls == lattice::Walls::periodic);
+  mechanics::FreeBody body(lattice);
+  std::array<std::vector<mechanics::Vector6>, 6> motion;
   constexpr double tolerance = 1e-10;
   for (int a = 0; a < 6; ++a)
     motion[a] = body.at_rest(loads_of_strain(lattice, unit_strain(a)), tolerance,
                              [&](double done) { return !told || told((a + done) / 6.0); });
   Matrix6 stiffness = Matrix6::Zero();
   for (std::size_t k = 0; k < lattice.beam.size(); ++k) {
-    const Beam& beam = lattice.beam[k];
+    const mechanics::Beam& beam = lattice.beam[k];
     const auto& [i, j] = lattice.ends[k];
-    std::array<BeamStrain, 6> strain;
+    std::array<mechanics::BeamStrain, 6> strain;
     for (int a = 0; a < 6; ++a) strain[a] = strain_in(beam, unit_strain(a), motion[a][i], motion[a][j]);
     for (int a = 0; a < 6; ++a)
-      for (int b = 0; b < 6; ++b) stiffness(a, b) += 2.0 * bilinear_energy(beam, strain[a], strain[b]);
+      for (int b = 0; b < 6; ++b)
+        stiffness(a, b) += 2.0 * mechanics::bilinear_energy(beam, strain[a], strain[b]);
   }
   return stiffness / lattice.box.volume();
 }
@@ -87,4 +89,4 @@ Isotropic isotropic_part(const Matrix6& stiffness) {
           .anisotropy = 5.0 * g_v / g_r + k_v / k_r - 6.0};
 }
 
-}  // namespace rift
+}  // namespace rift::calibration

@@ -3,7 +3,7 @@
 #include "engine/interrupted.hpp"
 #include "engine/lattice/lattice.hpp"
 
-namespace rift {
+namespace rift::calibration {
 
 /// In the order xx, yy, zz, yz, xz, xy, with engineering shears.
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -11,7 +11,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Stiffness tensor of a lattice that repeats itself [Pa]: six unit strains, each with the motions that leave
 /// every element in balance, and C_ab = (2 / V) sum over beams of their bilinear energy.
 /// Cost of six solutions with one matrix; throws StaticsError. Asserts a periodic box.
-Matrix6 homogenised_stiffness(const Lattice& lattice, const FractionTold& told = {});
+Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const FractionTold& told = {});
 
 /// The isotropic solid nearest to a tensor, and how far from it the tensor is.
 struct Isotropic {
@@ -22,4 +22,4 @@ struct Isotropic {
 /// Hill 1952; Ranganathan and Ostoja-Starzewski 2008 for the index.
 Isotropic isotropic_part(const Matrix6& stiffness);
 
-}  // namespace rift
+}  // namespace rift::calibration

@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
 /// What is still to do, and how far what has begun has come.
@@ -70,4 +70,4 @@ void side_by_side(const std::vector<double>& work, int threads, const Calibratio
   bench.rethrow();
 }
 
-}  // namespace rift
+}  // namespace rift::calibration

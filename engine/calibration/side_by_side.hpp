@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-namespace rift {
+namespace rift::calibration {
 
 /// Told the fraction done in [0, 1]; answers false to give up (throws Interrupted then).
 using CalibrationProgress = std::function<bool(double)>;
@@ -17,4 +17,4 @@ void side_by_side(
     const std::vector<double>& work, int threads, const CalibrationProgress& progress,
     const std::function<void(std::size_t k, int thread, const CalibrationProgress& tell)>& task);
 
-}  // namespace rift
+}  // namespace rift::calibration

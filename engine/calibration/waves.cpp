@@ -12,7 +12,7 @@
 #include <numbers>
 #include <span>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
 using std::numbers::pi;
@@ -20,8 +20,8 @@ using std::numbers::pi;
 /// A wave to throw, and what is expected of it.
 struct Throw {
   Wave wave;
-  double frequency = 0;           // omega expected [rad/s]
-  std::vector<Vector6> velocity;  // N [m/s, rad/s]
+  double frequency = 0;                      // omega expected [rad/s]
+  std::vector<mechanics::Vector6> velocity;  // N [m/s, rad/s]
 };
 
 /// How far from the middle, as a share of the length, a plate is watched.
@@ -34,8 +34,8 @@ double expected_speed(WaveKind kind, const theory::WaveSpeeds& speeds) {
 }
 
 /// v along one axis of cos(k y), turning as the continuum does.
-Vector6 across(WaveKind kind, double k, double y) {
-  Vector6 v = Vector6::Zero();
+mechanics::Vector6 across(WaveKind kind, double k, double y) {
+  mechanics::Vector6 v = mechanics::Vector6::Zero();
   if (kind == WaveKind::dilatational) {
     v[1] = std::cos(k * y);
   } else {
@@ -46,11 +46,11 @@ Vector6 across(WaveKind kind, double k, double y) {
 }
 
 /// The standing Rayleigh wave at a depth below the edge: a p-part that decays with q, an s-part with s.
-Vector6 along_edge(const theory::WaveSpeeds& c, double k, double x, double depth) {
+mechanics::Vector6 along_edge(const theory::WaveSpeeds& c, double k, double x, double depth) {
   const double q = k * std::sqrt(1.0 - std::pow(c.rayleigh / c.dilatational, 2.0));
   const double s = k * std::sqrt(1.0 - std::pow(c.rayleigh / c.shear, 2.0));
   const double p_part = std::exp(-q * depth), s_part = std::exp(-s * depth), mean = k * k + s * s;
-  Vector6 v = Vector6::Zero();
+  mechanics::Vector6 v = mechanics::Vector6::Zero();
   v[0] = (p_part - 2.0 * q * s / mean * s_part) * std::sin(k * x);
   v[1] = -q / k * (p_part - 2.0 * k * k / mean * s_part) * std::cos(k * x);
   // The s-part alone turns: omega_z = (dv_y/dx - dv_x/dy) / 2, d/dy = -d/ddepth
@@ -58,7 +58,8 @@ Vector6 along_edge(const theory::WaveSpeeds& c, double k, double x, double depth
   return v;
 }
 
-Throw make_throw(const Lattice& plate, WaveKind kind, double wavelength, const theory::WaveSpeeds& speeds) {
+Throw make_throw(const lattice::Lattice& plate, WaveKind kind, double wavelength,
+                 const theory::WaveSpeeds& speeds) {
   const double k = 2.0 * pi / wavelength;
   Throw t{{kind, wavelength, 0.0}, k * expected_speed(kind, speeds), {}};
   for (const Eigen::Vector3d& p : plate.centre)
@@ -67,11 +68,11 @@ Throw make_throw(const Lattice& plate, WaveKind kind, double wavelength, const t
   return t;
 }
 
-double time_to_echo(const Lattice& plate, const theory::WaveSpeeds& speeds) {
+double time_to_echo(const lattice::Lattice& plate, const theory::WaveSpeeds& speeds) {
   return (0.5 - watched) * plate.box.length / speeds.dilatational;
 }
 
-std::vector<Throw> all_throws(const Lattice& plate, const theory::WaveSpeeds& speeds) {
+std::vector<Throw> all_throws(const lattice::Lattice& plate, const theory::WaveSpeeds& speeds) {
   constexpr double shortest = 8.0, periods = 0.75;
   const double height = plate.box.height;
   std::vector<Throw> throws;
@@ -131,13 +132,15 @@ double frequency_of(const Swing& swing, double expected) {
 }
 
 /// Throws some waves, each in a lane, and watches them.
-std::vector<Swing> watch(const Lattice& plate, double dt, double duration, std::span<const Throw> throws,
-                         int threads, const std::function<bool(double)>& go_on) {
+std::vector<Swing> watch(const lattice::Lattice& plate, double dt, double duration,
+                         std::span<const Throw> throws, int threads,
+                         const std::function<bool(double)>& go_on) {
   constexpr int stride = 4;
-  const CrackPath below = straight_path(plate.box.length, -plate.box.height);  // no crack
-  Ensemble<double> ensemble(plate, below, -1.0, dt, std::vector<LaneScenario>(throws.size()),
-                            {.threads = threads_or_all_cpus(threads)});
-  ensemble.start_from(std::vector<Vector6>(plate.centre.size(), Vector6::Zero()));
+  const fracture::CrackPath below = fracture::straight_path(plate.box.length, -plate.box.height);  // no crack
+  ensemble::Ensemble<double> ensemble(plate, below, -1.0, dt,
+                                      std::vector<fracture::LaneScenario>(throws.size()),
+                                      {.threads = threads_or_all_cpus(threads)});
+  ensemble.start_from(std::vector<mechanics::Vector6>(plate.centre.size(), mechanics::Vector6::Zero()));
   for (std::size_t k = 0; k < throws.size(); ++k)
     ensemble.throw_lane(static_cast<int>(k), throws[k].velocity);
   std::vector<int> middle;
@@ -162,12 +165,12 @@ std::vector<Swing> watch(const Lattice& plate, double dt, double duration, std::
 
 }  // namespace
 
-std::vector<Wave> measured_waves(const Lattice& plate, double dt, const theory::WaveSpeeds& expected,
+std::vector<Wave> measured_waves(const lattice::Lattice& plate, double dt, const theory::WaveSpeeds& expected,
                                  int threads, const CalibrationProgress& progress) {
   constexpr std::size_t lanes = 8;
   constexpr double largest_misfit = 0.1;
-  Lattice free = plate;
-  std::fill(free.grip.begin(), free.grip.end(), Grip::none);
+  lattice::Lattice free = plate;
+  std::fill(free.grip.begin(), free.grip.end(), lattice::Grip::none);
   const std::vector<Throw> throws = all_throws(free, expected);
   std::vector<Wave> waves;
   for (std::size_t first = 0; first < throws.size(); first += lanes) {
@@ -189,4 +192,4 @@ std::vector<Wave> measured_waves(const Lattice& plate, double dt, const theory::
   return waves;
 }
 
-}  // namespace rift
+}  // namespace rift::calibration

@@ -4,7 +4,7 @@
 #include "engine/lattice/lattice.hpp"
 #include "engine/theory/wave_speeds.hpp"
 
-namespace rift {
+namespace rift::calibration {
 
 enum class WaveKind { dilatational, shear, rayleigh };
 
@@ -27,7 +27,7 @@ struct Wave {
 /// @param[in] expected  [m/s], of the plate's material: where to look, and the field of the Rayleigh wave
 /// @param[in] threads   0 for one per available CPU
 /// Cost of some hundred steps for eight waves at once. Throws Interrupted.
-std::vector<Wave> measured_waves(const Lattice& plate, double dt, const theory::WaveSpeeds& expected,
+std::vector<Wave> measured_waves(const lattice::Lattice& plate, double dt, const theory::WaveSpeeds& expected,
                                  int threads = 0, const CalibrationProgress& progress = {});
 
-}  // namespace rift
+}  // namespace rift::calibration

@@ -4,7 +4,7 @@
 #include <new>
 #include <vector>
 
-namespace rift {
+namespace rift::ensemble {
 
 /// Memory that begins on a cache line, so that no register straddles two.
 template <class T>
@@ -21,4 +21,4 @@ struct OnCacheLine {
 template <class T>
 using AlignedVector = std::vector<T, OnCacheLine<T>>;
 
-}  // namespace rift
+}  // namespace rift::ensemble

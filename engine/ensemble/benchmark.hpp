@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::ensemble {
 
 /// A plate of two layers, five times as long as high, in columns across it, with three beams an element: the
 /// shape of the lattice that a run marches on, without the wait for a packing. All in SI, of the paper's
 /// material.
-Lattice bench_lattice(int elements);
+lattice::Lattice bench_lattice(int elements);
 
 /// What this machine can do at most, measured now with the same threads.
 struct MachinePeaks {
@@ -24,8 +24,8 @@ MachinePeaks machine_peaks(InstructionSet instructions, int threads);
 /// One thing to time.
 struct BenchCase {
   std::string name;
-  Kinematics kinematics = Kinematics::linear;
-  Precision precision = Precision::double_precision;
+  scene::Kinematics kinematics = scene::Kinematics::linear;
+  scene::Precision precision = scene::Precision::double_precision;
   int scenarios = 1, threads = 1, elements = 20000;
   InstructionSet instructions = InstructionSet::baseline;
   bool plain = false;  // beam by beam, without the kernels: what the others are measured against
@@ -48,4 +48,4 @@ struct BenchResult {
 /// @param[in] runs  each of at least `seconds`
 BenchResult time_case(const BenchCase& bench, int runs, double seconds);
 
-}  // namespace rift
+}  // namespace rift::ensemble

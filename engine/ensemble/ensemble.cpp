@@ -6,20 +6,20 @@
 #include <cassert>
 #include <utility>
 
-namespace rift {
+namespace rift::ensemble {
 
 template <class Real>
-Ensemble<Real>::Ensemble(const Lattice& lattice, const CrackPath& path, double notch_end, double dt,
-                         std::vector<LaneScenario> scenarios, const Marching& marching)
+Ensemble<Real>::Ensemble(const lattice::Lattice& lattice, const fracture::CrackPath& path, double notch_end,
+                         double dt, std::vector<fracture::LaneScenario> scenarios, const Marching& marching)
     : lattice_(&lattice),
       dt_(dt),
       marching_(marching),
       lanes_(marching.lanes ? marching.lanes : lanes_for<Real>(static_cast<int>(scenarios.size()))),
-      numbers_(marching.kinematics == Kinematics::linear ? 6 : 7),
+      numbers_(marching.kinematics == scene::Kinematics::linear ? 6 : 7),
       kernel_(kernel_for<Real>(marching.instructions, marching.kinematics, lanes_)),
       scenario_(std::move(scenarios)),
-      met_(crossings(path, lattice)),
-      base_(lattice.centre.size(), Vector6::Zero()),
+      met_(fracture::crossings(path, lattice)),
+      base_(lattice.centre.size(), mechanics::Vector6::Zero()),
       cut_(cut_evenly(lattice, marching.threads)),
       born_(scenario_.size(), 0),
       crack_start_(scenario_.size(), 0),
@@ -31,28 +31,30 @@ Ensemble<Real>::Ensemble(const Lattice& lattice, const CrackPath& path, double n
       held_(scenario_.size(), 0.0),
       inherited_(scenario_.size(), 0.0) {
   assert(!scenario_.empty() && static_cast<int>(scenario_.size()) <= lanes_);
-  for (const Crossing& c : met_) notched_.push_back(in_notch(c, notch_end));
+  for (const fracture::Crossing& c : met_) notched_.push_back(fracture::in_notch(c, notch_end));
   booked_.assign(met_.size() * lanes_, 0.0);
   factor_.resize(booked_.size());
   softening_.reserve(booked_.size());
   if (marching_.contact) slip_.resize(3 * booked_.size()), slip_after_ = slip_;
-  for (const Crossing& c : met_) {
+  for (const fracture::Crossing& c : met_) {
     if (!marching_.contact) break;
     const auto& [i, j] = lattice.ends[c.beam];
-    normal_.push_back(normal_between(path, lattice.centre[i].head<2>(), lattice.centre[j].head<2>()));
+    normal_.push_back(
+        fracture::normal_between(path, lattice.centre[i].head<2>(), lattice.centre[j].head<2>()));
   }
-  crew_ = std::make_unique<Crew>(static_cast<int>(cut_.size()) - 1, static_cast<int>(cut_.size()) - 1);
+  crew_ =
+      std::make_unique<lattice::Crew>(static_cast<int>(cut_.size()) - 1, static_cast<int>(cut_.size()) - 1);
   for (std::size_t i = 0; i < lattice.mass.size(); ++i) {
-    const bool free = lattice.grip[i] == Grip::none;
+    const bool free = lattice.grip[i] == lattice::Grip::none;
     mass_.insert(mass_.end(), {lattice.mass[i], lattice.inertia[i]});
     for (const double m : {lattice.mass[i], lattice.inertia[i]})
       per_mass_.push_back(free ? static_cast<Real>(1.0 / m) : Real(0));
-    top_.push_back(lattice.grip[i] == Grip::top);
+    top_.push_back(lattice.grip[i] == lattice::Grip::top);
   }
 }
 
 template <class Real>
-void Ensemble<Real>::start_from(const std::vector<Vector6>& base) {
+void Ensemble<Real>::start_from(const std::vector<mechanics::Vector6>& base) {
   base_ = base;
   find_beams_at_top();
   steps_done_ = 0;
@@ -64,10 +66,10 @@ void Ensemble<Real>::start_from(const std::vector<Vector6>& base) {
 }
 
 template <class Real>
-void Ensemble<Real>::release_from(const std::vector<Vector6>& moved) {
-  start_from(std::vector<Vector6>(moved.size(), Vector6::Zero()));
+void Ensemble<Real>::release_from(const std::vector<mechanics::Vector6>& moved) {
+  start_from(std::vector<mechanics::Vector6>(moved.size(), mechanics::Vector6::Zero()));
   for (std::size_t i = 0; i < moved.size(); ++i) {
-    const Pose pose = pose_of(moved[i]);
+    const mechanics::Pose pose = mechanics::pose_of(moved[i]);
     const Eigen::Vector4d turn(pose.turn.w(), pose.turn.x(), pose.turn.y(), pose.turn.z());
     for (int lane = 0; lane < lanes_; ++lane)
       for (int c = 0; c < numbers_; ++c)
@@ -79,17 +81,17 @@ void Ensemble<Real>::release_from(const std::vector<Vector6>& moved) {
   for (std::size_t k = 0; k < velocity_.size(); ++k) v_[k] = -static_cast<Real>(velocity_[k]);
   weighed_at_ = velocities_at_ = -1;
   for (int lane = 0; lane < scenarios(); ++lane) {
-    ledger_[lane] = Ledger{};
+    ledger_[lane] = fracture::Ledger{};
     ledger_[lane].energy_start = energy(lane).total();
   }
 }
 
 template <class Real>
-void Ensemble<Real>::throw_lane(int lane, const std::vector<Vector6>& velocity) {
+void Ensemble<Real>::throw_lane(int lane, const std::vector<mechanics::Vector6>& velocity) {
   for (std::size_t i = 0; i < velocity.size(); ++i)
     for (int c = 0; c < 6; ++c) v_[(i * 6 + c) * lanes_ + lane] = static_cast<Real>(velocity[i][c]);
   weighed_at_ = velocities_at_ = -1;
-  ledger_[lane] = Ledger{};
+  ledger_[lane] = fracture::Ledger{};
   ledger_[lane].energy_start = energy(lane).total();
 }
 
@@ -101,7 +103,7 @@ void Ensemble<Real>::put_to_rest(int lane) {
     for (int c = 0; c < 6; ++c) v_[(row * 6 + c) * lanes_ + lane] = 0;
     Eigen::Vector4d turn(1, 0, 0, 0);
     if (numbers_ == 7 && row < base_.size()) {
-      const Eigen::Quaterniond base = pose_of(base_[row]).turn;
+      const Eigen::Quaterniond base = mechanics::pose_of(base_[row]).turn;
       turn = {base.w(), base.x(), base.y(), base.z()};
     }
     for (int c = 0; c < numbers_; ++c)
@@ -117,7 +119,7 @@ void Ensemble<Real>::put_to_rest(int lane) {
   first_standing_[lane] = 0;
   spent_[lane] = pending_[lane] = {};
   held_[lane] = inherited_[lane] = 0.0;
-  ledger_[lane] = Ledger{};
+  ledger_[lane] = fracture::Ledger{};
 }
 
 template <class Real>
@@ -145,7 +147,7 @@ void Ensemble<Real>::build_parts() {
     PartRows<Real>& rows = part_[p];
     for (std::size_t g = 0; g < rows.ghost.size(); ++g)
       set_base(rows.first_ghost_row + static_cast<int>(g), rows.ghost[g]);
-    const bool linear = marching_.kinematics == Kinematics::linear;
+    const bool linear = marching_.kinematics == scene::Kinematics::linear;
     PartView<Real>& view = rows.view;
     view.begin = cut_[p], view.end = cut_[p + 1];
     view.q = q_.data(), view.v = v_.data(), view.rate = rate_.empty() ? nullptr : rate_.data();
@@ -189,7 +191,7 @@ void Ensemble<Real>::set_slips() {
 
 template <class Real>
 void Ensemble<Real>::set_lane_numbers(int lane) {
-  const LaneScenario& scenario = scenario_[lane];
+  const fracture::LaneScenario& scenario = scenario_[lane];
   assert(marching_.contact || !scenario.friction);
   alpha_at_surface_[lane] = static_cast<Real>(scenario.alpha_at_surface);
   alpha_elsewhere_[lane] = static_cast<Real>(scenario.alpha_elsewhere);
@@ -198,14 +200,14 @@ void Ensemble<Real>::set_lane_numbers(int lane) {
 }
 
 template <class Real>
-void Ensemble<Real>::start_crack(const std::vector<DampedBeam>& damped) {
+void Ensemble<Real>::start_crack(const std::vector<mechanics::DampedBeam>& damped) {
   std::fill(crack_start_.begin(), crack_start_.end(), steps_done_);
   cracking_ = true;
   damp(damped);
 }
 
 template <class Real>
-void Ensemble<Real>::damp(const std::vector<DampedBeam>& damped) {
+void Ensemble<Real>::damp(const std::vector<mechanics::DampedBeam>& damped) {
   if (damped.empty()) return;
   add_up_spent();
   const std::vector<double> contact = by_element(&PartRows<Real>::contact_before);
@@ -216,13 +218,13 @@ void Ensemble<Real>::damp(const std::vector<DampedBeam>& damped) {
 }
 
 template <class Real>
-void Ensemble<Real>::steer(int lane, const LaneScenario& scenario) {
+void Ensemble<Real>::steer(int lane, const fracture::LaneScenario& scenario) {
   scenario_[lane] = scenario;
   set_lane_numbers(lane);
 }
 
 template <class Real>
-void Ensemble<Real>::refill(int lane, const LaneScenario& scenario) {
+void Ensemble<Real>::refill(int lane, const fracture::LaneScenario& scenario) {
   steer(lane, scenario);
   put_to_rest(lane);
   for (PartRows<Real>& rows : part_) {  // a lane that diverged has left no numbers there
@@ -276,15 +278,16 @@ void Ensemble<Real>::foresee_softening() {
   if (!cracking_) return;
   const int count = static_cast<int>(met_.size());
   for (int lane = 0; lane < scenarios(); ++lane) {
-    const LaneScenario& scenario = scenario_[lane];
-    const double a = tip_at(scenario.history, crack_time(lane, steps_done_ + 1));
-    const double reach = reach_ahead(scenario, a);
+    const fracture::LaneScenario& scenario = scenario_[lane];
+    const double a = history::tip_at(scenario.history, crack_time(lane, steps_done_ + 1));
+    const double reach = fracture::reach_ahead(scenario, a);
     int& first = first_standing_[lane];
     while (first < count && factor_[at_crossing(first, lane)] == 0) ++first;
     for (int k = first; k < count && met_[k].position <= a + reach; ++k) {
       const Real before = factor_[at_crossing(k, lane)];
-      const ReleaseLaw& law = law_at(scenario, met_[k].position);
-      const Real after = std::min(before, static_cast<Real>(stiffness_left(law, a, met_[k].position)));
+      const fracture::ReleaseLaw& law = fracture::law_at(scenario, met_[k].position);
+      const Real after =
+          std::min(before, static_cast<Real>(fracture::stiffness_left(law, a, met_[k].position)));
       if (after == before) continue;
       softening_.push_back({k, lane, before, after, strain(met_[k].beam, lane)});
       if (scenario.friction) softening_.back().gap = gap(k, lane);
@@ -298,13 +301,14 @@ template <class Real>
 void Ensemble<Real>::soften() {
   for (const Softening& c : softening_) {
     const std::size_t at = at_crossing(c.crossing, c.lane);
-    const Beam& beam = lattice_->beam[met_[c.crossing].beam];
-    const BeamStrain now = strain(met_[c.crossing].beam, c.lane);
-    double left_over = bilinear_energy(beam, c.strain, now);
+    const mechanics::Beam& beam = lattice_->beam[met_[c.crossing].beam];
+    const mechanics::BeamStrain now = strain(met_[c.crossing].beam, c.lane);
+    double left_over = mechanics::bilinear_energy(beam, c.strain, now);
     if (const auto& friction = scenario_[c.lane].friction) {
       const Eigen::Vector3d m = normal(c.crossing), slipped = slip(c.crossing, c.lane);
-      const double held = bilinear_energy(face_stiffness(beam), face_contact(c.gap, m, slipped, *friction),
-                                          face_contact(gap(c.crossing, c.lane), m, slipped, *friction));
+      const double held = fracture::bilinear_energy(
+          fracture::face_stiffness(beam), fracture::face_contact(c.gap, m, slipped, *friction),
+          fracture::face_contact(gap(c.crossing, c.lane), m, slipped, *friction));
       left_over -= held;
       inherited_[c.lane] += (c.before - c.after) * held;
     }
@@ -317,9 +321,10 @@ template <class Real>
 Eigen::Vector3d Ensemble<Real>::gap(int crossing, int lane) const {
   const int beam = met_[crossing].beam;
   const auto& [i, j] = lattice_->ends[beam];
-  const Beam& form = lattice_->beam[beam];
-  if (marching_.kinematics == Kinematics::corotational) return face_gap(form, pose(i, lane), pose(j, lane));
-  return face_gap(form, motion(i, lane), motion(j, lane));
+  const mechanics::Beam& form = lattice_->beam[beam];
+  if (marching_.kinematics == scene::Kinematics::corotational)
+    return fracture::face_gap(form, pose(i, lane), pose(j, lane));
+  return fracture::face_gap(form, motion(i, lane), motion(j, lane));
 }
 
 template <class Real>
@@ -348,7 +353,7 @@ void Ensemble<Real>::set_beta(double beta) {
 }
 
 template <class Real>
-Pose Ensemble<Real>::pose(int element, int lane) const {
+mechanics::Pose Ensemble<Real>::pose(int element, int lane) const {
   const auto at = [&](int c) {
     return static_cast<double>(q_[(static_cast<std::size_t>(element) * numbers_ + c) * lanes_ + lane]);
   };
@@ -357,31 +362,33 @@ Pose Ensemble<Real>::pose(int element, int lane) const {
 }
 
 template <class Real>
-Vector6 Ensemble<Real>::motion(int element, int lane) const {
-  if (marching_.kinematics == Kinematics::corotational) return motion_of(pose(element, lane));
-  Vector6 m = base_[element];
+mechanics::Vector6 Ensemble<Real>::motion(int element, int lane) const {
+  if (marching_.kinematics == scene::Kinematics::corotational)
+    return mechanics::motion_of(pose(element, lane));
+  mechanics::Vector6 m = base_[element];
   for (int c = 0; c < 6; ++c)
     m[c] += static_cast<double>(q_[(static_cast<std::size_t>(element) * 6 + c) * lanes_ + lane]);
   return m;
 }
 
 template <class Real>
-Vector6 Ensemble<Real>::velocity(int element, int lane) {
+mechanics::Vector6 Ensemble<Real>::velocity(int element, int lane) {
   if (velocities_at_ != steps_done_) weigh(velocity_.data());
-  Vector6 v;
+  mechanics::Vector6 v;
   for (int c = 0; c < 6; ++c) v[c] = velocity_[(static_cast<std::size_t>(element) * 6 + c) * lanes_ + lane];
   return v;
 }
 
 template <class Real>
-BeamStrain Ensemble<Real>::strain(int beam, int lane) const {
+mechanics::BeamStrain Ensemble<Real>::strain(int beam, int lane) const {
   const auto& [i, j] = lattice_->ends[beam];
-  const Beam& form = lattice_->beam[beam];
-  if (marching_.kinematics == Kinematics::corotational) return strain_of(form, pose(i, lane), pose(j, lane));
-  return strain_of(form, motion(i, lane), motion(j, lane));
+  const mechanics::Beam& form = lattice_->beam[beam];
+  if (marching_.kinematics == scene::Kinematics::corotational)
+    return mechanics::strain_of(form, pose(i, lane), pose(j, lane));
+  return mechanics::strain_of(form, motion(i, lane), motion(j, lane));
 }
 
 template class Ensemble<double>;
 template class Ensemble<float>;
 
-}  // namespace rift
+}  // namespace rift::ensemble

@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace rift {
+namespace rift::ensemble {
 
 using results::NamedNumbers;
 
@@ -21,13 +21,13 @@ using results::NamedNumbers;
 struct Softening {
   int crossing = 0, lane = 0;
   double before = 1, after = 1;
-  BeamStrain strain;
+  mechanics::BeamStrain strain;
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();  // of its faces, where they may touch
 };
 
 /// How an ensemble marches; none of it changes what comes out, but for the kinematics and the last bits.
 struct Marching {
-  Kinematics kinematics = Kinematics::linear;
+  scene::Kinematics kinematics = scene::Kinematics::linear;
   int threads = 1;
   InstructionSet instructions = instruction_set();
   int lanes = 0;         // of the kernel; 0 for the fewest that hold the scenarios
@@ -45,34 +45,34 @@ struct Marching {
 template <class Real>
 class Ensemble {
  public:
-  Ensemble(const Lattice& lattice, const CrackPath& path, double notch_end, double dt,
-           std::vector<LaneScenario> scenarios, const Marching& marching = {});
+  Ensemble(const lattice::Lattice& lattice, const fracture::CrackPath& path, double notch_end, double dt,
+           std::vector<fracture::LaneScenario> scenarios, const Marching& marching = {});
 
   /// Puts every lane at rest in an equilibrium of the lattice without the notch's beams, and opens the books.
   /// Forces of the base state are taken as balanced, not evaluated again.
   /// @param[in] base  N displacements and rotation vectors [m, rad]
-  void start_from(const std::vector<Vector6>& base);
+  void start_from(const std::vector<mechanics::Vector6>& base);
 
   /// Puts every lane at rest in any state, for what follows to pull it back.
-  void release_from(const std::vector<Vector6>& moved);
+  void release_from(const std::vector<mechanics::Vector6>& moved);
 
   /// Throws a lane out of the state at rest that start_from() put it in: the velocities of this moment, where
   /// nothing is strained beyond the base yet. @param[in] velocity  N [m/s, rad/s]
-  void throw_lane(int lane, const std::vector<Vector6>& velocity);
+  void throw_lane(int lane, const std::vector<mechanics::Vector6>& velocity);
 
   /// Starts every lane's crack: a(0) of its history is now. With it start these beams' viscous damping.
-  void start_crack(const std::vector<DampedBeam>& damped);
+  void start_crack(const std::vector<mechanics::DampedBeam>& damped);
 
   /// Puts a lane back to the base state with another scenario whose crack starts now and whose steps are
   /// counted from now; the others do not notice. The damped beams must be those of start_crack().
-  void refill(int lane, const LaneScenario& scenario);
+  void refill(int lane, const fracture::LaneScenario& scenario);
 
   /// Changes a lane while its crack runs, from the next step on: where its tip is and what the damage zone
   /// has reached must be as before.
-  void steer(int lane, const LaneScenario& scenario);
+  void steer(int lane, const fracture::LaneScenario& scenario);
 
   /// Damps these beams from the next step on; those that were damped before must be among them.
-  void damp(const std::vector<DampedBeam>& damped);
+  void damp(const std::vector<mechanics::DampedBeam>& damped);
 
   /// All that a later step depends on and that the scenarios do not tell, as named numbers; kept by restore()
   /// to the bit.
@@ -92,7 +92,7 @@ class Ensemble {
   void set_beta(double beta);
 
   /// Energies of a lane now. Cost: two looks at every beam, for all lanes at once.
-  LatticeEnergy energy(int lane);
+  fracture::LatticeEnergy energy(int lane);
 
   /// With which the upper grip pulls along y [N]; below 0 it presses.
   double grip_force(int lane) const;
@@ -101,17 +101,21 @@ class Ensemble {
   results::Sample sample(int lane, results::Phase phase);
 
   /// Of a beam that nothing has softened [J].
-  double beam_energy(int beam, int lane) const { return energy_of(lattice_->beam[beam], strain(beam, lane)); }
+  double beam_energy(int beam, int lane) const {
+    return mechanics::energy_of(lattice_->beam[beam], strain(beam, lane));
+  }
 
-  Vector6 motion(int element, int lane) const;  // since the unloaded lattice; rotation vector
-  Vector6 velocity(int element, int lane);      // of this moment
+  mechanics::Vector6 motion(int element, int lane) const;  // since the unloaded lattice; rotation vector
+  mechanics::Vector6 velocity(int element, int lane);      // of this moment
 
   /// Steps since the lane's scenario was put in.
   std::int64_t steps_done(int lane) const { return steps_done_ - born_[lane]; }
   double time(int lane) const { return static_cast<double>(steps_done(lane)) * dt_; }
-  double tip(int lane) const { return tip_at(scenario_[lane].history, crack_time(lane, steps_done_)); }
+  double tip(int lane) const {
+    return history::tip_at(scenario_[lane].history, crack_time(lane, steps_done_));
+  }
   double speed(int lane) const {  // [m/s] of the tip
-    return speed_at(scenario_[lane].history, crack_time(lane, steps_done_));
+    return history::speed_at(scenario_[lane].history, crack_time(lane, steps_done_));
   }
   double factor(int crossing, int lane) const {
     return static_cast<double>(factor_[at_crossing(crossing, lane)]);
@@ -125,9 +129,9 @@ class Ensemble {
   Eigen::Vector3d normal(int crossing) const { return {normal_[crossing].x(), normal_[crossing].y(), 0.0}; }
   double largest_energy(int lane) const { return ledger_[lane].largest; }
 
-  const Lattice& lattice() const { return *lattice_; }
-  const LaneScenario& scenario(int lane) const { return scenario_[lane]; }
-  const std::vector<Crossing>& met() const { return met_; }               // in the order the crack meets them
+  const lattice::Lattice& lattice() const { return *lattice_; }
+  const fracture::LaneScenario& scenario(int lane) const { return scenario_[lane]; }
+  const std::vector<fracture::Crossing>& met() const { return met_; }     // in the order the crack meets them
   const std::vector<Softening>& softening() const { return softening_; }  // of the last step
   bool cracking() const { return cracking_; }
   double dt() const { return dt_; }
@@ -140,8 +144,8 @@ class Ensemble {
     return static_cast<double>(step - crack_start_[lane]) * dt_;
   }
   std::size_t at_crossing(int k, int lane) const { return static_cast<std::size_t>(k) * lanes_ + lane; }
-  Pose pose(int element, int lane) const;
-  BeamStrain strain(int beam, int lane) const;
+  mechanics::Pose pose(int element, int lane) const;
+  mechanics::BeamStrain strain(int beam, int lane) const;
   void find_beams_at_top();
   void put_to_rest(int lane);
   void set_lane_numbers(int lane);
@@ -156,17 +160,17 @@ class Ensemble {
   void weigh(double* velocities);
   StepConstants constants() const { return {dt_, beta_before_, beta_after_, grip_before_, grip_after_}; }
 
-  const Lattice* lattice_;
+  const lattice::Lattice* lattice_;
   double dt_;
   Marching marching_;
   int lanes_, numbers_;  // of the kernel; of an element's position
   Kernel<Real> kernel_;
-  std::vector<LaneScenario> scenario_;
-  std::vector<Crossing> met_;
+  std::vector<fracture::LaneScenario> scenario_;
+  std::vector<fracture::Crossing> met_;
   std::vector<char> notched_;
   std::vector<Eigen::Vector2d> normal_;  // [crossing], empty where no faces touch
-  std::vector<Vector6> base_;
-  std::vector<DampedBeam> damped_;
+  std::vector<mechanics::Vector6> base_;
+  std::vector<mechanics::DampedBeam> damped_;
   struct AtTop {
     int beam, crossing;  // the latter -1 where the path does not cross it
   };
@@ -175,7 +179,7 @@ class Ensemble {
 
   std::vector<int> cut_;
   std::vector<PartRows<Real>> part_;
-  std::unique_ptr<Crew> crew_;
+  std::unique_ptr<lattice::Crew> crew_;
   AlignedVector<Real> q_, v_, rate_, per_mass_, factor_, alpha_at_surface_, alpha_elsewhere_;
   AlignedVector<Real> touches_, friction_;  // [lane]
   AlignedVector<Real> slip_, slip_after_;   // [crossing][3][lane]; empty where no faces touch
@@ -190,8 +194,8 @@ class Ensemble {
   std::vector<int> first_standing_;  // per lane, the first crossing beam not yet gone
   std::vector<double> booked_;       // [crossing][lane] energy taken by its release so far [J]
   std::vector<Softening> softening_;
-  std::vector<Ledger> ledger_;
-  std::vector<LatticeEnergy> energy_;
+  std::vector<fracture::Ledger> ledger_;
+  std::vector<fracture::LatticeEnergy> energy_;
   struct Spent {
     double damping = 0, numerical = 0, contact = 0, grip = 0;
   };
@@ -200,4 +204,4 @@ class Ensemble {
   std::vector<double> inherited_;       // [lane] by the faces from the beams as they softened, so far [J]
 };
 
-}  // namespace rift
+}  // namespace rift::ensemble

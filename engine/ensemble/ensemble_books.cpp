@@ -3,7 +3,7 @@
 #include <utility>
 
 /// What the ensemble's steps have cost, and what it holds now.
-namespace rift {
+namespace rift::ensemble {
 
 /// The beams there, and their pull in the base state, in which the notch's are absent; the corotational loads
 /// hold it already.
@@ -17,8 +17,8 @@ void Ensemble<Real>::find_beams_at_top() {
     const auto& [i, j] = lattice_->ends[b];
     if ((crossing[b] >= 0 && notched_[crossing[b]]) || top_[i] == top_[j]) continue;
     at_top_.push_back({static_cast<int>(b), crossing[b]});
-    if (marching_.kinematics == Kinematics::corotational) continue;
-    const BeamLoads loads = loads_of(lattice_->beam[b], base_[i], base_[j]);
+    if (marching_.kinematics == scene::Kinematics::corotational) continue;
+    const mechanics::BeamLoads loads = mechanics::loads_of(lattice_->beam[b], base_[i], base_[j]);
     base_pull_ += top_[i] ? loads.force_i.y() : -loads.force_i.y();
   }
 }
@@ -71,7 +71,7 @@ void Ensemble<Real>::weigh(double* velocities) {
 }
 
 template <class Real>
-LatticeEnergy Ensemble<Real>::energy(int lane) {
+fracture::LatticeEnergy Ensemble<Real>::energy(int lane) {
   if (weighed_at_ != steps_done_) weigh(nullptr);
   return energy_[lane];
 }
@@ -81,10 +81,10 @@ double Ensemble<Real>::grip_force(int lane) const {
   double force = 0.0;
   for (const auto& [b, crossing] : at_top_) {
     const auto& [i, j] = lattice_->ends[b];
-    const Beam& beam = lattice_->beam[b];
-    const BeamLoads loads = marching_.kinematics == Kinematics::linear
-                                ? loads_of(beam, motion(i, lane), motion(j, lane))
-                                : loads_of(beam, pose(i, lane), pose(j, lane));
+    const mechanics::Beam& beam = lattice_->beam[b];
+    const mechanics::BeamLoads loads = marching_.kinematics == scene::Kinematics::linear
+                                           ? mechanics::loads_of(beam, motion(i, lane), motion(j, lane))
+                                           : mechanics::loads_of(beam, pose(i, lane), pose(j, lane));
     const double left = crossing < 0 ? 1.0 : factor(crossing, lane);
     force -= left * (top_[i] ? loads.force_i.y() : -loads.force_i.y());
   }
@@ -93,37 +93,37 @@ double Ensemble<Real>::grip_force(int lane) const {
 
 template <class Real>
 results::Sample Ensemble<Real>::sample(int lane, results::Phase phase) {
-  const LatticeEnergy now = energy(lane);
-  Ledger& books = ledger_[lane];
+  const fracture::LatticeEnergy now = energy(lane);
+  fracture::Ledger& books = ledger_[lane];
   books.fracture = 0.0;
   for (int c = 0; c < static_cast<int>(met_.size()); ++c) books.fracture += booked(c, lane);
   books.damping = spent_[lane].damping + pending_[lane].damping;
   books.numerical_damping = spent_[lane].numerical + pending_[lane].numerical;
   books.contact = spent_[lane].contact + pending_[lane].contact + inherited_[lane] - held_[lane];
   books.work_external = spent_[lane].grip + pending_[lane].grip;
-  results::Sample s = balance(books, now);
+  results::Sample s = fracture::balance(books, now);
   s.step = steps_done(lane);
   s.time_s = time(lane);
   s.phase = phase;
   s.lane = lane;
   s.grip_force_n = grip_force(lane);
-  const CrackHistory& history = scenario_[lane].history;
+  const history::CrackHistory& history = scenario_[lane].history;
   s.tip_m = cracking_ ? tip(lane) : history.stretch.front().position;
-  s.velocity_m_s = cracking_ ? speed_at(history, crack_time(lane, steps_done_)) : 0.0;
+  s.velocity_m_s = cracking_ ? history::speed_at(history, crack_time(lane, steps_done_)) : 0.0;
   return s;
 }
 
 template void Ensemble<double>::find_beams_at_top();
 template void Ensemble<double>::add_up_spent();
 template void Ensemble<double>::weigh(double*);
-template LatticeEnergy Ensemble<double>::energy(int);
+template fracture::LatticeEnergy Ensemble<double>::energy(int);
 template double Ensemble<double>::grip_force(int) const;
 template results::Sample Ensemble<double>::sample(int, results::Phase);
 template void Ensemble<float>::find_beams_at_top();
 template void Ensemble<float>::add_up_spent();
 template void Ensemble<float>::weigh(double*);
-template LatticeEnergy Ensemble<float>::energy(int);
+template fracture::LatticeEnergy Ensemble<float>::energy(int);
 template double Ensemble<float>::grip_force(int) const;
 template results::Sample Ensemble<float>::sample(int, results::Phase);
 
-}  // namespace rift
+}  // namespace rift::ensemble

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 /// Appends numbers of any kind; every float and every integer below 2^53 is a double.
@@ -67,7 +67,7 @@ NamedNumbers Ensemble<Real>::state() const {
   put(state, "factor", factor_, factor_.size());
   put(state, "booked", booked_, booked_.size());
   for (std::size_t lane = 0; lane < ledger_.size(); ++lane) {
-    const Ledger& l = ledger_[lane];
+    const fracture::Ledger& l = ledger_[lane];
     const Spent& s = spent_[lane];
     for (const double x :
          {l.energy_start, l.fracture, l.damping, l.numerical_damping, l.contact, l.work_external, l.largest,
@@ -165,4 +165,4 @@ template NamedNumbers Ensemble<float>::state() const;
 template void Ensemble<double>::restore(const NamedNumbers&);
 template void Ensemble<float>::restore(const NamedNumbers&);
 
-}  // namespace rift
+}  // namespace rift::ensemble

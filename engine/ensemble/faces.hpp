@@ -2,7 +2,7 @@
 
 #include "engine/ensemble/rows.hpp"
 
-namespace rift::RIFT_INSTRUCTIONS {
+namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
 /// face_contact() of fracture/face_contact.hpp, pack by pack.
 template <class V>
@@ -74,4 +74,4 @@ inline void add_contact_forces(const PartView<Real>& p) {
   }
 }
 
-}  // namespace rift::RIFT_INSTRUCTIONS
+}  // namespace rift::ensemble::RIFT_INSTRUCTIONS

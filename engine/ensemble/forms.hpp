@@ -3,7 +3,7 @@
 #include "engine/ensemble/pack.hpp"
 #include "engine/ensemble/part.hpp"
 
-namespace rift::RIFT_INSTRUCTIONS {
+namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
 /// What a beam does to its two elements: force on i (minus that on j), moment on i, moment on j.
 template <class V>
@@ -198,4 +198,4 @@ struct Corotational {
   }
 };
 
-}  // namespace rift::RIFT_INSTRUCTIONS
+}  // namespace rift::ensemble::RIFT_INSTRUCTIONS

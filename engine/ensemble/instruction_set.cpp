@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cstdlib>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 InstructionSet of_processor() {
@@ -56,8 +56,8 @@ int lanes_for(int scenarios) {
 }
 
 template <class Real>
-Kernel<Real> kernel_for(InstructionSet set, Kinematics kinematics, int lanes) {
-  const bool turning = kinematics == Kinematics::corotational;
+Kernel<Real> kernel_for(InstructionSet set, scene::Kinematics kinematics, int lanes) {
+  const bool turning = kinematics == scene::Kinematics::corotational;
   Kernel<Real> found;
   switch (set) {
     case InstructionSet::baseline:
@@ -93,7 +93,7 @@ template int lanes_in_register<double>(InstructionSet);
 template int lanes_in_register<float>(InstructionSet);
 template int lanes_for<double>(int);
 template int lanes_for<float>(int);
-template Kernel<double> kernel_for<double>(InstructionSet, Kinematics, int);
-template Kernel<float> kernel_for<float>(InstructionSet, Kinematics, int);
+template Kernel<double> kernel_for<double>(InstructionSet, scene::Kinematics, int);
+template Kernel<float> kernel_for<float>(InstructionSet, scene::Kinematics, int);
 
-}  // namespace rift
+}  // namespace rift::ensemble

@@ -4,9 +4,11 @@
 
 #include <string_view>
 
-namespace rift {
-
+namespace rift::scene {
 enum class Kinematics;
+}
+
+namespace rift::ensemble {
 
 /// Vector instructions that the kernels are compiled for; each includes the ones before.
 enum class InstructionSet { baseline, avx2, avx512 };
@@ -31,10 +33,10 @@ int lanes_for(int scenarios);
 
 /// @param[in] lanes  1 or most_lanes, a half or a quarter of it
 template <class Real>
-Kernel<Real> kernel_for(InstructionSet set, Kinematics kinematics, int lanes);
+Kernel<Real> kernel_for(InstructionSet set, scene::Kinematics kinematics, int lanes);
 
 /// Multiplies and adds, `rounds` times in every register; returns the floating-point operations done.
 template <class Real>
 double multiply_and_add(InstructionSet set, long rounds);
 
-}  // namespace rift
+}  // namespace rift::ensemble

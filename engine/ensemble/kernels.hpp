@@ -2,7 +2,7 @@
 
 #include "engine/ensemble/walk.hpp"
 
-namespace rift::RIFT_INSTRUCTIONS {
+namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
 /// All that acts on an element, and its share of the extra forces.
 template <class Real, int Width>
@@ -232,4 +232,4 @@ constexpr Kernel<Real> kernel() {
   return {advance<Form, Real, Width, false>, advance<Form, Real, Width, true>, weigh<Form, Real, Width>};
 }
 
-}  // namespace rift::RIFT_INSTRUCTIONS
+}  // namespace rift::ensemble::RIFT_INSTRUCTIONS

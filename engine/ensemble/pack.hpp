@@ -9,7 +9,7 @@
 #include <immintrin.h>
 #endif
 
-namespace rift::RIFT_INSTRUCTIONS {
+namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
 template <class Real, int Width>
 struct PackOf {
@@ -149,4 +149,4 @@ inline Space<V> plus_cross(Space<V> c, Space<V> a, Space<V> b) {
           fma(a.x, b.y, fma(-a.y, b.x, c.z))};
 }
 
-}  // namespace rift::RIFT_INSTRUCTIONS
+}  // namespace rift::ensemble::RIFT_INSTRUCTIONS

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace rift {
+namespace rift::ensemble {
 
 /// Kernels compiled for several instruction sets see nothing but these plain rows and pointers.
 
@@ -157,4 +157,4 @@ struct Kernel {
   void (*weigh)(const PartView<Real>&, const StepConstants&) = nullptr;
 };
 
-}  // namespace rift
+}  // namespace rift::ensemble

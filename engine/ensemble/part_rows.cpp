@@ -7,13 +7,13 @@
 #include <bit>
 #include <numeric>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 /// Beams that the path does not cross, by their first element, then by their second.
 std::vector<int> sound_beams(const RowSource& s) {
   std::vector<char> crossed(s.lattice.beam.size(), 0);
-  for (const Crossing& c : s.met) crossed[c.beam] = 1;
+  for (const fracture::Crossing& c : s.met) crossed[c.beam] = 1;
   std::vector<int> sound;
   for (int b = 0; b < static_cast<int>(crossed.size()); ++b)
     if (!crossed[b]) sound.push_back(b);
@@ -23,20 +23,20 @@ std::vector<int> sound_beams(const RowSource& s) {
 }
 
 template <class Real>
-BeamStiffness<Real> stiffness_of_row(const Beam& b) {
+BeamStiffness<Real> stiffness_of_row(const mechanics::Beam& b) {
   return {static_cast<Real>(b.axial), static_cast<Real>(b.bending), static_cast<Real>(b.twist)};
 }
 
 template <class Real>
 void set_form(LinearBeam<Real>& form, const RowSource& s, int beam) {
-  const Beam& b = s.lattice.beam[beam];
+  const mechanics::Beam& b = s.lattice.beam[beam];
   form = {static_cast<Real>(b.axis.x()), static_cast<Real>(b.axis.y()), static_cast<Real>(b.axis.z()),
           static_cast<Real>(2.0 / b.length), stiffness_of_row<Real>(b)};
 }
 
 template <class Real>
 void set_form(CorotationalBeam<Real>& form, const RowSource& s, int beam) {
-  const Beam& b = s.lattice.beam[beam];
+  const mechanics::Beam& b = s.lattice.beam[beam];
   const auto& [i, j] = s.lattice.ends[beam];
   const Eigen::Vector3d base = s.base[j].head<3>() - s.base[i].head<3>();
   form = {static_cast<Real>(b.axis.x()), static_cast<Real>(b.axis.y()), static_cast<Real>(b.axis.z()),
@@ -56,7 +56,7 @@ class Maker {
   PartRows<Real> make() {
     choose_sound();
     find_ghosts_and_specials();
-    if (s_.kinematics == Kinematics::linear) {
+    if (s_.kinematics == scene::Kinematics::linear) {
       make_rows(rows_.linear, rows_.linear_crossing);
       make_contacts(rows_.linear_contact);
       if (lanes_ == 1) make_groups(rows_.linear, rows_.linear_group);
@@ -114,8 +114,8 @@ class Maker {
     };
     for (const int b : halo_) see(b, false);
     for (const int b : own_) see(b, false);
-    for (const Crossing& c : s_.met) see(c.beam, true);
-    for (const DampedBeam& d : s_.damped)
+    for (const fracture::Crossing& c : s_.met) see(c.beam, true);
+    for (const mechanics::DampedBeam& d : s_.damped)
       for (const auto& [element, other] : {std::pair{d.i, d.j}, std::pair{d.j, d.i}}) {
         if (owns(element))
           special.push_back(element);
@@ -165,8 +165,9 @@ class Maker {
       auto& c = crossing.emplace_back();
       c.k = k, c.i = row(i), c.j = row(j), c.extra_i = extra(i), c.extra_j = extra(j);
       set_form(c.form, s_, s_.met[k].beam);
-      if (s_.notched[k] || s_.kinematics == Kinematics::corotational) continue;
-      const BeamLoads base = loads_of(s_.lattice.beam[s_.met[k].beam], s_.base[i], s_.base[j]);
+      if (s_.notched[k] || s_.kinematics == scene::Kinematics::corotational) continue;
+      const mechanics::BeamLoads base =
+          mechanics::loads_of(s_.lattice.beam[s_.met[k].beam], s_.base[i], s_.base[j]);
       for (int a = 0; a < 3; ++a) {
         c.base[a] = static_cast<Real>(base.force_i[a]);
         c.base[3 + a] = static_cast<Real>(base.moment_i[a]);
@@ -186,8 +187,8 @@ class Maker {
       c.k = k, c.i = row(i), c.j = row(j), c.extra_i = extra(i), c.extra_j = extra(j);
       set_form(c.form, s_, beam);
       for (int a = 0; a < 2; ++a) c.normal[a] = static_cast<Real>(s_.normal[k][a]);
-      if (s_.kinematics == Kinematics::corotational) continue;
-      const Eigen::Vector3d base = face_gap(s_.lattice.beam[beam], s_.base[i], s_.base[j]);
+      if (s_.kinematics == scene::Kinematics::corotational) continue;
+      const Eigen::Vector3d base = fracture::face_gap(s_.lattice.beam[beam], s_.base[i], s_.base[j]);
       for (int a = 0; a < 3; ++a) c.gap[a] = static_cast<Real>(base[a]);
     }
   }
@@ -226,7 +227,7 @@ class Maker {
   }
 
   void make_damped() {
-    for (const DampedBeam& d : s_.damped) {
+    for (const mechanics::DampedBeam& d : s_.damped) {
       if (!owns(d.i) && !owns(d.j)) continue;
       rows_.damped.push_back({row(d.i), row(d.j), extra(d.i), extra(d.j), d.crossing, d.at_surface ? 1 : 0,
                               static_cast<Real>(d.axis.x()), static_cast<Real>(d.axis.y()),
@@ -253,7 +254,7 @@ class Maker {
 
 }  // namespace
 
-std::vector<int> cut_evenly(const Lattice& lattice, int parts) {
+std::vector<int> cut_evenly(const lattice::Lattice& lattice, int parts) {
   const int n = static_cast<int>(lattice.centre.size());
   const int chunks = std::max(1, (n + chunk_size - 1) / chunk_size);
   std::vector<double> work(chunks, 0.0);
@@ -282,4 +283,4 @@ PartRows<Real> rows_of_part(const RowSource& source, int begin, int end, int fir
 template PartRows<double> rows_of_part<double>(const RowSource&, int, int, int, int);
 template PartRows<float> rows_of_part<float>(const RowSource&, int, int, int, int);
 
-}  // namespace rift
+}  // namespace rift::ensemble

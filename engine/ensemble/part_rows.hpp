@@ -8,24 +8,26 @@
 
 #include <vector>
 
-namespace rift {
-
+namespace rift::scene {
 enum class Kinematics;
+}
+
+namespace rift::ensemble {
 
 /// What the rows of all parts are made from.
 struct RowSource {
-  const Lattice& lattice;
-  Kinematics kinematics;
-  const std::vector<Vector6>& base;  // N, the base state
-  const std::vector<Crossing>& met;
+  const lattice::Lattice& lattice;
+  scene::Kinematics kinematics;
+  const std::vector<mechanics::Vector6>& base;  // N, the base state
+  const std::vector<fracture::Crossing>& met;
   const std::vector<char>& notched;  // [crossing] absent from the base state on
-  const std::vector<DampedBeam>& damped;
+  const std::vector<mechanics::DampedBeam>& damped;
   const std::vector<Eigen::Vector2d>& normal;  // [crossing] of the faces, from i to j; empty without contact
 };
 
 /// First elements of `parts` ranges with about equally many beams, and N; all but the last multiples of
 /// chunk_size, so that sums by chunks do not depend on them. Fewer parts where there are fewer chunks.
-std::vector<int> cut_evenly(const Lattice& lattice, int parts);
+std::vector<int> cut_evenly(const lattice::Lattice& lattice, int parts);
 
 /// The rows that one thread works on, and copies of elements of other parts that they refer to.
 template <class Real>
@@ -53,4 +55,4 @@ struct PartRows {
 template <class Real>
 PartRows<Real> rows_of_part(const RowSource& source, int begin, int end, int first_ghost_row, int lanes);
 
-}  // namespace rift
+}  // namespace rift::ensemble

@@ -2,7 +2,7 @@
 
 #include "engine/ensemble/forms.hpp"
 
-namespace rift::RIFT_INSTRUCTIONS {
+namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
 /// A row of `Count` numbers per lane.
 template <int Count, int Width, class Real>
@@ -42,4 +42,4 @@ inline void add_to(Real* row, const Put& put) {
   store_row<6, Width>(row, f);
 }
 
-}  // namespace rift::RIFT_INSTRUCTIONS
+}  // namespace rift::ensemble::RIFT_INSTRUCTIONS

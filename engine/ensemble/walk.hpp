@@ -2,7 +2,7 @@
 
 #include "engine/ensemble/faces.hpp"
 
-namespace rift::RIFT_INSTRUCTIONS {
+namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
 /// The forces of the crossing beams, s L + (s - 1) L_base: where L is linear it is of the change since the
 /// base state, in which the intact beams balance.
@@ -183,4 +183,4 @@ inline void walk(const PartView<Real>& p, const Finish& finish) {
     walk_lanes<Form, Real, Width>(p, finish);
 }
 
-}  // namespace rift::RIFT_INSTRUCTIONS
+}  // namespace rift::ensemble::RIFT_INSTRUCTIONS

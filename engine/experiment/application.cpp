@@ -7,28 +7,28 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 using results::Sample;
 
-CriticalRate given_law(const Experiment& found) {
-  CriticalRate law{.against = CriticalRate::Against::velocity_over_cr};
+scene::CriticalRate given_law(const Experiment& found) {
+  scene::CriticalRate law{.against = scene::CriticalRate::Against::velocity_over_cr};
   for (const auto& [over_cr, rate, uncertainty] : found.law) law.row.push_back({over_cr, rate});
   return law;
 }
 
-Scene by_itself(const Preset& preset, const Experiment& found) {
-  Scene scene = preset.scene;
-  const CrackHistory& course = found.course.history;
+scene::Scene by_itself(const scene::Preset& preset, const Experiment& found) {
+  scene::Scene scene = preset.scene;
+  const history::CrackHistory& course = found.course.history;
   const double start = scene.crack.start;
-  const double began =
-      found.width / (time_of_arrival(course, start + found.width) - time_of_arrival(course, start));
+  const double began = found.width / (history::time_of_arrival(course, start + found.width) -
+                                      history::time_of_arrival(course, start));
   // A load curve goes by the clock of the run, whose tip comes from a damage zone behind the start.
-  const double zone = scene.crack.technique == Technique::progressive
+  const double zone = scene.crack.technique == scene::Technique::progressive
                           ? scene.crack.damage_zone_ratio * found.mean_radius
                           : 0.0;
-  for (std::array<double, 2>& row : scene.loading.curve.row) row[0] += zone / began - load_time(scene);
+  for (std::array<double, 2>& row : scene.loading.curve.row) row[0] += zone / began - scene::load_time(scene);
   scene.crack.history.clear();
   scene.crack.velocity = {{{began, false}, {}}};
   scene.crack.end = found.along.back().position + 0.5 * found.width;
@@ -43,7 +43,8 @@ double expected_error(const Experiment& found) {
   const double slope = fast > slow ? (high - low) / (fast - slow) : 0.0;
   double squares = 0.0, mean = 0.0;
   for (const CriticalPoint& p : found.along) {
-    squares += std::pow(p.uncertainty / (slope + p.as_paper / response_to_velocity(p.over_cr)), 2.0);
+    squares +=
+        std::pow(p.uncertainty / (slope + p.as_paper / fracture::response_to_velocity(p.over_cr)), 2.0);
     mean += p.over_cr;
   }
   const auto count = static_cast<double>(found.along.size());
@@ -60,21 +61,21 @@ double time_at(const std::vector<Sample>& rows, double position) {
 
 /// Clocks are set alike where both cracks are at the first point.
 std::vector<Application::Point> compared(const Experiment& found, const std::vector<Sample>& rows,
-                                         const RateScale& scale) {
-  const CrackHistory& course = found.course.history;
+                                         const fracture::RateScale& scale) {
+  const history::CrackHistory& course = found.course.history;
   std::vector<Application::Point> along;
   const double first = found.along.front().position, half = 0.5 * found.width;
-  const double own_zero = time_at(rows, first), measured_zero = time_of_arrival(course, first);
+  const double own_zero = time_at(rows, first), measured_zero = history::time_of_arrival(course, first);
   for (const CriticalPoint& point : found.along) {
     if (point.position + half > rows.back().tip_m) break;
     Application::Point p{.position = point.position, .measured_over_cr = point.over_cr};
     const double passed = time_at(rows, point.position) - own_zero;
-    p.lag = tip_at(course, measured_zero + passed) - point.position;
+    p.lag = history::tip_at(course, measured_zero + passed) - point.position;
     p.over_cr = found.width / (time_at(rows, point.position + half) - time_at(rows, point.position - half)) /
                 found.rayleigh_speed;
-    p.given = critical_rate(given_law(found), p.over_cr, found.rayleigh_speed, point.position);
-    p.rate = rate_around(rows, point.position, found.width, scale).ratio_with_damping *
-             mean_g_i0(scale, point.position - half, point.position + half);
+    p.given = fracture::critical_rate(given_law(found), p.over_cr, found.rayleigh_speed, point.position);
+    p.rate = fracture::rate_around(rows, point.position, found.width, scale).ratio_with_damping *
+             fracture::mean_g_i0(scale, point.position - half, point.position + half);
     along.push_back(p);
   }
   return along;
@@ -82,13 +83,13 @@ std::vector<Application::Point> compared(const Experiment& found, const std::vec
 
 }  // namespace
 
-Application apply(const Preset& preset, const Experiment& found, Cache& cache, const Parts& parts,
+Application apply(const scene::Preset& preset, const Experiment& found, Cache& cache, const Parts& parts,
                   const ExperimentProgress& progress) {
-  Preset own = preset;
+  scene::Preset own = preset;
   own.scene = by_itself(preset, found);
-  const Prepared prepared =
-      prepare(own, cache, [&](std::string_view, double) { return progress("application", 0.0); });
-  const RunResult run =
+  const simulation::Prepared prepared =
+      simulation::prepare(own, cache, [&](std::string_view, double) { return progress("application", 0.0); });
+  const simulation::RunResult run =
       parts.march("application", prepared, [&](double done) { return progress("application", done); });
   Application a;
   a.arrested_m = run.lane[0].arrested_m;
@@ -96,7 +97,7 @@ Application apply(const Preset& preset, const Experiment& found, Cache& cache, c
   for (const Sample& row : run.lane[0].books)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
   if (rows.size() < 2) return a;
-  a.along = compared(found, rows, scale_of(prepared, prepared.lane[0]));
+  a.along = compared(found, rows, simulation::scale_of(prepared, prepared.lane[0]));
   double velocity = 0.0, rate = 0.0, mean = 0.0;
   for (const Application::Point& p : a.along) {
     a.worst_lag = std::max(a.worst_lag, std::abs(p.lag));
@@ -110,4 +111,4 @@ Application apply(const Preset& preset, const Experiment& found, Cache& cache, c
   return a;
 }
 
-}  // namespace rift
+}  // namespace rift::experiment

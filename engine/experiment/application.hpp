@@ -3,11 +3,11 @@
 #include "engine/experiment/experiment.hpp"
 #include "engine/experiment/kept_parts.hpp"
 
-namespace rift {
+namespace rift::experiment {
 
 /// Lets a crack run by itself in the same plate, with the law that was found as what the material withstands,
 /// and compares it with the measured one. It begins as fast as the measured tip ran over its first window.
-Application apply(const Preset& preset, const Experiment& found, Cache& cache, const Parts& parts,
+Application apply(const scene::Preset& preset, const Experiment& found, Cache& cache, const Parts& parts,
                   const ExperimentProgress& progress);
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -6,33 +6,33 @@
 #include <array>
 #include <cmath>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 /// Above 0.9 c_R what arrives within a plate's length is not yet what was stored   [physics.md §9.4].
 constexpr std::array velocities{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
 
 /// A plate of the same kind whose crack runs steadily along its middle.
-Scene steady(const Scene& scene, double over_cr, double pulled) {
-  Scene s = scene;
+scene::Scene steady(const scene::Scene& scene, double over_cr, double pulled) {
+  scene::Scene s = scene;
   s.crack.history.clear();
   s.crack.toughness = {};
   s.crack.velocity = {{{over_cr, true}, {}}};
-  s.crack.path = {}, s.crack.path_shape = PathShape::polyline;
+  s.crack.path = {}, s.crack.path_shape = scene::PathShape::polyline;
   s.crack.start = 0.0, s.crack.end.reset(), s.crack.tips = 1;
-  s.loading.method = LoadingMethod::static_solve, s.loading.tilt = s.loading.shear = 0.0;
+  s.loading.method = scene::LoadingMethod::static_solve, s.loading.tilt = s.loading.shear = 0.0;
   s.loading.displacement = std::abs(pulled), s.loading.force.reset(), s.loading.curve = {};
   s.crack.friction.reset();
-  s.output.window.reset(), s.output.frames = 0, s.output.g_i0_reference = ReleaseRateReference::strip;
+  s.output.window.reset(), s.output.frames = 0, s.output.g_i0_reference = scene::ReleaseRateReference::strip;
   return s;
 }
 
 }  // namespace
 
-std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, double lowest, double highest,
-                                           Cache& cache, const Parts& parts,
+std::vector<EfficiencyPoint> efficiency_of(const scene::Preset& preset, double pulled, double lowest,
+                                           double highest, Cache& cache, const Parts& parts,
                                            const ExperimentProgress& progress) {
-  std::vector<Scene> scenes;
+  std::vector<scene::Scene> scenes;
   std::vector<EfficiencyPoint> points;
   for (std::size_t k = 0; k < velocities.size(); ++k) {
     const bool below = k + 1 < velocities.size() && velocities[k + 1] <= lowest;
@@ -41,14 +41,14 @@ std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, 
     points.push_back({velocities[k]});
     scenes.push_back(steady(preset.scene, velocities[k], pulled));
   }
-  Preset strip = preset;
+  scene::Preset strip = preset;
   strip.scene = scenes.front(), strip.steering.clear();
-  const Prepared prepared =
-      prepare(strip, scenes, cache, [&](std::string_view, double) { return progress("efficiency", 0.0); });
-  const RunResult run =
+  const simulation::Prepared prepared = simulation::prepare(
+      strip, scenes, cache, [&](std::string_view, double) { return progress("efficiency", 0.0); });
+  const simulation::RunResult run =
       parts.march("efficiency", prepared, [&](double done) { return progress("efficiency", done); });
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Rates rates = rates_of(prepared, run, static_cast<int>(k));
+    const simulation::Rates rates = simulation::rates_of(prepared, run, static_cast<int>(k));
     points[k].efficiency = rates.plateau.mean.ratio_with_damping, points[k].scatter = rates.plateau.scatter;
   }
   return points;
@@ -65,4 +65,4 @@ EfficiencyPoint efficiency_at(const std::vector<EfficiencyPoint>& points, double
   return points.back();
 }
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -3,16 +3,16 @@
 #include "engine/experiment/experiment.hpp"
 #include "engine/experiment/kept_parts.hpp"
 
-namespace rift {
+namespace rift::experiment {
 
 /// The lattice's efficiency at the velocities of [lowest, highest] c_R: the release ratio of a crack that
 /// runs steadily along the middle of the same strip, where all that is stored ahead arrives (Nilsson 1972).
 /// Lanes of one pass over the preset's own lattice, pulled by `pulled` [m].
-std::vector<EfficiencyPoint> efficiency_of(const Preset& preset, double pulled, double lowest, double highest,
-                                           Cache& cache, const Parts& parts,
+std::vector<EfficiencyPoint> efficiency_of(const scene::Preset& preset, double pulled, double lowest,
+                                           double highest, Cache& cache, const Parts& parts,
                                            const ExperimentProgress& progress);
 
 /// Straight between the points, constant beyond them; the scatter too.
 EfficiencyPoint efficiency_at(const std::vector<EfficiencyPoint>& points, double over_cr);
 
-}  // namespace rift
+}  // namespace rift::experiment

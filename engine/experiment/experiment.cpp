@@ -19,14 +19,14 @@
 #include <limits>
 #include <string>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 using results::Sample;
 
 constexpr int points = 60, static_parts = 8;
 
-std::vector<Sample> crack_rows(const LaneResult& lane) {
+std::vector<Sample> crack_rows(const simulation::LaneResult& lane) {
   std::vector<Sample> rows;
   for (const Sample& row : lane.books)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
@@ -47,22 +47,22 @@ Spread spread_of(const std::vector<double>& values) {
 }
 
 /// What one lane shows at the points, in J/m2.
-std::vector<double> rates_at(const Prepared& p, const RunResult& run, int lane,
+std::vector<double> rates_at(const simulation::Prepared& p, const simulation::RunResult& run, int lane,
                              const std::vector<CriticalPoint>& along, double width) {
   const std::vector<Sample> rows = crack_rows(run.lane[lane]);
-  const RateScale scale = scale_of(p, p.lane[lane]);
+  const fracture::RateScale scale = simulation::scale_of(p, p.lane[lane]);
   std::vector<double> rates;
   rates.reserve(along.size());
   for (const CriticalPoint& point : along)
-    rates.push_back(rate_around(rows, point.position, width, scale).ratio_with_damping *
-                    mean_g_i0(scale, point.position - 0.5 * width, point.position + 0.5 * width));
+    rates.push_back(fracture::rate_around(rows, point.position, width, scale).ratio_with_damping *
+                    fracture::mean_g_i0(scale, point.position - 0.5 * width, point.position + 0.5 * width));
   return rates;
 }
 
 class Laboratory {
  public:
-  Laboratory(const Preset& preset, const ExperimentWishes& wishes, const std::filesystem::path& folder,
-             Cache& cache, const BuildInfo& build, const ExperimentProgress& progress)
+  Laboratory(const scene::Preset& preset, const ExperimentWishes& wishes, const std::filesystem::path& folder,
+             Cache& cache, const simulation::BuildInfo& build, const ExperimentProgress& progress)
       : preset_(preset),
         wishes_(wishes),
         run_folder_(folder / "run"),
@@ -83,19 +83,20 @@ class Laboratory {
   }
 
  private:
-  StageProgress preparing(const std::string& stage) {
+  simulation::StageProgress preparing(const std::string& stage) {
     return [this, stage](std::string_view part, double done) {
       return progress_(stage + ": " + std::string(part), done);
     };
   }
-  RunResult march_part(const std::string& name, const std::string& stage, const Prepared& p) {
-    RunResult run = parts_.march(name, p, [&](double done) { return progress_(stage, done); });
+  simulation::RunResult march_part(const std::string& name, const std::string& stage,
+                                   const simulation::Prepared& p) {
+    simulation::RunResult run = parts_.march(name, p, [&](double done) { return progress_(stage, done); });
     take(run);
     return run;
   }
-  void take(const RunResult& run) {
+  void take(const simulation::RunResult& run) {
     e_.outcome = std::max(e_.outcome, run.outcome);
-    for (const LaneResult& lane : run.lane)
+    for (const simulation::LaneResult& lane : run.lane)
       e_.worst_residual = std::max(e_.worst_residual, lane.worst_residual);
   }
 
@@ -105,14 +106,14 @@ class Laboratory {
 
   /// The measured crack itself, on the preset's specimen, and the points of the result.
   void measure() {
-    const Prepared p = prepare(preset_, cache_, preparing("specimen 1"));
-    e_.course = measured_course(preset_.scene);
+    const simulation::Prepared p = simulation::prepare(preset_, cache_, preparing("specimen 1"));
+    e_.course = scene::measured_course(preset_.scene);
     e_.width = preset_.scene.crack.toughness_window * p.lattice.mean_radius;
     pulled_ = p.pulled;
     e_.thickness = p.scale.thickness, e_.rayleigh_speed = p.rayleigh_speed,
     e_.mean_radius = p.lattice.mean_radius;
     lay_points(p);
-    const RunResult run = measured_crack(p);
+    const simulation::RunResult run = measured_crack(p);
     take(run);
     const double width = e_.width;
     specimens_.push_back(rates_at(p, run, 0, e_.along, width));
@@ -122,36 +123,38 @@ class Laboratory {
   }
 
   /// Recorded as a run; by an earlier call, as far as that came.
-  RunResult measured_crack(const Prepared& p) {
-    const Observer marching{.go_on = [this](const Progress& done) {
+  simulation::RunResult measured_crack(const simulation::Prepared& p) {
+    const simulation::Observer marching{.go_on = [this](const simulation::Progress& done) {
       return progress_("measured crack", static_cast<double>(done.step) / static_cast<double>(done.total));
     }};
     if (results::inspect_run(run_folder_).header_json.empty()) {
       results::ClaimedFolder run(run_folder_, true);
       run.keep();
-      return checked(record_run(p, run_folder_, build_, marching, parts_.options()).result);
+      return checked(simulation::record_run(p, run_folder_, build_, marching, parts_.options()).result);
     }
-    if (has_ended(run_folder_)) return result_of_run(run_folder_);
+    if (simulation::has_ended(run_folder_)) return simulation::result_of_run(run_folder_);
     std::string ignored;  // a checkpoint that is damaged costs time, nothing else
-    return checked(resume_run(p, run_folder_, build_, marching, ignored, parts_.options()).result);
+    return checked(
+        simulation::resume_run(p, run_folder_, build_, marching, ignored, parts_.options()).result);
   }
-  static RunResult checked(RunResult run) {
-    if (run.outcome == Outcome::stopped) throw Interrupted("marching the measured crack");
+  static simulation::RunResult checked(simulation::RunResult run) {
+    if (run.outcome == simulation::Outcome::stopped) throw Interrupted("marching the measured crack");
     return run;
   }
 
-  void lay_points(const Prepared& p) {
+  void lay_points(const simulation::Prepared& p) {
     const double start = preset_.scene.crack.start + p.lane[0].scenario.law.zone_length + 0.5 * e_.width,
                  end = p.lane[0].crack_end - 0.5 * e_.width;
     if (!(end > start))
-      throw InputError({issue_at(preset_, "crack.toughness_window",
-                                 "is longer than the history: the release rate is read over it")});
+      throw scene::InputError(
+          {scene::issue_at(preset_, "crack.toughness_window",
+                           "is longer than the history: the release rate is read over it")});
     for (int k = 0; k < points; ++k) {
       CriticalPoint point;
       point.position = start + k * (end - start) / (points - 1);
-      const double since = time_of_arrival(e_.course.history, point.position);
+      const double since = history::time_of_arrival(e_.course.history, point.position);
       point.time = e_.course.first_time + since;
-      point.over_cr = speed_at(e_.course.history, since) / p.rayleigh_speed;
+      point.over_cr = history::speed_at(e_.course.history, since) / p.rayleigh_speed;
       e_.along.push_back(point);
     }
   }
@@ -160,37 +163,40 @@ class Laboratory {
   void draw_histories() {
     const auto histories = resampled(preset_.scene, e_.course, wishes_.resamples,
                                      static_cast<std::uint64_t>(preset_.scene.specimen.seed));
-    std::vector<Scene> scenes;
+    std::vector<scene::Scene> scenes;
     for (const auto& rows : histories) {
       scenes.push_back(preset_.scene);
       scenes.back().crack.history = rows, scenes.back().output.frames = 0;
       // A drawn history may end before the measured one, or be too fast to be a crack's.
-      if (highest_velocity(scenes.back()) > 2.0)
+      if (scene::highest_velocity(scenes.back()) > 2.0)
         scenes.pop_back();
       else
-        scenes.back().crack.end = std::min(crack_end(preset_.scene), measured_course(scenes.back()).end);
+        scenes.back().crack.end =
+            std::min(scene::crack_end(preset_.scene), scene::measured_course(scenes.back()).end);
     }
     std::vector<std::vector<double>> speeds;
-    for (const Scene& scene : scenes) {
-      const CrackHistory course = measured_course(scene).history;
+    for (const scene::Scene& scene : scenes) {
+      const history::CrackHistory course = scene::measured_course(scene).history;
       speeds.emplace_back();
       for (const CriticalPoint& point : e_.along)
-        speeds.back().push_back(speed_at(course, time_of_arrival(course, point.position)));
+        speeds.back().push_back(history::speed_at(course, history::time_of_arrival(course, point.position)));
     }
     for (std::size_t k = 0; k < e_.along.size(); ++k) e_.drawn_speed.push_back(at(speeds, k).deviation);
     // Each reaches its first row at another time, by which a load curve moves the grip.
-    const std::size_t most = grip_moves(preset_.scene) ? 1 : scenes.size();
+    const std::size_t most = scene::grip_moves(preset_.scene) ? 1 : scenes.size();
     for (std::size_t first = 0; first < scenes.size(); first += most)
       run_drawn({scenes.begin() + static_cast<std::ptrdiff_t>(first),
                  scenes.begin() + static_cast<std::ptrdiff_t>(std::min(first + most, scenes.size()))});
     e_.resamples = static_cast<int>(drawn_.size()), e_.resamples_asked = wishes_.resamples;
   }
 
-  void run_drawn(const std::vector<Scene>& scenes) {
-    const Prepared p = prepare(preset_, scenes, cache_, preparing("resampled histories"));
-    const RunResult run = march_part(fmt::format("resampled_{}", drawn_marches_++), "resampled histories", p);
+  void run_drawn(const std::vector<scene::Scene>& scenes) {
+    const simulation::Prepared p =
+        simulation::prepare(preset_, scenes, cache_, preparing("resampled histories"));
+    const simulation::RunResult run =
+        march_part(fmt::format("resampled_{}", drawn_marches_++), "resampled histories", p);
     for (int lane = 0; lane < static_cast<int>(scenes.size()); ++lane)
-      if (run.lane[lane].outcome == Outcome::finished)
+      if (run.lane[lane].outcome == simulation::Outcome::finished)
         drawn_.push_back(rates_at(p, run, lane, e_.along, e_.width));
   }
 
@@ -198,11 +204,11 @@ class Laboratory {
   void draw_specimens() {
     for (int k = 1; k < wishes_.specimens; ++k) {
       const std::string stage = "specimen " + std::to_string(k + 1);
-      Preset other = preset_;
+      scene::Preset other = preset_;
       other.scene.specimen.seed += k, other.scene.output.frames = 0;
-      const Prepared p = prepare(other, cache_, preparing(stage));
-      const RunResult run = march_part(fmt::format("specimen_{}", k + 1), stage, p);
-      if (run.outcome != Outcome::finished) continue;
+      const simulation::Prepared p = simulation::prepare(other, cache_, preparing(stage));
+      const simulation::RunResult run = march_part(fmt::format("specimen_{}", k + 1), stage, p);
+      if (run.outcome != simulation::Outcome::finished) continue;
       specimens_.push_back(rates_at(p, run, 0, e_.along, e_.width));
       ++e_.specimens;
     }
@@ -210,13 +216,14 @@ class Laboratory {
 
   /// By how much more a grip that moves on has the plate store, and a slow crack release.
   double square_of_pull(double time) const {
-    return grip_moves(preset_.scene) ? std::pow(load_at(preset_.scene.loading.curve, time) / pulled_, 2.0)
-                                     : 1.0;
+    return scene::grip_moves(preset_.scene)
+               ? std::pow(scene::load_at(preset_.scene.loading.curve, time) / pulled_, 2.0)
+               : 1.0;
   }
 
   /// What a crack that is slow enough for no waves would release, between a few positions.
   void read_statics() {
-    const Prepared p = prepare(preset_, cache_, preparing("quasi-static"));
+    const simulation::Prepared p = simulation::prepare(preset_, cache_, preparing("quasi-static"));
     std::vector<double> at;
     const double from = e_.along.front().position, to = e_.along.back().position;
     for (int k = 0; k <= static_parts; ++k) at.push_back(from + k * (to - from) / static_parts);
@@ -224,7 +231,7 @@ class Laboratory {
     for (int k = 0; k < static_parts; ++k) {
       if (!progress_("quasi-static", static_cast<double>(k) / static_parts))
         throw Interrupted("the quasi-static plates were solved");
-      part_rates.push_back(quasi_static_rates(p, {at[k], at[k + 1]}).front());
+      part_rates.push_back(simulation::quasi_static_rates(p, {at[k], at[k + 1]}).front());
     }
     // Over two parts each: the few beams between two positions scatter.
     for (int k = 1; k < static_parts; ++k) rates.push_back(0.5 * (part_rates[k - 1] + part_rates[k]));
@@ -259,7 +266,8 @@ class Laboratory {
       point.efficiency = at_velocity.efficiency;
       point.corrected = point.as_paper / point.efficiency;
       // A plateau is the mean of sub-windows, whose scatter is told.
-      const double of_efficiency = at_velocity.scatter / std::sqrt(static_cast<double>(sub_windows));
+      const double of_efficiency =
+          at_velocity.scatter / std::sqrt(static_cast<double>(fracture::sub_windows));
       point.corrected_uncertainty =
           std::hypot(point.uncertainty, point.corrected * of_efficiency) / point.efficiency;
     }
@@ -267,11 +275,11 @@ class Laboratory {
     e_.law = law_of(e_.along);
   }
 
-  const Preset& preset_;
+  const scene::Preset& preset_;
   const ExperimentWishes& wishes_;
   const std::filesystem::path run_folder_;
   Cache& cache_;
-  const BuildInfo& build_;
+  const simulation::BuildInfo& build_;
   const ExperimentProgress& progress_;
   const Parts parts_;
   Experiment e_;
@@ -282,11 +290,11 @@ class Laboratory {
 
 }  // namespace
 
-Experiment run_experiment(const Preset& preset, const ExperimentWishes& wishes,
-                          const std::filesystem::path& folder, Cache& cache, const BuildInfo& build,
-                          const ExperimentProgress& progress) {
+Experiment run_experiment(const scene::Preset& preset, const ExperimentWishes& wishes,
+                          const std::filesystem::path& folder, Cache& cache,
+                          const simulation::BuildInfo& build, const ExperimentProgress& progress) {
   begin_experiment(folder, experiment_identity(preset, wishes, build));
   return Laboratory(preset, wishes, folder, cache, build, progress).run();
 }
 
-}  // namespace rift
+}  // namespace rift::experiment

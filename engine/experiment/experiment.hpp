@@ -12,7 +12,7 @@
 
 /// Which critical release rate a material showed along a measured crack history (the generation phase), and
 /// whether a crack that is given it runs as the measured one did (the application phase).
-namespace rift {
+namespace rift::experiment {
 
 struct ExperimentWishes {
   int resamples = 12;  // histories drawn anew from their noise
@@ -53,7 +53,7 @@ struct Application {
 };
 
 struct Experiment {
-  Course course;
+  history::Course course;
   std::vector<double> drawn_speed;  // [m/s] standard deviation of the courses' speeds at each point
   double width = 0;                 // over which release rates are read [m]
   double thickness = 0, rayleigh_speed = 0, mean_radius = 0;
@@ -67,7 +67,7 @@ struct Experiment {
   int resamples = 0, specimens = 0;  // that came to their end
   int resamples_asked = 0;
   double worst_residual = 0;  // of the books of all runs
-  Outcome outcome = Outcome::finished;
+  simulation::Outcome outcome = simulation::Outcome::finished;
 };
 
 /// @param done  of the stage, 0 to 1; answers false to stop (Interrupted is thrown)
@@ -77,8 +77,8 @@ using ExperimentProgress = std::function<bool(std::string_view stage, double don
 /// marches are kept in the folder until forget_parts(), so that a call that was stopped or killed is gone on
 /// with by the same one, to the same bits (kept_parts.hpp). Throws Interrupted, InputError and WorldError.
 /// @param[in] preset  without issues, with crack.history
-Experiment run_experiment(const Preset& preset, const ExperimentWishes& wishes,
-                          const std::filesystem::path& folder, Cache& cache, const BuildInfo& build,
-                          const ExperimentProgress& progress);
+Experiment run_experiment(const scene::Preset& preset, const ExperimentWishes& wishes,
+                          const std::filesystem::path& folder, Cache& cache,
+                          const simulation::BuildInfo& build, const ExperimentProgress& progress);
 
-}  // namespace rift
+}  // namespace rift::experiment

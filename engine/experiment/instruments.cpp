@@ -16,22 +16,22 @@
 #include <algorithm>
 #include <utility>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::filesystem::path& run, const std::string& text) {
-  throw InputError({Issue{.file = run.string(), .key = {}, .text = text}});
+  throw scene::InputError({scene::Issue{.file = run.string(), .key = {}, .text = text}});
 }
 
-CrackPath path_in(const Json& header) {
-  CrackPath path{{}, header.value("tips", 1)};
+fracture::CrackPath path_in(const Json& header) {
+  fracture::CrackPath path{{}, header.value("tips", 1)};
   for (const auto& [x, y] : results::path_of(header)) path.point.emplace_back(x, y);
   return path;
 }
 
-RateScale scale_in(const Json& header, int lane) {
+fracture::RateScale scale_in(const Json& header, int lane) {
   const Json& scale = header.at("rate_scales").at(lane);
   return {.thickness = header.at("thickness_m"),
           .g_i0 = scale.at("g_i0_j_m2"),
@@ -49,24 +49,26 @@ std::vector<Row> of_lane(const std::vector<Row>& rows, int lane) {
 }
 
 /// By the first row of the books whose tip is on the measured way.
-double clock_of(const Scene& scene, const std::vector<results::Sample>& books) {
+double clock_of(const scene::Scene& scene, const std::vector<results::Sample>& books) {
   if (scene.crack.history.empty()) return 0.0;
-  const Course course = measured_course(scene);
+  const history::Course course = scene::measured_course(scene);
   for (const results::Sample& s : books)
     if (s.velocity_m_s > 0.0 && s.tip_m > scene.crack.start)
-      return course.first_time + time_of_arrival(course.history, s.tip_m) - s.time_s;
+      return course.first_time + history::time_of_arrival(course.history, s.tip_m) - s.time_s;
   return 0.0;
 }
 
 /// Why the material's E and nu do not tell the plate's field; empty where they do.
-std::string strange_field(const Scene& scene) {
-  const StiffnessChoice stiffness = scene.material.stiffness;
-  if (stiffness == StiffnessChoice::in_situ || stiffness == StiffnessChoice::calibrated) return {};
+std::string strange_field(const scene::Scene& scene) {
+  const scene::StiffnessChoice stiffness = scene.material.stiffness;
+  if (stiffness == scene::StiffnessChoice::in_situ || stiffness == scene::StiffnessChoice::calibrated)
+    return {};
   return "K wants the plate's own E and nu, which material.stiffness = \"bulk\" and \"explicit\" do not give";
 }
 
-ElasticPlate plate_of(const Scene& scene) {
-  return {scene.material.young_modulus, scene.material.poisson_ratio, density(scene), scene.material.plane};
+measurement::ElasticPlate plate_of(const scene::Scene& scene) {
+  return {scene.material.young_modulus, scene.material.poisson_ratio, scene::density(scene),
+          scene.material.plane};
 }
 
 std::vector<Eigen::Vector2d> places_of(const results::Geometry& geometry) {
@@ -75,7 +77,8 @@ std::vector<Eigen::Vector2d> places_of(const results::Geometry& geometry) {
   return at;
 }
 
-std::vector<std::optional<PlaneMotion>> look(const Camera& camera, const results::Frame& frame) {
+std::vector<std::optional<measurement::PlaneMotion>> look(const measurement::Camera& camera,
+                                                          const results::Frame& frame) {
   return camera.see(frame.tip_m, [&](int i) {
     const auto& u = frame.displacement[i];
     return Eigen::Vector3d(u[0], u[1], u[2]);
@@ -86,8 +89,8 @@ std::vector<std::optional<PlaneMotion>> look(const Camera& camera, const results
 
 Instruments read_instruments(const std::filesystem::path& run, const InstrumentWishes& wishes,
                              const std::function<bool(double done)>& progress,
-                             const std::function<void(const Grid&, const SeenField&)>& see) {
-  const Preset preset = preset_of_run(run);
+                             const std::function<void(const measurement::Grid&, const SeenField&)>& see) {
+  const scene::Preset preset = simulation::preset_of_run(run);
   const std::filesystem::path journal = run / results::journal_name;
   const results::HeldFile held(journal);
   const results::JournalScan scan = results::scan_journal(journal);
@@ -95,12 +98,12 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
   if (wishes.lane < 0 || wishes.lane >= scan.lanes)
     refuse(run, fmt::format("has no lane {}: it has {}", wishes.lane,
                             scan.lanes == 1 ? "one" : fmt::format("0 to {}", scan.lanes - 1)));
-  const Scene& scene = preset.lanes.empty() ? preset.scene : preset.lanes.at(wishes.lane);
+  const scene::Scene& scene = preset.lanes.empty() ? preset.scene : preset.lanes.at(wishes.lane);
   const Eigen::Vector2d size(header.at("length_m"), header.at("height_m"));
   const double radius = header.at("mean_radius_m");
-  const bool zone = scene.crack.technique == Technique::progressive;
-  const RateScale scale = scale_in(header, wishes.lane);
-  Instruments seen{.grid = grid_over(size.x(), size.y(), wishes.grid * radius),
+  const bool zone = scene.crack.technique == scene::Technique::progressive;
+  const fracture::RateScale scale = scale_in(header, wishes.lane);
+  Instruments seen{.grid = measurement::grid_over(size.x(), size.y(), wishes.grid * radius),
                    .subset = wishes.subset * radius,
                    .ring = {.inner = wishes.inner * radius,
                             .outer = wishes.outer * radius,
@@ -112,11 +115,11 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
                    .gauges = of_lane(scan.gauges, wishes.lane),
                    .intensity = {},
                    .no_intensity = strange_field(scene),
-                   .grip_moves = grip_moves(scene),
+                   .grip_moves = scene::grip_moves(scene),
                    .finished = scan.summary_json.has_value()};
   seen.clock = clock_of(scene, seen.books);
-  const CrackPath path = path_in(header);
-  const Camera camera(places_of(*scan.geometry), seen.grid.point, seen.subset, parted_by(path));
+  const fracture::CrackPath path = path_in(header);
+  const measurement::Camera camera(places_of(*scan.geometry), seen.grid.point, seen.subset, parted_by(path));
   const IntensityReading reading(path, size, plate_of(scene), seen.ring, seen.books, scale);
   std::int64_t read = 0;
   bool any = false;
@@ -137,4 +140,4 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
   return seen;
 }
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What the instruments of a test would have shown of a run: a camera, gauges, the grip's load cell.
-namespace rift {
+namespace rift::experiment {
 
 /// Lengths in mean radii.
 struct InstrumentWishes {
@@ -20,7 +20,7 @@ struct InstrumentWishes {
 };
 
 struct Instruments {
-  Grid grid;
+  measurement::Grid grid;
   double subset = 0;  // radius [m]
   Ring ring;
   double clock = 0;                       // of a measured history: its time less the run's [s]
@@ -39,6 +39,6 @@ struct Instruments {
 /// Throws WorldError where there is no run, InputError where it has no such lane or no displacements.
 Instruments read_instruments(const std::filesystem::path& run, const InstrumentWishes& wishes,
                              const std::function<bool(double done)>& progress,
-                             const std::function<void(const Grid&, const SeenField&)>& see);
+                             const std::function<void(const measurement::Grid&, const SeenField&)>& see);
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 constexpr double off_edges = 0.9;  // of the way to the nearest edge: at it the expansion ends
@@ -38,9 +38,10 @@ struct IntensityReading::Tip {
   }
 };
 
-IntensityReading::IntensityReading(CrackPath path, const Eigen::Vector2d& plate_size,
-                                   const ElasticPlate& plate, const Ring& ring,
-                                   const std::vector<results::Sample>& books, const RateScale& scale)
+IntensityReading::IntensityReading(fracture::CrackPath path, const Eigen::Vector2d& plate_size,
+                                   const measurement::ElasticPlate& plate, const Ring& ring,
+                                   const std::vector<results::Sample>& books,
+                                   const fracture::RateScale& scale)
     : path_(std::move(path)),
       size_(plate_size),
       plate_(plate),
@@ -67,7 +68,7 @@ IntensityReading::Clear IntensityReading::clear_around(const Tip& tip) const {
     const double part = std::max(0.0, (leaves - std::abs(to.y())) / (std::abs(from.y()) - std::abs(to.y())));
     narrow((to + std::min(part, 1.0) * (from - to)).norm(), NoFit::bend);
   }
-  if (path_.tips == 2) narrow(off_edges * (2.0 * tip.arc - length_of(path_)), NoFit::other_tip);
+  if (path_.tips == 2) narrow(off_edges * (2.0 * tip.arc - fracture::length_of(path_)), NoFit::other_tip);
   return clear;
 }
 
@@ -83,13 +84,13 @@ void IntensityReading::fit(IntensityPoint& seen, const Tip& tip, const SeenField
     moved.push_back(tip.turned(field.motion[p]->u.head<2>()));
   }
   const double beside = reach * ring_.beside_faces;
-  const NearTip near(plate_, seen.over_cr * rayleigh_);
-  const IntensityFit ring{.inner = ring_.inner,
-                          .outer = std::min(ring_.outer, clear.radius),
-                          .beside_faces = ring_.beside_faces,
-                          .terms = terms};
-  if (!fit_intensity(near, from_tip, moved, ring)) return void(seen.why = NoFit::points);
-  seen.k = locate_intensity(near, from_tip, moved, ring, {beside, beside + ring_.zone});
+  const measurement::NearTip near(plate_, seen.over_cr * rayleigh_);
+  const measurement::IntensityFit ring{.inner = ring_.inner,
+                                       .outer = std::min(ring_.outer, clear.radius),
+                                       .beside_faces = ring_.beside_faces,
+                                       .terms = terms};
+  if (!measurement::fit_intensity(near, from_tip, moved, ring)) return void(seen.why = NoFit::points);
+  seen.k = measurement::locate_intensity(near, from_tip, moved, ring, {beside, beside + ring_.zone});
   if (!seen.k) seen.why = NoFit::tip;
 }
 
@@ -97,9 +98,10 @@ IntensityPoint IntensityReading::at(const SeenField& field, const std::vector<Ei
   const double arc = arc_of_tip(path_, field.tip);
   IntensityPoint seen{
       .time = field.time, .tip = field.tip, .over_cr = speed_at(crack_, field.time) / rayleigh_, .k = {}};
-  seen.g_id = rate_around(crack_, field.tip, 2.0 * ring_.inner, scale_).ratio_with_damping *
+  seen.g_id = fracture::rate_around(crack_, field.tip, 2.0 * ring_.inner, scale_).ratio_with_damping *
               (scale_.g_i0 + scale_.g_i0_slope * field.tip);
-  const Eigen::Vector2d before = point_on(path_, arc - 0.5 * ring_.beside_faces), at = point_on(path_, arc);
+  const Eigen::Vector2d before = fracture::point_on(path_, arc - 0.5 * ring_.beside_faces),
+                        at = fracture::point_on(path_, arc);
   fit(seen, {arc, at, (at - before).normalized()}, field, point);
   return seen;
 }
@@ -124,16 +126,17 @@ const char* reason_of(NoFit why) {
   return "";
 }
 
-double arc_of_tip(const CrackPath& path, double tip) {
-  return path.tips == 2 ? 0.5 * length_of(path) + tip : tip;
+double arc_of_tip(const fracture::CrackPath& path, double tip) {
+  return path.tips == 2 ? 0.5 * fracture::length_of(path) + tip : tip;
 }
 
-PartedAt parted_by(const CrackPath& path) {
-  return [path, middle = 0.5 * length_of(path)](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    const std::optional<double> arc = first_crossing(path, a, b);
-    if (!arc) return std::numeric_limits<double>::infinity();
-    return path.tips == 2 ? std::abs(*arc - middle) : *arc;
-  };
+measurement::PartedAt parted_by(const fracture::CrackPath& path) {
+  return
+      [path, middle = 0.5 * fracture::length_of(path)](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        const std::optional<double> arc = fracture::first_crossing(path, a, b);
+        if (!arc) return std::numeric_limits<double>::infinity();
+        return path.tips == 2 ? std::abs(*arc - middle) : *arc;
+      };
 }
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -15,7 +15,7 @@
 
 #include <system_error>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,10 +25,11 @@ fs::path parts_folder(const fs::path& folder) { return folder / "parts"; }
 
 }  // namespace
 
-std::string experiment_identity(const Preset& preset, const ExperimentWishes& wishes,
-                                const BuildInfo& build) {
-  return fmt::format("{}\nresamples {}\nspecimens {}\nversion {}\ninstruction set {}\n", preset_text(preset),
-                     wishes.resamples, wishes.specimens, build.version, name_of(instruction_set()));
+std::string experiment_identity(const scene::Preset& preset, const ExperimentWishes& wishes,
+                                const simulation::BuildInfo& build) {
+  return fmt::format("{}\nresamples {}\nspecimens {}\nversion {}\ninstruction set {}\n",
+                     scene::preset_text(preset), wishes.resamples, wishes.specimens, build.version,
+                     ensemble::name_of(ensemble::instruction_set()));
 }
 
 bool is_under_way(const fs::path& folder, const std::string& identity) {
@@ -57,17 +58,18 @@ void forget_parts(const fs::path& folder) {
   fs::remove_all(parts_folder(folder), none);
 }
 
-RunResult Parts::march(const std::string& name, const Prepared& prepared,
-                       const std::function<bool(double done)>& progress) const {
-  MarchKeeping keeping{.folder = parts_folder(folder_) / name, .identity = identity_ + name};
+simulation::RunResult Parts::march(const std::string& name, const simulation::Prepared& prepared,
+                                   const std::function<bool(double done)>& progress) const {
+  simulation::MarchKeeping keeping{.folder = parts_folder(folder_) / name, .identity = identity_ + name};
   std::string ignored;  // what is damaged is computed again
-  const std::optional<Resumption> from = kept_march(keeping, ignored);
-  const Observer observer{.go_on = [&](const Progress& p) {
+  const std::optional<simulation::Resumption> from = simulation::kept_march(keeping, ignored);
+  const simulation::Observer observer{.go_on = [&](const simulation::Progress& p) {
     return progress(static_cast<double>(p.step) / static_cast<double>(p.total));
   }};
-  RunResult run = march_and_keep(prepared, observer, options_, keeping, from ? &*from : nullptr, ignored);
-  if (run.outcome == Outcome::stopped) throw Interrupted("marching the " + name);
+  simulation::RunResult run =
+      simulation::march_and_keep(prepared, observer, options_, keeping, from ? &*from : nullptr, ignored);
+  if (run.outcome == simulation::Outcome::stopped) throw Interrupted("marching the " + name);
   return run;
 }
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -8,12 +8,13 @@
 
 /// An experiment under way: the marches that it has done so far and the one that it was stopped in, kept in
 /// its folder until its report is there.
-namespace rift {
+namespace rift::experiment {
 
 struct ExperimentWishes;
 
 /// What an experiment is known by: its preset, what is wished of it, the program and its instruction set.
-std::string experiment_identity(const Preset& preset, const ExperimentWishes& wishes, const BuildInfo& build);
+std::string experiment_identity(const scene::Preset& preset, const ExperimentWishes& wishes,
+                                const simulation::BuildInfo& build);
 
 /// Whether the folder holds this very experiment, stopped or killed before its report.
 bool is_under_way(const std::filesystem::path& folder, const std::string& identity);
@@ -31,20 +32,20 @@ void forget_parts(const std::filesystem::path& folder);
 /// The marches of an experiment, each by its name: done, gone on with, or found.
 class Parts {
  public:
-  Parts(std::filesystem::path folder, std::string identity, MarchOptions options)
+  Parts(std::filesystem::path folder, std::string identity, simulation::MarchOptions options)
       : folder_(std::move(folder)), identity_(std::move(identity)), options_(options) {}
 
   /// Throws Interrupted where it was stopped, which is kept.
   /// @param[in] progress  told the fraction of the march; false stops it
-  RunResult march(const std::string& name, const Prepared& prepared,
-                  const std::function<bool(double done)>& progress) const;
+  simulation::RunResult march(const std::string& name, const simulation::Prepared& prepared,
+                              const std::function<bool(double done)>& progress) const;
 
-  const MarchOptions& options() const { return options_; }
+  const simulation::MarchOptions& options() const { return options_; }
 
  private:
   std::filesystem::path folder_;
   std::string identity_;
-  MarchOptions options_;
+  simulation::MarchOptions options_;
 };
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 constexpr double stretch = 0.02;  // of the velocity that is averaged over [c_R]
@@ -66,4 +66,4 @@ Law law_of(const std::vector<CriticalPoint>& along) {
   return law;
 }
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -2,17 +2,18 @@
 
 #include <random>
 
-namespace rift {
+namespace rift::experiment {
 
-std::vector<std::vector<HistoryPoint>> resampled(const Scene& scene, const Course& course, int count,
-                                                 std::uint64_t seed) {
-  std::vector<std::vector<HistoryPoint>> histories;
-  if (scene.crack.smoothing == Smoothing::none) return histories;
+std::vector<std::vector<history::HistoryPoint>> resampled(const scene::Scene& scene,
+                                                          const history::Course& course, int count,
+                                                          std::uint64_t seed) {
+  std::vector<std::vector<history::HistoryPoint>> histories;
+  if (scene.crack.smoothing == history::Smoothing::none) return histories;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
-  const std::vector<double> fitted = positions_at_rows(course, scene.crack.history);
+  const std::vector<double> fitted = history::positions_at_rows(course, scene.crack.history);
   for (int n = 0; n < count; ++n) {
-    std::vector<HistoryPoint> rows = scene.crack.history;
+    std::vector<history::HistoryPoint> rows = scene.crack.history;
     for (std::size_t k = 1; k < rows.size(); ++k) {
       const double noise = rows[k].uncertainty > 0.0 ? rows[k].uncertainty : course.scatter;
       rows[k].position = fitted[k] + noise * normal(random);
@@ -22,4 +23,4 @@ std::vector<std::vector<HistoryPoint>> resampled(const Scene& scene, const Cours
   return histories;
 }
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -13,25 +13,25 @@
 #include <cmath>
 #include <utility>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 struct GaugeQuantity {
   const char* name;
-  Dimension dimension;
+  scene::Dimension dimension;
   double results::GaugeRow::*value;
 };
 using Row = results::GaugeRow;
-constexpr std::array gauge_quantities{GaugeQuantity{"strain_yy", Dimension::strain, &Row::strain_yy},
-                                      GaugeQuantity{"strain_xx", Dimension::strain, &Row::strain_xx},
-                                      GaugeQuantity{"strain_xy", Dimension::strain, &Row::strain_xy},
-                                      GaugeQuantity{"uy", Dimension::length, &Row::uy_m},
-                                      GaugeQuantity{"ux", Dimension::length, &Row::ux_m},
-                                      GaugeQuantity{"vy", Dimension::speed, &Row::vy_m_s},
-                                      GaugeQuantity{"vx", Dimension::speed, &Row::vx_m_s}};
+constexpr std::array gauge_quantities{GaugeQuantity{"strain_yy", scene::Dimension::strain, &Row::strain_yy},
+                                      GaugeQuantity{"strain_xx", scene::Dimension::strain, &Row::strain_xx},
+                                      GaugeQuantity{"strain_xy", scene::Dimension::strain, &Row::strain_xy},
+                                      GaugeQuantity{"uy", scene::Dimension::length, &Row::uy_m},
+                                      GaugeQuantity{"ux", scene::Dimension::length, &Row::ux_m},
+                                      GaugeQuantity{"vy", scene::Dimension::speed, &Row::vy_m_s},
+                                      GaugeQuantity{"vx", scene::Dimension::speed, &Row::vx_m_s}};
 
 Trace grip_trace(const Instruments& seen) {
-  Trace trace{"grip_force", Dimension::force, {}, {}};
+  Trace trace{"grip_force", scene::Dimension::force, {}, {}};
   for (const results::Sample& s : seen.books)
     trace.time.push_back(s.time_s + seen.clock), trace.value.push_back(s.grip_force_n);
   return trace;
@@ -54,8 +54,8 @@ std::vector<Trace> gauge_traces(const Instruments& seen) {
   return traces;
 }
 
-Trace intensity_trace(const Instruments& seen, const char* name, Dimension dimension,
-                      double StressIntensity::*value) {
+Trace intensity_trace(const Instruments& seen, const char* name, scene::Dimension dimension,
+                      double measurement::StressIntensity::*value) {
   Trace trace{name, dimension, {}, {}};
   for (const IntensityPoint& p : seen.intensity)
     trace.time.push_back(p.time + seen.clock), trace.value.push_back(p.k ? (*p.k).*value : std::nan(""));
@@ -86,9 +86,9 @@ std::string first_of(std::vector<std::string> names) {
   constexpr std::size_t most = 4;
   const bool more = names.size() > most;
   if (more) names.resize(most);
-  for (std::string& name : names) name = "'" + printable(name, 30) + "'";
+  for (std::string& name : names) name = "'" + scene::printable(name, 30) + "'";
   if (more) names.emplace_back("more");
-  return listed(names, "and");
+  return scene::listed(names, "and");
 }
 
 }  // namespace
@@ -96,38 +96,42 @@ std::string first_of(std::vector<std::string> names) {
 std::vector<Trace> traces_of(const Instruments& seen) {
   std::vector<Trace> traces{grip_trace(seen)};
   for (Trace& trace : gauge_traces(seen)) traces.push_back(std::move(trace));
-  traces.push_back(intensity_trace(seen, "k_i", Dimension::stress_intensity, &StressIntensity::opening));
-  traces.push_back(intensity_trace(seen, "k_ii", Dimension::stress_intensity, &StressIntensity::sliding));
-  traces.push_back(intensity_trace(seen, "g_field", Dimension::release_rate, &StressIntensity::release_rate));
+  traces.push_back(intensity_trace(seen, "k_i", scene::Dimension::stress_intensity,
+                                   &measurement::StressIntensity::opening));
+  traces.push_back(intensity_trace(seen, "k_ii", scene::Dimension::stress_intensity,
+                                   &measurement::StressIntensity::sliding));
+  traces.push_back(intensity_trace(seen, "g_field", scene::Dimension::release_rate,
+                                   &measurement::StressIntensity::release_rate));
   return traces;
 }
 
 std::vector<Trace> read_traces(const std::filesystem::path& file, const std::vector<Trace>& known) {
-  std::vector<Issue> issues;
+  std::vector<scene::Issue> issues;
   const auto say = [&](int line, std::string text) {
     issues.push_back({file.string(), line, "", std::move(text)});
   };
-  const PresetFile content = read_preset_file(file, largest_csv);
+  const scene::PresetFile content = scene::read_preset_file(file, scene::largest_csv);
   if (!content.problem.empty()) say(0, content.problem);
-  if (content.text.size() > largest_csv) say(0, "larger than 64 MiB: thin its rows out");
-  std::vector<CsvColumn> columns{{"time", Dimension::time, CsvNeed::needed, "t"}};
-  for (const Trace& trace : known) columns.push_back({trace.name, trace.dimension, CsvNeed::optional});
-  const CsvTable table = issues.empty() ? read_csv(content.text, columns) : CsvTable{};
-  for (const CsvProblem& problem : table.problems) say(problem.line, problem.text);
+  if (content.text.size() > scene::largest_csv) say(0, "larger than 64 MiB: thin its rows out");
+  std::vector<scene::CsvColumn> columns{{"time", scene::Dimension::time, scene::CsvNeed::needed, "t"}};
+  for (const Trace& trace : known) columns.push_back({trace.name, trace.dimension, scene::CsvNeed::optional});
+  const scene::CsvTable table = issues.empty() ? scene::read_csv(content.text, columns) : scene::CsvTable{};
+  for (const scene::CsvProblem& problem : table.problems) say(problem.line, problem.text);
   for (const std::string& name : table.beside)
-    if (name.starts_with("gauge")) say(0, fmt::format("the run has no '{}'", printable(name, 40)));
+    if (name.starts_with("gauge")) say(0, fmt::format("the run has no '{}'", scene::printable(name, 40)));
   std::vector<Trace> read;
   if (issues.empty()) {
     const std::vector<double>& time = table.column[0];
-    if (std::string trouble = time.empty() ? std::string() : clock_trouble(time[0]); !trouble.empty()) {
+    if (std::string trouble = time.empty() ? std::string() : scene::clock_trouble(time[0]);
+        !trouble.empty()) {
       say(table.line[0], std::move(trouble));
-      throw InputError(issues);
+      throw scene::InputError(issues);
     }
     for (std::size_t r = 1; r < time.size() && issues.size() < most_time_faults; ++r)
       if (!(time[r] > time[r - 1]))
-        say(table.line[r],
-            fmt::format("time does not grow: {} after {}", quantity_text(time[r], Dimension::time),
-                        quantity_text(time[r - 1], Dimension::time)));
+        say(table.line[r], fmt::format("time does not grow: {} after {}",
+                                       scene::quantity_text(time[r], scene::Dimension::time),
+                                       scene::quantity_text(time[r - 1], scene::Dimension::time)));
     for (std::size_t k = 0; k < known.size(); ++k)
       if (!table.column[k + 1].empty())
         read.push_back({known[k].name, known[k].dimension, time, table.column[k + 1]});
@@ -136,7 +140,7 @@ std::vector<Trace> read_traces(const std::filesystem::path& file, const std::vec
                                   : fmt::format("holds nothing to compare with: it has {}, the run {}",
                                                 first_of(table.beside), first_of(names_of(known))));
   }
-  if (!issues.empty()) throw InputError(issues);
+  if (!issues.empty()) throw scene::InputError(issues);
   return read;
 }
 
@@ -155,4 +159,4 @@ std::optional<TraceDistance> distance_between(const Trace& trace, const Trace& m
   return d;
 }
 
-}  // namespace rift
+}  // namespace rift::experiment

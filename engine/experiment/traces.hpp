@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::experiment {
 
 /// What one instrument recorded, in the measurement's clock.
 struct Trace {
   std::string name;  // "grip_force", "k_i", "gauge0_strain_yy", ...
-  Dimension dimension = Dimension::none;
+  scene::Dimension dimension = scene::Dimension::none;
   std::vector<double> time, value;  // SI; NaN where nothing was recorded
 };
 
@@ -35,4 +35,4 @@ struct TraceDistance {
 /// Nothing where the trace covers none of its times.
 std::optional<TraceDistance> distance_between(const Trace& trace, const Trace& measured);
 
-}  // namespace rift
+}  // namespace rift::experiment

@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-namespace rift {
+namespace rift::fracture {
 namespace {
 
 /// Twice the area of the triangle (a, b, p): positive where p lies to the left of a -> b.
@@ -76,7 +76,7 @@ double distance_to(const CrackPath& path, const Eigen::Vector2d& p) {
   return nearest;
 }
 
-std::vector<Crossing> crossings(const CrackPath& path, const Lattice& lattice) {
+std::vector<Crossing> crossings(const CrackPath& path, const lattice::Lattice& lattice) {
   std::vector<Crossing> found;
   const double middle = 0.5 * length_of(path);
   for (int b = 0; b < static_cast<int>(lattice.ends.size()); ++b) {
@@ -90,4 +90,4 @@ std::vector<Crossing> crossings(const CrackPath& path, const Lattice& lattice) {
   return found;
 }
 
-}  // namespace rift
+}  // namespace rift::fracture

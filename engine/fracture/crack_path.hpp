@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace rift {
+namespace rift::fracture {
 
 /// The line that the crack follows in the x-y plane, extruded along z: a polyline [m]. One tip runs from its
 /// first point to its last; two run from its middle to both ends, at one velocity.
@@ -43,6 +43,6 @@ struct Crossing {
 };
 
 /// The beams whose x-y segment the path crosses, in the order the crack meets them   [physics.md §6].
-std::vector<Crossing> crossings(const CrackPath& path, const Lattice& lattice);
+std::vector<Crossing> crossings(const CrackPath& path, const lattice::Lattice& lattice);
 
-}  // namespace rift
+}  // namespace rift::fracture

@@ -5,16 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rift {
+namespace rift::fracture {
 
-double face_stiffness(const Beam& beam) { return 6.0 * beam.bending / (beam.length * beam.length); }
+double face_stiffness(const mechanics::Beam& beam) {
+  return 6.0 * beam.bending / (beam.length * beam.length);
+}
 
-Eigen::Vector3d face_gap(const Beam& beam, const Vector6& q_i, const Vector6& q_j) {
+Eigen::Vector3d face_gap(const mechanics::Beam& beam, const mechanics::Vector6& q_i,
+                         const mechanics::Vector6& q_j) {
   const Eigen::Vector3d turned = q_i.tail<3>() + q_j.tail<3>();
   return q_j.head<3>() - q_i.head<3>() - 0.5 * beam.length * turned.cross(beam.axis);
 }
 
-Eigen::Vector3d face_gap(const Beam& beam, const Pose& i, const Pose& j) {
+Eigen::Vector3d face_gap(const mechanics::Beam& beam, const mechanics::Pose& i, const mechanics::Pose& j) {
   const Eigen::Vector3d carried = i.turn * beam.axis + j.turn * beam.axis - 2.0 * beam.axis;
   return j.u - i.u - 0.5 * beam.length * carried;
 }
@@ -32,4 +35,4 @@ double bilinear_energy(double stiffness, const FaceContact& a, const FaceContact
   return 0.5 * stiffness * (a.overlap * b.overlap + a.sliding.dot(b.sliding));
 }
 
-}  // namespace rift
+}  // namespace rift::fracture

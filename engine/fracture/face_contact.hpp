@@ -2,7 +2,7 @@
 
 #include "engine/mechanics/corotational.hpp"
 
-namespace rift {
+namespace rift::fracture {
 
 /// What the two faces of a crack carry where a beam between them is gone: a spring k against closing along
 /// the normal of the face, whatever way the beam ran, and the same along the face as far as Coulomb's
@@ -15,14 +15,15 @@ struct FaceContact {
 };
 
 /// k = 6 w / l^2 [N/m]
-double face_stiffness(const Beam& beam);
+double face_stiffness(const mechanics::Beam& beam);
 
 /// How far the two halves of a beam are apart in its middle, each carried by its element: u_j - u_i - l/2
 /// (theta_i + theta_j) x n [m]
-Eigen::Vector3d face_gap(const Beam& beam, const Vector6& q_i, const Vector6& q_j);
+Eigen::Vector3d face_gap(const mechanics::Beam& beam, const mechanics::Vector6& q_i,
+                         const mechanics::Vector6& q_j);
 
 /// For any rotation, R_i and R_j: u_j - u_i + l n - l/2 (R_i + R_j) n
-Eigen::Vector3d face_gap(const Beam& beam, const Pose& i, const Pose& j);
+Eigen::Vector3d face_gap(const mechanics::Beam& beam, const mechanics::Pose& i, const mechanics::Pose& j);
 
 /// @param[in] normal    m, unit, from the face of i to that of j
 /// @param[in] slip      along the face, so far [m]
@@ -33,4 +34,4 @@ FaceContact face_contact(const Eigen::Vector3d& gap, const Eigen::Vector3d& norm
 /// k/2 (g_a g_b + e_a . e_b) with the overlaps g and the slidings e: the energy where a = b [J].
 double bilinear_energy(double stiffness, const FaceContact& a, const FaceContact& b);
 
-}  // namespace rift
+}  // namespace rift::fracture

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace rift {
+namespace rift::fracture {
 
 double residual_of(const Ledger& ledger, const LatticeEnergy& energy) {
   const double lost = ledger.fracture + ledger.damping + ledger.numerical_damping + ledger.contact;
@@ -27,4 +27,4 @@ results::Sample balance(Ledger& ledger, const LatticeEnergy& energy) {
   return sample;
 }
 
-}  // namespace rift
+}  // namespace rift::fracture

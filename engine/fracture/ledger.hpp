@@ -2,7 +2,7 @@
 
 #include "engine/results/schema.hpp"
 
-namespace rift {
+namespace rift::fracture {
 
 /// What one lane has gained and lost so far, each booked on its own, none as the remainder [J]   [physics.md
 /// §7].
@@ -32,4 +32,4 @@ double residual_of(const Ledger& ledger, const LatticeEnergy& energy);
 /// One row of the books. Notes the largest lattice energy.
 results::Sample balance(Ledger& ledger, const LatticeEnergy& energy);
 
-}  // namespace rift
+}  // namespace rift::fracture

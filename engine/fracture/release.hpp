@@ -2,11 +2,11 @@
 
 #include "engine/scene/scene.hpp"
 
-namespace rift {
+namespace rift::fracture {
 
 /// How the beams at the tip lose their stiffness.
 struct ReleaseLaw {
-  Technique technique = Technique::progressive;
+  scene::Technique technique = scene::Technique::progressive;
   double exponent =
       1.0;  // p of Y1/Y2 = (1 - b/l)^p: 1 linear (eq. 9), 1/2 square root (eq. 10), 2 quadratic (eq. 11)
   double zone_length = 0.0;  // l = L_CZM = r_l R_mean [m]; 0 for simple release
@@ -18,4 +18,4 @@ struct ReleaseLaw {
 ///   s_b.
 double stiffness_left(const ReleaseLaw& law, double tip, double crossing);
 
-}  // namespace rift
+}  // namespace rift::fracture

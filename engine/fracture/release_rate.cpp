@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rift {
+namespace rift::fracture {
 namespace {
 
 using results::RatePoint;
@@ -105,4 +105,4 @@ Plateau plateau_of(const std::vector<Sample>& lane, const std::array<double, 2>&
   return plateau;
 }
 
-}  // namespace rift
+}  // namespace rift::fracture

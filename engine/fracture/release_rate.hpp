@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace rift {
+namespace rift::fracture {
 
 /// What a release rate is measured against: G_I0(a) = g_i0 + g_i0_slope a at each tip, for tip positions
 /// a >= 0. A strip has no slope; a central crack has nothing else, and a is its half length   [physics.md
@@ -56,4 +56,4 @@ inline constexpr int sub_windows = 10;
 Plateau plateau_of(const std::vector<results::Sample>& lane, const std::array<double, 2>& window,
                    const RateScale& scale);
 
-}  // namespace rift
+}  // namespace rift::fracture

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace rift {
+namespace rift::fracture {
 
 const ReleaseLaw& law_at(const LaneScenario& scenario, double position) {
   const ReleaseLaw* law = &scenario.law;
@@ -24,4 +24,4 @@ void change_law(LaneScenario& scenario, const ReleaseLaw& law, double tip) {
   scenario.later.push_back({from, law});
 }
 
-}  // namespace rift
+}  // namespace rift::fracture

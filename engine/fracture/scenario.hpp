@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace rift {
+namespace rift::fracture {
 
 /// A law of the beams that cross the path at `position` [m] or beyond.
 struct LawBeyond {
@@ -16,7 +16,7 @@ struct LawBeyond {
 
 /// What distinguishes one lane of an ensemble from another.
 struct LaneScenario {
-  CrackHistory history;
+  history::CrackHistory history;
   ReleaseLaw law;
   std::vector<LawBeyond> later = {};                 // by position: laws that took over while the crack ran
   double alpha_at_surface = 0, alpha_elsewhere = 0;  // fractions of critical damping
@@ -33,4 +33,4 @@ double reach_ahead(const LaneScenario& scenario, double tip);
 /// that is being released changes, and nothing is damaged in one jump.
 void change_law(LaneScenario& scenario, const ReleaseLaw& law, double tip);
 
-}  // namespace rift
+}  // namespace rift::fracture

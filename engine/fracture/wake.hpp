@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace rift {
+namespace rift::fracture {
 
 /// How the energy that a crack has left behind moves: by the size of what moves together, and out of plane.
 struct Wake {
@@ -22,7 +22,7 @@ struct Wake {
 /// @param[in] stretch   from and to along x [m]; the cells are counted from the second
 /// @param[in] velocity  [m/s], [rad/s] of each element
 /// @param[in] moved     along z since the start of the run [m], of each element
-Wake wake_of(const Lattice& lattice, const std::array<double, 2>& stretch,
-             const std::vector<Vector6>& velocity, const std::vector<double>& moved);
+Wake wake_of(const lattice::Lattice& lattice, const std::array<double, 2>& stretch,
+             const std::vector<mechanics::Vector6>& velocity, const std::vector<double>& moved);
 
-}  // namespace rift
+}  // namespace rift::fracture

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rift {
+namespace rift::history {
 namespace {
 
 const CrackStretch& stretch_at(const CrackHistory& history, double time) {
@@ -73,4 +73,4 @@ double time_of_arrival(const CrackHistory& history, double position) {
   return k + 1 < history.stretch.size() ? std::min(time, history.stretch[k + 1].time) : time;
 }
 
-}  // namespace rift
+}  // namespace rift::history

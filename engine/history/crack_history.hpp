@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace rift {
+namespace rift::history {
 
 /// A stretch of the crack's history: from `time` [s] on the tip runs from `position` [m] at `speed` [m/s],
 /// which grows by `acceleration` [m/s2] and stays above or at 0.
@@ -34,4 +34,4 @@ double highest_speed(const CrackHistory& history);          // [m/s]
 /// When the tip first is at a position that is not behind the start [s]; infinity where it never comes there.
 double time_of_arrival(const CrackHistory& history, double position);
 
-}  // namespace rift
+}  // namespace rift::history

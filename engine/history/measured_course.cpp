@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rift {
+namespace rift::history {
 namespace {
 
 constexpr int fewest_knots = 6, most_knots = 60;
@@ -186,4 +186,4 @@ std::vector<double> positions_at_rows(const Course& course, const std::vector<Hi
   return positions;
 }
 
-}  // namespace rift
+}  // namespace rift::history

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace rift {
+namespace rift::history {
 
 /// One row of a measured history: the tip was at `position` [m] at `time` [s], give or take a standard
 /// `uncertainty` [m], 0 where none is known.
@@ -38,4 +38,4 @@ Course course_of(const std::vector<HistoryPoint>& rows, double start, Smoothing 
 /// Where the tip of a course was at each row's time [m].
 std::vector<double> positions_at_rows(const Course& course, const std::vector<HistoryPoint>& rows);
 
-}  // namespace rift
+}  // namespace rift::history

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace rift {
+namespace rift::lattice {
 
 std::string key_of(const PackingRequest& r) {
   constexpr int version = 3;  // rises whenever pack() gives other packings for the same request
@@ -38,4 +38,4 @@ Packing cached_packing(const PackingRequest& request, Cache& cache, bool& from_c
   return packing;
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

@@ -3,7 +3,7 @@
 #include "engine/cache.hpp"
 #include "engine/lattice/packing.hpp"
 
-namespace rift {
+namespace rift::lattice {
 
 /// Names all that a packing depends on.
 std::string key_of(const PackingRequest& request);
@@ -12,4 +12,4 @@ std::string key_of(const PackingRequest& request);
 Packing cached_packing(const PackingRequest& request, Cache& cache, bool& from_cache,
                        const PackingProgress& progress = {}, int threads = 0);
 
-}  // namespace rift
+}  // namespace rift::lattice

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 /// Threads that share a CPU would only take turns, and who waits awake would keep the one that works from it.
@@ -73,4 +73,4 @@ void Crew::work(int hand) const {
   for (int k = share(hand); k < share(hand + 1); ++k) call_(task_, k);
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

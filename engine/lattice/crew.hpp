@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-namespace rift {
+namespace rift::lattice {
 
 /// Threads that share out numbered tasks: each takes a contiguous run of them,
 /// the caller the first. Who does a task does not show in the result as long as
@@ -12,7 +12,8 @@ namespace rift {
 /// some fifty microseconds, then sleep.
 class Crew {
  public:
-  /// @param[in] hands  threads, the caller's among them, at most one for each CPU that the process may use; 0 for
+  /// @param[in] hands  threads, the caller's among them, at most one for each CPU that the process may use; 0
+  /// for
   ///                   as many as that
   /// @param[in] most   more hands than this would find nothing to do
   Crew(int hands, int most);
@@ -42,4 +43,4 @@ class Crew {
   std::vector<std::jthread> helpers_;
 };
 
-}  // namespace rift
+}  // namespace rift::lattice

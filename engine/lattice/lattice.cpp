@@ -1,6 +1,6 @@
 #include "engine/lattice/lattice.hpp"
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 void add_masses(Lattice& lattice, const Specimen& specimen, double density) {
@@ -29,10 +29,11 @@ Lattice make_lattice(const Specimen& specimen, const MicroMaterial& micro, doubl
   lattice.beam.reserve(specimen.beam.size());
   for (const auto& [i, j] : specimen.beam) {
     const double section_radius = micro.radius_ratio * 0.5 * (specimen.radius[i] + specimen.radius[j]);
-    lattice.beam.push_back(make_beam(way_between(specimen.box, specimen.centre[i], specimen.centre[j]),
-                                     section_radius, micro.young_modulus, micro.poisson_ratio));
+    lattice.beam.push_back(
+        mechanics::make_beam(way_between(specimen.box, specimen.centre[i], specimen.centre[j]),
+                             section_radius, micro.young_modulus, micro.poisson_ratio));
   }
   return lattice;
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

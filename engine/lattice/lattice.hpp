@@ -3,7 +3,7 @@
 #include "engine/lattice/specimen.hpp"
 #include "engine/mechanics/beam.hpp"
 
-namespace rift {
+namespace rift::lattice {
 
 /// The material of the beams (micro) and the density of the whole.
 struct MicroMaterial {
@@ -19,7 +19,7 @@ struct Lattice {
   std::vector<Grip> grip;                // N
   std::vector<double> mass, inertia;     // N [kg], [kg m2]
   std::vector<std::array<int, 2>> ends;  // B pairs i < j
-  std::vector<Beam> beam;                // B
+  std::vector<mechanics::Beam> beam;     // B
   double mean_radius = 0;                // [m] of all elements of the packing
   Box box;
 };
@@ -28,4 +28,4 @@ struct Lattice {
 /// [physics.md §1]; beams of circular section with radius r_mu (r_i + r_j) / 2   [paper, eqs. 3-6].
 Lattice make_lattice(const Specimen& specimen, const MicroMaterial& micro, double density);
 
-}  // namespace rift
+}  // namespace rift::lattice

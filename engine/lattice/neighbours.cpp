@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 struct CellGrid {
@@ -102,4 +102,4 @@ std::vector<int> column_order(const std::vector<Eigen::Vector3d>& points, double
   return order;
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

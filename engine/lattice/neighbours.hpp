@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace rift {
+namespace rift::lattice {
 
 /// Pairs (i < j) of points no further apart than reach(i) + reach(j), ordered by i, then j; found by a cell
 /// grid, O(N).
@@ -24,4 +24,4 @@ std::vector<std::array<int, 2>> pairs_through_faces(const std::vector<Eigen::Vec
 /// y, then z.
 std::vector<int> column_order(const std::vector<Eigen::Vector3d>& points, double cell);
 
-}  // namespace rift
+}  // namespace rift::lattice

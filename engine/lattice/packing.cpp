@@ -13,7 +13,7 @@
 #include <numeric>
 #include <random>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 constexpr double largest_mean_overlap = 0.04;
@@ -358,4 +358,4 @@ PackingStatistics statistics(const Packing& packing, const Box& box) {
   return s;
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace rift {
+namespace rift::lattice {
 
 enum class Radii : std::uint8_t { uniform, log_normal };
 
@@ -72,4 +72,4 @@ std::vector<std::array<int, 2>> contacts(const Packing& packing, const Box& box,
 
 PackingStatistics statistics(const Packing& packing, const Box& box);
 
-}  // namespace rift
+}  // namespace rift::lattice

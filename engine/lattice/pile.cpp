@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 /// Elements sorted into cells at least as wide as candidates reach.
@@ -205,4 +205,4 @@ void evaluate_forces(Pile& pile, Crew& crew) {
   }
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

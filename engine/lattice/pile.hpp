@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace rift {
+namespace rift::lattice {
 
 /// Overlapping spheres within walls, in units of their expected mean radius, with unit contact stiffness and
 /// unit mass; a wall pushes as the sphere's mirror image behind it would.
@@ -105,4 +105,4 @@ void move_spheres(Pile& pile, Crew& crew, const Move& move) {
   });
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 using Vectors = std::vector<Pile::Vector>;
@@ -198,4 +198,4 @@ void settle(Pile& pile, Crew& crew, double tolerance, double damping, const Roun
   }
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace rift {
+namespace rift::lattice {
 
 /// Told the rounds (passes over all contacts) just spent; may throw to give up.
 using RoundsSpent = std::function<void(int)>;
@@ -24,4 +24,4 @@ bool relax(Pile& pile, Crew& crew, double tolerance, double damping, int rounds,
 /// by what `spent` throws.
 void settle(Pile& pile, Crew& crew, double tolerance, double damping, const RoundsSpent& spent);
 
-}  // namespace rift
+}  // namespace rift::lattice

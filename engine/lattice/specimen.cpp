@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 Grip grip_of(const Eigen::Vector3d& centre, double radius, const Box& box) {
@@ -95,4 +95,4 @@ Specimen make_free_specimen(const Packing& packing, const Box& box, double conta
   return specimen;
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

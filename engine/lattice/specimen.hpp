@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace rift {
+namespace rift::lattice {
 
 enum class Grip : std::uint8_t { none, bottom, top };
 
@@ -36,4 +36,4 @@ Specimen make_free_specimen(const Packing& packing, const Box& box, double conta
 /// For each of n elements, whether a path of beams leads from it to an element with anchor[i] != 0.
 std::vector<char> reached_from(const std::vector<char>& anchor, const std::vector<std::array<int, 2>>& beam);
 
-}  // namespace rift
+}  // namespace rift::lattice

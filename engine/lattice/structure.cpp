@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 constexpr double farthest = 2.5, width = 0.05;  // of the classes, in mean diameters
@@ -73,4 +73,4 @@ PackingStructure structure_of(const Packing& packing, const Box& box) {
   return s;
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

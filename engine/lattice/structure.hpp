@@ -2,7 +2,7 @@
 
 #include "engine/lattice/packing.hpp"
 
-namespace rift {
+namespace rift::lattice {
 
 /// How a packing is built: what tells one random packing from another.
 struct PackingStructure {
@@ -19,4 +19,4 @@ struct PackingStructure {
 /// to 2.5 diameters. Cost O(N).
 PackingStructure structure_of(const Packing& packing, const Box& box);
 
-}  // namespace rift
+}  // namespace rift::lattice

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 /// The axes across which the wall is round, 1 or 0 each.
@@ -60,4 +60,4 @@ Eigen::Matrix3d wall_stiffness(const Box& box, const Eigen::Vector3d& centre, do
   return k;
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-namespace rift {
+namespace rift::lattice {
 
 /// What holds a packing: six flat walls; a round one about the y axis between two flat ones; a sphere's; or
 /// none, where the box repeats itself in all three directions.
@@ -59,4 +59,4 @@ inline Eigen::Vector3d wall_push(const Box& box, const Eigen::Vector3d& centre, 
           push_between(centre.z(), box.thickness, radius)};
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace rift {
+namespace rift::measurement {
 
 Camera::Camera(std::vector<Eigen::Vector2d> at, std::vector<Eigen::Vector2d> point, double radius,
                const PartedAt& parted_at)
@@ -49,4 +49,4 @@ Grid grid_over(double length, double height, double apart) {
   return grid;
 }
 
-}  // namespace rift
+}  // namespace rift::measurement

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace rift {
+namespace rift::measurement {
 
 /// Where the crack's tip must be [m] for its faces to lie between two places; infinity where it never parts
 /// them.
@@ -61,4 +61,4 @@ struct Grid {
 };
 Grid grid_over(double length, double height, double apart);
 
-}  // namespace rift
+}  // namespace rift::measurement

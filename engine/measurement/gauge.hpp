@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace rift {
+namespace rift::measurement {
 
 /// A virtual strain gauge and velocity probe: what it shows is the best plane through the motions of the
 /// elements under it, whatever their place through the thickness.
@@ -13,4 +13,4 @@ struct Gauge {
   LocalPlane plane;
 };
 
-}  // namespace rift
+}  // namespace rift::measurement

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-namespace rift {
+namespace rift::measurement {
 
 std::optional<LocalPlane> local_plane(const std::vector<Eigen::Vector2d>& at, const Eigen::Vector2d& middle,
                                       double radius) {
@@ -30,4 +30,4 @@ std::optional<LocalPlane> local_plane(const std::vector<Eigen::Vector2d>& at, co
   return plane;
 }
 
-}  // namespace rift
+}  // namespace rift::measurement

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace rift {
+namespace rift::measurement {
 
 /// The best plane through what is known at scattered points, u(p) = u_0 + grad u (p - p_0), as weights of the
 /// points: least squares over those within a circle   [what a strain gauge or a camera's subset shows].
@@ -42,4 +42,4 @@ PlaneMotion motion_in(const LocalPlane& plane, const Motion& motion) {
   return sum;
 }
 
-}  // namespace rift
+}  // namespace rift::measurement

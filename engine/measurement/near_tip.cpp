@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift {
+namespace rift::measurement {
 
 NearTip::NearTip(const ElasticPlate& plate, double speed) {
   const theory::WaveSpeeds c =
@@ -44,4 +44,4 @@ double NearTip::release_rate(double k_opening, double k_sliding) const {
   return per_square * (beta1_ * k_opening * k_opening + beta2_ * k_sliding * k_sliding);
 }
 
-}  // namespace rift
+}  // namespace rift::measurement

@@ -4,13 +4,13 @@
 
 #include <Eigen/Core>
 
-namespace rift {
+namespace rift::measurement {
 
 /// An isotropic plate as what is around a tip that runs through it sees it.
 struct ElasticPlate {
   double young_modulus = 0, poisson_ratio = 0;  // [Pa]
   double density = 0;                           // [kg/m3]
-  Plane plane = Plane::stress;
+  theory::Plane plane = theory::Plane::stress;
 };
 
 enum class Mode { opening, sliding };
@@ -44,4 +44,4 @@ class NearTip {
   double beta1_, beta2_, shear_modulus_, rayleigh_;  // the last: D = 4 beta1 beta2 - (1 + beta2^2)^2
 };
 
-}  // namespace rift
+}  // namespace rift::measurement

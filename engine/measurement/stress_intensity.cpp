@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::measurement {
 namespace {
 
 std::vector<int> chosen(const std::vector<Eigen::Vector2d>& from_tip, const IntensityFit& fit) {
@@ -79,4 +79,4 @@ std::optional<StressIntensity> locate_intensity(const NearTip& field,
   return with_tip_at(tried[best]->ahead + (bend > 0.0 ? 0.5 * apart * (before - after) / bend : 0.0));
 }
 
-}  // namespace rift
+}  // namespace rift::measurement

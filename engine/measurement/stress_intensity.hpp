@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace rift {
+namespace rift::measurement {
 
 /// Stress intensities of a field of displacements.
 struct StressIntensity {
@@ -41,4 +41,4 @@ std::optional<StressIntensity> locate_intensity(const NearTip& field,
                                                 const std::vector<Eigen::Vector2d>& displacement,
                                                 const IntensityFit& fit, const std::array<double, 2>& reach);
 
-}  // namespace rift
+}  // namespace rift::measurement

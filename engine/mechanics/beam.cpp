@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace rift {
+namespace rift::mechanics {
 
 Beam make_beam(const Eigen::Vector3d& span, double section_radius, double young_modulus,
                double poisson_ratio) {
@@ -57,4 +57,4 @@ Matrix12 stiffness_of(const Beam& beam) {
   return k;
 }
 
-}  // namespace rift
+}  // namespace rift::mechanics

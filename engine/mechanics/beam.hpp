@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace rift {
+namespace rift::mechanics {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;     // displacement u [m], then rotation theta [rad]
 using Matrix12 = Eigen::Matrix<double, 12, 12>;  // element i, then element j
@@ -48,4 +48,4 @@ BeamLoads loads_of(const Beam& beam, const Vector6& q_i, const Vector6& q_j);
 /// The 12 x 12 stiffness d^2U/dq^2, from the closed form's response to unit displacements.
 Matrix12 stiffness_of(const Beam& beam);
 
-}  // namespace rift
+}  // namespace rift::mechanics

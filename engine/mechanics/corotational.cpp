@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 using Eigen::Quaterniond;
@@ -93,4 +93,4 @@ Matrix12 tangent_of(const Beam& beam, const Pose& i, const Pose& j) {
   return k;
 }
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-namespace rift {
+namespace rift::mechanics {
 
 /// Where an element is: its displacement [m] and its rotation, both since the unloaded lattice.
 struct Pose {
@@ -31,4 +31,4 @@ BeamLoads loads_of(const Beam& beam, const Pose& i, const Pose& j);
 /// motion of an end turns it about the axes of space. Good to 1e-9.
 Matrix12 tangent_of(const Beam& beam, const Pose& i, const Pose& j);
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::mechanics {
 
-DampedBeam damped_beam(const Lattice& lattice, int beam, int crossing, bool at_surface) {
+DampedBeam damped_beam(const lattice::Lattice& lattice, int beam, int crossing, bool at_surface) {
   const auto& [i, j] = lattice.ends[beam];
   const auto reduced = [](double a, double b) { return a * b / (a + b); };
   const double m = reduced(lattice.mass[i], lattice.mass[j]),
@@ -44,4 +44,4 @@ void add_damping_forces(ViscousDamping& damping, const double* rate, const doubl
   }
 }
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace rift {
+namespace rift::mechanics {
 
 /// Viscous damping of one beam at alpha = 1 (critical)   [paper eq. (8); physics.md §6]:
 ///   f = 2 alpha sqrt(K M) delta n, with K its initial stiffness and M = m_i m_j / (m_i + m_j); rotations
@@ -21,7 +21,7 @@ struct DampedBeam {
   bool at_surface = false;  // near the crack path
 };
 
-DampedBeam damped_beam(const Lattice& lattice, int beam, int crossing, bool at_surface);
+DampedBeam damped_beam(const lattice::Lattice& lattice, int beam, int crossing, bool at_surface);
 
 /// The damped beams of a lattice, beam by beam: for the critical step, and what the ensemble's kernels are
 /// measured against.
@@ -43,4 +43,4 @@ struct ViscousDamping {
 void add_damping_forces(ViscousDamping& damping, const double* rate, const double* factor, double dt,
                         double* f, double& work);
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -1,6 +1,6 @@
 #include "engine/mechanics/forces.hpp"
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 /// What one beam does to its ends: force on i, moment on i, moment on j.
@@ -36,7 +36,7 @@ inline EndLoads end_loads(const BeamRow& beam, const double* qi, const double* q
 
 }  // namespace
 
-BeamRow row_of(const Lattice& lattice, int beam) {
+BeamRow row_of(const lattice::Lattice& lattice, int beam) {
   const Beam& b = lattice.beam[beam];
   return {.i = lattice.ends[beam][0],
           .j = lattice.ends[beam][1],
@@ -58,4 +58,4 @@ void add_beam_forces(std::span<const BeamRow> beams, const double* q, double* f)
   }
 }
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace rift {
+namespace rift::mechanics {
 
 /// A beam in one cache line.
 struct BeamRow {
@@ -19,7 +19,7 @@ struct BeamRow {
 };
 static_assert(sizeof(BeamRow) == 64);
 
-BeamRow row_of(const Lattice& lattice, int beam);
+BeamRow row_of(const lattice::Lattice& lattice, int beam);
 
 /// Force and moment which each beam exerts on its two elements   [physics.md §2; paper eqs. (3)-(6)], beam by
 /// beam: for Lanczos iteration, and what the ensemble's kernels are measured against.
@@ -31,4 +31,4 @@ BeamRow row_of(const Lattice& lattice, int beam);
 /// Cost O(beams); allocates nothing.
 void add_beam_forces(std::span<const BeamRow> beams, const double* q, double* f);
 
-}  // namespace rift
+}  // namespace rift::mechanics

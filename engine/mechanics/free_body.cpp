@@ -2,26 +2,27 @@
 
 #include <numeric>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
-StaticSystem tied(const Lattice& lattice) {
+StaticSystem tied(const lattice::Lattice& lattice) {
   std::vector<int> number(lattice.centre.size());
   std::iota(number.begin(), number.end(), 0);
   StaticSystem system = assemble(lattice, std::move(number), std::vector<char>(lattice.beam.size(), 1),
                                  [&](int b) { return stiffness_of(lattice.beam[b]); });
-  const int unknowns = lattice.box.walls == Walls::periodic ? 3 : 6;  // a lattice that repeats cannot turn
+  const int unknowns =
+      lattice.box.walls == lattice::Walls::periodic ? 3 : 6;  // a lattice that repeats cannot turn
   for (int c = 0; c < unknowns; ++c) system.k.coeffRef(c, c) *= 2.0;
   return system;
 }
 
 }  // namespace
 
-FreeBody::FreeBody(const Lattice& lattice) : system_(tied(lattice)), solver_(system_) {}
+FreeBody::FreeBody(const lattice::Lattice& lattice) : system_(tied(lattice)), solver_(system_) {}
 
 std::vector<Vector6> FreeBody::at_rest(const std::vector<Vector6>& load, double tolerance,
                                        const FractionTold& told) {
   return motions_in(system_, solver_.solve(loads_on(system_, load), tolerance, told));
 }
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -2,7 +2,7 @@
 
 #include "engine/mechanics/static_system.hpp"
 
-namespace rift {
+namespace rift::mechanics {
 
 /// A lattice that nothing holds, under loads that balance each other: a body, or a box that repeats itself.
 /// What the loads leave open (the rigid motions of a body, the drift of a periodic box) is settled by a
@@ -11,7 +11,7 @@ namespace rift {
 class FreeBody {
  public:
   /// Cost of one assembly; the lattice is not needed afterwards.
-  explicit FreeBody(const Lattice& lattice);
+  explicit FreeBody(const lattice::Lattice& lattice);
 
   /// Motions at rest under forces and moments on the elements [N, N m]. Cost about 100 products with K;
   /// throws StaticsError, Interrupted. @param[in] tolerance  of the relative residual
@@ -23,4 +23,4 @@ class FreeBody {
   StaticSolver solver_;
 };
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -66,4 +66,4 @@ Eigen::VectorXd RigidPatches::solve(const Eigen::VectorXd& residual) const {
   return correction;
 }
 
-}  // namespace rift
+}  // namespace rift::mechanics

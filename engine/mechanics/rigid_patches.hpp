@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace rift {
+namespace rift::mechanics {
 
 /// Preconditioner for the beam lattice: one block per element for the short waves, and the rigid motions of
 /// patches a few elements wide, solved directly, for the long ones (two-level additive Schwarz, Dryja and
@@ -38,4 +38,4 @@ class RigidPatches {
   Eigen::ComputationInfo info_ = Eigen::Success;
 };
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 constexpr double settled =
@@ -61,17 +61,17 @@ double largest_eigenvalue(const Operator& apply, long size, const FractionTold& 
 }
 
 /// 1 / sqrt(mass) per degree of freedom, 0 where gripped: turns K x = omega^2 M x into a symmetric problem.
-Eigen::VectorXd inverse_root_mass(const Lattice& lattice) {
+Eigen::VectorXd inverse_root_mass(const lattice::Lattice& lattice) {
   Eigen::VectorXd root = Eigen::VectorXd::Zero(6 * static_cast<long>(lattice.mass.size()));
   for (std::size_t i = 0; i < lattice.mass.size(); ++i) {
-    if (lattice.grip[i] != Grip::none) continue;
+    if (lattice.grip[i] != lattice::Grip::none) continue;
     root.segment<3>(6 * static_cast<long>(i)).setConstant(1.0 / std::sqrt(lattice.mass[i]));
     root.segment<3>(6 * static_cast<long>(i) + 3).setConstant(1.0 / std::sqrt(lattice.inertia[i]));
   }
   return root;
 }
 
-std::vector<BeamRow> all_rows(const Lattice& lattice) {
+std::vector<BeamRow> all_rows(const lattice::Lattice& lattice) {
   std::vector<BeamRow> rows;
   for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b) rows.push_back(row_of(lattice, b));
   return rows;
@@ -85,7 +85,7 @@ double step_from(double omega_squared) {
 /// omega^2_max <= max over beams of the largest eigenvalue of (k_beam, the beam's share of its elements'
 /// masses), each element's mass shared evenly among its beams (Irons and Treharne 1971). Stretch, twist and
 /// bending do not mix.
-double element_bound(const Lattice& lattice) {
+double element_bound(const lattice::Lattice& lattice) {
   std::vector<int> valence(lattice.mass.size(), 0);
   for (const auto& [i, j] : lattice.ends) ++valence[i], ++valence[j];
   double worst = 0.0;
@@ -93,7 +93,7 @@ double element_bound(const Lattice& lattice) {
     const auto& [i, j] = lattice.ends[b];
     const Beam& beam = lattice.beam[b];
     const auto yield = [&](int e, double mass) {  // of one end to a unit load: none where gripped
-      return lattice.grip[e] == Grip::none ? valence[e] / mass : 0.0;
+      return lattice.grip[e] == lattice::Grip::none ? valence[e] / mass : 0.0;
     };
     const double mi = yield(i, lattice.mass[i]), mj = yield(j, lattice.mass[j]);
     const double Ii = yield(i, lattice.inertia[i]), Ij = yield(j, lattice.inertia[j]);
@@ -114,7 +114,7 @@ double element_bound(const Lattice& lattice) {
 
 }  // namespace
 
-StableStep stable_step(const Lattice& lattice, const FractionTold& told) {
+StableStep stable_step(const lattice::Lattice& lattice, const FractionTold& told) {
   const Eigen::VectorXd root = inverse_root_mass(lattice);
   const std::vector<BeamRow> rows = all_rows(lattice);
   Eigen::VectorXd q(root.size());
@@ -128,7 +128,7 @@ StableStep stable_step(const Lattice& lattice, const FractionTold& told) {
   return {.critical = step_from(omega_squared) * (1.0 - settled), .element_bound = element_bound(lattice)};
 }
 
-double damped_critical_step(const Lattice& lattice, const ViscousDamping& damping, double undamped,
+double damped_critical_step(const lattice::Lattice& lattice, const ViscousDamping& damping, double undamped,
                             const FractionTold& told) {
   if (damping.beam.empty() || !std::isfinite(undamped)) return undamped;
   const Eigen::VectorXd root = inverse_root_mass(lattice);
@@ -160,4 +160,4 @@ double damped_critical_step(const Lattice& lattice, const ViscousDamping& dampin
   return dt * (1.0 - settled);
 }
 
-}  // namespace rift
+}  // namespace rift::mechanics

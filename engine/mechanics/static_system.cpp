@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rift {
+namespace rift::mechanics {
 
-StaticSystem assemble(const Lattice& lattice, std::vector<int> number, const std::vector<char>& present,
-                      const StiffnessOf& stiffness) {
+StaticSystem assemble(const lattice::Lattice& lattice, std::vector<int> number,
+                      const std::vector<char>& present, const StiffnessOf& stiffness) {
   StaticSystem system{.number = std::move(number), .centre = {}, .mean_radius = lattice.mean_radius, .k = {}};
   for (std::size_t i = 0; i < lattice.centre.size(); ++i)
     if (system.number[i] >= 0) system.centre.push_back(lattice.centre[i]);
@@ -84,4 +84,4 @@ Eigen::VectorXd StaticSolver::solve(const Eigen::VectorXd& load, double toleranc
   return unknown;
 }
 
-}  // namespace rift
+}  // namespace rift::mechanics

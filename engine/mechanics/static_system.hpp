@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace rift {
+namespace rift::mechanics {
 
 /// A linear system of statics could not be solved to its tolerance.
 struct StaticsError : std::runtime_error {
@@ -31,8 +31,8 @@ using StiffnessOf = std::function<Matrix12(int beam)>;
 
 /// @param[in] number   of each element among the free ones, -1 where held
 /// @param[in] present  B, 0 for a beam that is not there
-StaticSystem assemble(const Lattice& lattice, std::vector<int> number, const std::vector<char>& present,
-                      const StiffnessOf& stiffness);
+StaticSystem assemble(const lattice::Lattice& lattice, std::vector<int> number,
+                      const std::vector<char>& present, const StiffnessOf& stiffness);
 
 /// The loads on the free elements, in the unknowns' scale. @param[in] force  N forces and moments [N, N m]
 Eigen::VectorXd loads_on(const StaticSystem& system, const std::vector<Vector6>& force);
@@ -53,4 +53,4 @@ class StaticSolver {
   Eigen::ConjugateGradient<StaticSystem::Matrix, Eigen::Lower | Eigen::Upper, RigidPatches> solver_;
 };
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -8,16 +8,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
-std::vector<int> number_the_free(const Lattice& lattice, const std::vector<char>& present) {
+std::vector<int> number_the_free(const lattice::Lattice& lattice, const std::vector<char>& present) {
   std::vector<std::array<int, 2>> beams;
   for (std::size_t b = 0; b < present.size(); ++b)
     if (present[b]) beams.push_back(lattice.ends[b]);
   std::vector<char> held(lattice.grip.size());
-  for (std::size_t i = 0; i < held.size(); ++i) held[i] = lattice.grip[i] != Grip::none;
-  const std::vector<char> joined = reached_from(held, beams);
+  for (std::size_t i = 0; i < held.size(); ++i) held[i] = lattice.grip[i] != lattice::Grip::none;
+  const std::vector<char> joined = lattice::reached_from(held, beams);
   std::vector<int> number(held.size(), -1);
   int count = 0;
   for (std::size_t i = 0; i < held.size(); ++i)
@@ -27,7 +27,7 @@ std::vector<int> number_the_free(const Lattice& lattice, const std::vector<char>
 
 /// Force and moment on each element from the beams that are there.
 template <class State, class LoadsOf>
-std::vector<Vector6> forces_on(const Lattice& lattice, const std::vector<char>& present,
+std::vector<Vector6> forces_on(const lattice::Lattice& lattice, const std::vector<char>& present,
                                const std::vector<State>& state, const LoadsOf& loads) {
   std::vector<Vector6> force(state.size(), Vector6::Zero());
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
@@ -41,10 +41,10 @@ std::vector<Vector6> forces_on(const Lattice& lattice, const std::vector<char>& 
 }
 
 /// The top grip moved, all else where it was.
-std::vector<Vector6> gripped(const Lattice& lattice, const Pull& pull) {
+std::vector<Vector6> gripped(const lattice::Lattice& lattice, const Pull& pull) {
   std::vector<Vector6> q(lattice.centre.size(), Vector6::Zero());
   for (std::size_t i = 0; i < q.size(); ++i)
-    if (lattice.grip[i] == Grip::top) {
+    if (lattice.grip[i] == lattice::Grip::top) {
       q[i][0] = pull.middle * pull.shear;
       q[i][1] = pull.at(lattice.centre[i].x() / lattice.box.length);
     }
@@ -53,7 +53,7 @@ std::vector<Vector6> gripped(const Lattice& lattice, const Pull& pull) {
 
 }  // namespace
 
-std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector<char>& present,
+std::vector<Vector6> stretched_at_rest(const lattice::Lattice& lattice, const std::vector<char>& present,
                                        const Pull& pull, const FractionTold& told) {
   std::vector<Vector6> q = gripped(lattice, pull);
   const StaticSystem system = assemble(lattice, number_the_free(lattice, present), present,
@@ -69,8 +69,9 @@ std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector
   return q;
 }
 
-std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, const std::vector<char>& present,
-                                                    const Pull& pull, const FractionTold& told) {
+std::vector<Vector6> stretched_at_rest_corotational(const lattice::Lattice& lattice,
+                                                    const std::vector<char>& present, const Pull& pull,
+                                                    const FractionTold& told) {
   constexpr double inner_tolerance = 1e-5;
   constexpr int most_rounds = 20;
   constexpr double usual_rounds = 5.0;  // the linear solution among them
@@ -121,4 +122,4 @@ std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, cons
                   most_rounds, unbalance / std::sqrt(scale), balanced));
 }
 
-}  // namespace rift
+}  // namespace rift::mechanics

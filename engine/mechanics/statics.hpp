@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace rift {
+namespace rift::mechanics {
 
 /// How the top face is moved along y: by `middle` [m] in its middle, and by `tilt` of that more at its right
 /// end and less at its left one, straight between; and by `shear` of it along x.
@@ -21,14 +21,15 @@ struct Pull {
 /// @param[in] present       B, 0 for a beam that a notch has cut
 /// @return N displacements (u [m], theta [rad]); relative residual of the free forces 1e-13
 /// Cost about 100 products with K (conjugate gradients, see RigidPatches); throws StaticsError, Interrupted.
-std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector<char>& present,
+std::vector<Vector6> stretched_at_rest(const lattice::Lattice& lattice, const std::vector<char>& present,
                                        const Pull& pull, const FractionTold& told = {});
 
 /// The same with corotational beams: Newton's method from the linear solution until the free forces are 1e-11
 /// of the linear loads, or what rounding leaves of strains below 1e-4. Cost about five linear solutions;
 /// throws StaticsError, Interrupted.
 /// @return N displacements and rotation vectors
-std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, const std::vector<char>& present,
-                                                    const Pull& pull, const FractionTold& told = {});
+std::vector<Vector6> stretched_at_rest_corotational(const lattice::Lattice& lattice,
+                                                    const std::vector<char>& present, const Pull& pull,
+                                                    const FractionTold& told = {});
 
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -181,7 +181,7 @@ struct Assign {
     *out = {*height, false};
     return {};
   }
-  std::string operator()(std::vector<HistoryPoint>* out) const { return read_history(value, *out); }
+  std::string operator()(std::vector<history::HistoryPoint>* out) const { return read_history(value, *out); }
   std::string operator()(std::vector<std::array<double, 2>>* out) const { return read_points(value, *out); }
   std::string operator()(CriticalRate* out) const { return read_critical_rate(value, *out); }
   std::string operator()(LoadCurve* out) const { return read_load_curve(value, *out); }
@@ -197,7 +197,7 @@ struct Assign {
 };
 
 /// A text as a basic string of TOML.
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -222,7 +222,7 @@ struct Write {
   std::string operator()(const int* i) const { return fmt::format("{}", *i); }
   std::string operator()(const long* i) const { return fmt::format("{}", *i); }
   std::string operator()(const bool* truth) const { return *truth ? "true" : "false"; }
-  std::string operator()(Word word) const { return quoted(*word.p); }
+  std::string operator()(Word word) const { return toml_string(*word.p); }
   std::string operator()(Exponent exponent) const {
     const std::string name = relaxation_name(*exponent.p);
     return read_relaxation(name).value ? '"' + name + '"' : fmt::format("{}", *exponent.p);
@@ -232,7 +232,7 @@ struct Write {
     if (path->point.empty()) return '"' + path_text(*path) + '"';
     return (*this)(&path->point);
   }
-  std::string operator()(const std::vector<HistoryPoint>* rows) const { return rows_text(*rows); }
+  std::string operator()(const std::vector<history::HistoryPoint>* rows) const { return rows_text(*rows); }
   std::string operator()(const std::vector<std::array<double, 2>>* points) const {
     return rows_text(*points);
   }
@@ -265,7 +265,7 @@ struct Allowed {
   std::string operator()(const CrackLine*) const {
     return "(0, 1) H, a length below H, or points in the plate";
   }
-  std::string operator()(const std::vector<HistoryPoint>*) const {
+  std::string operator()(const std::vector<history::HistoryPoint>*) const {
     return "rows of time and position, in time and never backward";
   }
   std::string operator()(const std::vector<std::array<double, 2>>*) const { return "points in the plate"; }
@@ -307,4 +307,4 @@ std::string allowed(const Parameter& row) {
   return std::visit(Allowed{row}, row.slot(scene));
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::string lane_axes() {
   return listed(names, "and");
 }
 
-}  // namespace rift
+}  // namespace rift::scene

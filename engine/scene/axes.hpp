@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace rift {
+namespace rift::scene {
 
 /// A parameter that studies and lanes vary, under the one name which [study], rows, lanes, tables and
 /// summaries share.
@@ -39,4 +39,4 @@ std::string unknown_axis(const std::string& name);
 /// "technique, relaxation, ... and crack_velocity": those in which lanes may differ.
 std::string lane_axes();
 
-}  // namespace rift
+}  // namespace rift::scene

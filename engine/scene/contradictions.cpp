@@ -15,7 +15,7 @@
 #include <initializer_list>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -107,7 +107,8 @@ bool check_shape(Checks& c) {
 void check_radii(Checks& c) {
   constexpr double widest_log_normal = 0.4;  // one sphere in a thousand is then 3.5 times the mean
   if (!c.sound({"specimen.radii", "specimen.radius_spread"})) return;
-  if (c.scene.specimen.radii == Radii::log_normal && c.scene.specimen.radius_spread > widest_log_normal)
+  if (c.scene.specimen.radii == lattice::Radii::log_normal &&
+      c.scene.specimen.radius_spread > widest_log_normal)
     c.say("specimen.radius_spread",
           fmt::format("of log-normal radii must lie in [0, {}]", widest_log_normal));
 }
@@ -134,7 +135,7 @@ void check_sizes(Checks& c) {
           fmt::format("{}is thinner than {}: make it thicker, or raise specimen.elements",
                       by_layers ? fmt::format("a plate of {} ", millimetres(thickness)) : "", element));
   }
-  const Box box = box_of(c.scene);
+  const lattice::Box box = box_of(c.scene);
   if (std::min(box.length, box.height) < diameter) {
     c.say("specimen.elements",
           fmt::format("too few for specimen.length and specimen.height: the {} is smaller than {}",
@@ -388,4 +389,4 @@ std::vector<Issue> contradictions(const Preset& preset, const std::set<std::stri
   return std::move(checks.issues);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// Mistakes that show only when parameters are seen together: contradictions, an order along the crack's way,
 /// sizes that do not fit. A check that would rest on a key of `unsound` (already reported) is left out.
@@ -16,4 +16,4 @@ std::vector<Issue> contradictions(const Preset& preset, const std::set<std::stri
 /// start of the crack is among those of a measured history, whose first row it is.
 std::vector<std::string> rivals_of(const std::string& key);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 constexpr double forgiven = 3.0;  // standard uncertainties
@@ -34,7 +34,8 @@ struct Rows {
   bool is_full() const { return issues.size() > most_of_rows; }
 };
 
-void check_time(Rows& r, std::size_t k, const HistoryPoint& before, const HistoryPoint& row) {
+void check_time(Rows& r, std::size_t k, const history::HistoryPoint& before,
+                const history::HistoryPoint& row) {
   if (row.time > before.time && row.time - before.time < shortest)
     r.say(k, fmt::format("time {} follows within {}", time_text(row.time), time_text(shortest)));
   if (row.time == before.time) r.say(k, fmt::format("time {} is there twice", time_text(row.time)));
@@ -42,10 +43,11 @@ void check_time(Rows& r, std::size_t k, const HistoryPoint& before, const Histor
     r.say(k, fmt::format("time falls from {} to {}", time_text(before.time), time_text(row.time)));
 }
 
-void check_position(Rows& r, std::size_t k, const HistoryPoint& before, const HistoryPoint& row) {
+void check_position(Rows& r, std::size_t k, const history::HistoryPoint& before,
+                    const history::HistoryPoint& row) {
   if (row.position >= before.position) return;
   const double noise = forgiven * std::hypot(before.uncertainty, row.uncertainty);
-  const bool smoothed = r.preset.scene.crack.smoothing == Smoothing::monotone;
+  const bool smoothed = r.preset.scene.crack.smoothing == history::Smoothing::monotone;
   if (smoothed && before.position - row.position <= noise) return;
   std::string text =
       fmt::format("position falls from {} to {}", length_text(before.position), length_text(row.position));
@@ -57,7 +59,7 @@ void check_position(Rows& r, std::size_t k, const HistoryPoint& before, const Hi
   r.say(k, std::move(text));
 }
 
-void check_uncertainty(Rows& r, std::size_t k, const HistoryPoint& row) {
+void check_uncertainty(Rows& r, std::size_t k, const history::HistoryPoint& row) {
   const bool known = r.preset.scene.crack.history.front().uncertainty != 0.0;
   if (row.uncertainty < 0.0 || (known && row.uncertainty == 0.0))
     r.say(k, fmt::format("uncertainty {} must lie above 0", length_text(row.uncertainty)));
@@ -68,7 +70,7 @@ void check_uncertainty(Rows& r, std::size_t k, const HistoryPoint& row) {
     r.say(k, "has an uncertainty, and the first row has none: give it for all rows or for none");
 }
 
-void check_gaps(Rows& r, const std::vector<HistoryPoint>& rows) {
+void check_gaps(Rows& r, const std::vector<history::HistoryPoint>& rows) {
   const double usual = median_interval(rows), most = r.preset.scene.crack.history_gap;
   for (std::size_t k = 1; k < rows.size() && !r.is_full(); ++k) {
     const double gap = rows[k].time - rows[k - 1].time;
@@ -80,7 +82,7 @@ void check_gaps(Rows& r, const std::vector<HistoryPoint>& rows) {
 }
 
 /// The first row says where the notch ends; crack.start may say it better, within the noise.
-void check_start(Rows& r, const HistoryPoint& first) {
+void check_start(Rows& r, const history::HistoryPoint& first) {
   const double start = r.preset.scene.crack.start;
   const double slack = std::max(forgiven * first.uncertainty, 1e-9);
   if (std::abs(first.position - start) > slack)
@@ -101,7 +103,7 @@ std::string clock_trouble(double first_time) {
       first_time, first_time > three_years ? " counts from a clock's epoch" : "", time_text(latest));
 }
 
-double median_interval(const std::vector<HistoryPoint>& rows) {
+double median_interval(const std::vector<history::HistoryPoint>& rows) {
   std::vector<double> intervals;
   for (std::size_t k = 1; k < rows.size(); ++k) intervals.push_back(rows[k].time - rows[k - 1].time);
   const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
@@ -110,7 +112,7 @@ double median_interval(const std::vector<HistoryPoint>& rows) {
 }
 
 std::vector<Issue> history_issues(const Preset& preset) {
-  const std::vector<HistoryPoint>& rows = preset.scene.crack.history;
+  const std::vector<history::HistoryPoint>& rows = preset.scene.crack.history;
   if (rows.empty()) return {};
   Rows r{preset, "crack.history"};
   if (rows.size() < 2) {
@@ -213,4 +215,4 @@ std::vector<Issue> path_issues(const Preset& preset) {
   return std::move(r.issues);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -6,14 +6,14 @@
 #include <vector>
 
 /// What can be wrong with the rows of [crack]: each is found row by row, at its line where a file holds it.
-namespace rift {
+namespace rift::scene {
 
 /// Why a record of measured times, whose first is given [s], is none from near 0 on: a clock's time stamps
 /// have lost digits before they come here. Empty where it is one.
 std::string clock_trouble(double first_time);
 
 /// The middle one of the times from row to row [s]; there are at least two rows.
-double median_interval(const std::vector<HistoryPoint>& rows);
+double median_interval(const std::vector<history::HistoryPoint>& rows);
 
 /// A history goes forward in time, never back in position, misses no rows, and begins at crack.start. Noise
 /// may look like going back where it is smoothed: by no more than three standard uncertainties.
@@ -29,4 +29,4 @@ std::vector<Issue> load_issues(const Preset& preset);
 /// Points lie in the plate, and no two neighbours at one place.
 std::vector<Issue> path_issues(const Preset& preset);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::string relaxation_name(double p) {
   return fmt::format("power({})", p);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

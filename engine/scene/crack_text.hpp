@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The small languages of [crack]: velocity, path and relaxation, each read and written back exactly.
-namespace rift {
+namespace rift::scene {
 
 /// No crack in mode I is prescribed faster than this many Rayleigh speeds.
 inline constexpr double highest_velocity_over_cr = 2.0;
@@ -28,4 +28,4 @@ Parsed<double> read_relaxation(std::string_view name);
 /// The name of p, or "power(p)" where it has none.
 std::string relaxation_name(double p);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 constexpr int most_lines_before_header = 100;
@@ -224,4 +224,4 @@ std::string examples_of(std::span<const CsvColumn> columns) {
   return out;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Which columns of a CSV file are those that are asked for.
-namespace rift {
+namespace rift::scene {
 
 /// What a cell of a header says: "Time [us]" is time in us.
 struct CsvTitle {
@@ -42,4 +42,4 @@ std::vector<std::string> header_problems(const CsvHeader& header, std::span<cons
 std::string example_of(const CsvColumn& column);
 std::string examples_of(std::span<const CsvColumn> columns);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace rift {
+namespace rift::scene {
 
 void CsvRows::skip_blanks() {
   while (!left_.empty() && (left_.front() == ' ' || (left_.front() == '\t' && separator_ != '\t')))
@@ -51,4 +51,4 @@ bool is_blank(const CsvRow& row) {
   return std::all_of(row.cell.begin(), row.cell.end(), [](const std::string& c) { return c.empty(); });
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// One row of a CSV text, taken apart.
 struct CsvRow {
@@ -40,4 +40,4 @@ class CsvRows {
 /// Whether a row holds nothing but separators.
 bool is_blank(const CsvRow& row);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <optional>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 constexpr std::size_t most_csv_problems = 100;  // of one file; more are of the same kinds
@@ -179,4 +179,4 @@ CsvTable read_csv(std::string_view text, std::span<const CsvColumn> columns, std
   return TableReader(columns, most_rows).read(text);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Tables of measured numbers, as spreadsheets, cameras and instruments write them.
-namespace rift {
+namespace rift::scene {
 
 /// Whether a column has to be there; of those that are `one_of`, exactly one has to.
 enum class CsvNeed { needed, optional, one_of };
@@ -51,4 +51,4 @@ inline constexpr std::size_t largest_csv = std::size_t{64} << 20;
 CsvTable read_csv(std::string_view text, std::span<const CsvColumn> columns,
                   std::size_t most_rows = most_csv_rows);
 
-}  // namespace rift
+}  // namespace rift::scene

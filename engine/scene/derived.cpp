@@ -10,21 +10,21 @@
 #include <limits>
 #include <numbers>
 
-namespace rift {
+namespace rift::scene {
 
 bool can_crack(const Scene& scene) {
   return scene.specimen.shape == Shape::plate || scene.specimen.shape == Shape::block;
 }
 
-Box box_of(const Scene& scene) {
+lattice::Box box_of(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
   switch (s.shape) {
     case Shape::cylinder:
-      return {s.length, s.height, s.length, Walls::cylinder};
+      return {s.length, s.height, s.length, lattice::Walls::cylinder};
     case Shape::sphere:
-      return {s.length, s.length, s.length, Walls::sphere};
+      return {s.length, s.length, s.length, lattice::Walls::sphere};
     case Shape::periodic:
-      return {s.length, s.height, thickness_m(scene), Walls::periodic};
+      return {s.length, s.height, thickness_m(scene), lattice::Walls::periodic};
     case Shape::plate:
     case Shape::block:
       break;
@@ -32,7 +32,7 @@ Box box_of(const Scene& scene) {
   return {s.length, s.height, thickness_m(scene)};
 }
 
-PackingRequest request_of(const Scene& scene) {
+lattice::PackingRequest request_of(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
   return {.box = box_of(scene),
           .elements = s.elements,
@@ -55,7 +55,8 @@ double thickness_m(const Scene& scene) {
 double expected_mean_radius_m(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
   const double spread2 = s.radius_spread * s.radius_spread;
-  const double cube = s.radii == Radii::uniform ? 1 + spread2 : std::exp(3 * spread2);  // <r^3> / R^3
+  const double cube =
+      s.radii == lattice::Radii::uniform ? 1 + spread2 : std::exp(3 * spread2);  // <r^3> / R^3
   return std::cbrt(0.615 * box_of(scene).volume() / (s.elements * 4.0 / 3.0 * std::numbers::pi * cube));
 }
 
@@ -84,8 +85,8 @@ double speed_m_s(const Speed& speed, double rayleigh_speed) {
   return speed.relative ? speed.value * rayleigh_speed : speed.value;
 }
 
-Course measured_course(const Scene& scene) {
-  return course_of(scene.crack.history, scene.crack.start, scene.crack.smoothing);
+history::Course measured_course(const Scene& scene) {
+  return history::course_of(scene.crack.history, scene.crack.start, scene.crack.smoothing);
 }
 
 double load_time(const Scene& scene) {
@@ -123,7 +124,7 @@ bool keeps_its_velocity(const Scene& scene) {
 
 double highest_velocity(const Scene& scene) {
   if (!scene.crack.history.empty())
-    return highest_speed(measured_course(scene).history) / rayleigh_speed(scene);
+    return history::highest_speed(measured_course(scene).history) / rayleigh_speed(scene);
   double highest = scene.crack.toughness.row.empty() ? 0.0 : fastest_by_itself;
   for (const VelocityPiece& piece : scene.crack.velocity) {
     const Speed& v = piece.speed;
@@ -198,4 +199,4 @@ double echo_free_tip_m(const Scene& scene, double faster) {
                                            faster * speeds.dilatational);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -5,15 +5,15 @@
 #include <array>
 
 /// What follows from a scene by itself, without a lattice. All ask for a scene without issues.
-namespace rift {
+namespace rift::scene {
 
 /// Whether the specimen is one that `rift run` can crack: a box with grips.
 bool can_crack(const Scene& scene);
 
 /// The space that the packing fills.
-Box box_of(const Scene& scene);
+lattice::Box box_of(const Scene& scene);
 
-PackingRequest request_of(const Scene& scene);
+lattice::PackingRequest request_of(const Scene& scene);
 
 /// Thickness of the plate [m]: as given, or B = 2 mm sqrt(20,000 L H / (N 200 mm 40 mm)) (layers/2)^(3/2)
 /// [physics.md §1], which keeps `layers` elements through the thickness for any N.
@@ -41,7 +41,7 @@ inline constexpr double fastest_by_itself = 0.95;
 
 /// The tip's course along its measured history, from crack.start on. Asks for a history whose rows are in
 /// order.
-Course measured_course(const Scene& scene);
+history::Course measured_course(const Scene& scene);
 
 /// What a load curve's clock shows as the crack starts [s]: a measured history's first time, else 0.
 double load_time(const Scene& scene);
@@ -99,4 +99,4 @@ double crack_end(const Scene& scene);
 /// @param[in] faster  speed of the plate's waves over that of the material's, whose beams may be stiffer
 double echo_free_tip_m(const Scene& scene, double faster = 1.0);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -11,7 +11,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 constexpr Range length_range{1e-9, 100.0};      // [m], of elements and thicknesses
@@ -184,4 +184,4 @@ std::vector<DerivedNumber> derived_numbers(const Preset& preset, const std::set<
   return std::move(list.numbers);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

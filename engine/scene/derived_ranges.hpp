@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// A number that follows from several keys, and the numbers it may be: each key alone may be fine and what
 /// follows from all of them too large or too small to be computed with.
@@ -41,4 +41,4 @@ inline constexpr Range micro_modulus_range{1e-6, 1e18};
 /// difference of two lengths, which rounding ends at 1e-16 of them, and single precision ends at 1e-38.
 Range strain_range(const Scene& scene);
 
-}  // namespace rift
+}  // namespace rift::scene

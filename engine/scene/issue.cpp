@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::string to_text(const Issue& issue) {
 InputError::InputError(std::vector<Issue> found)
     : std::runtime_error(joined(found)), issues(std::move(found)) {}
 
-}  // namespace rift
+}  // namespace rift::scene

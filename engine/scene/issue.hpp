@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// One mistake in what the user gave us; collected as a value, never thrown one by one.
 struct Issue {
@@ -31,4 +31,4 @@ struct InputError : std::runtime_error {
   std::vector<Issue> issues;
 };
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -2,7 +2,7 @@
 
 #include "engine/scene/derived.hpp"
 
-namespace rift {
+namespace rift::scene {
 
 Needs needs_of(const Scene& scene) {
   Needs needs;
@@ -51,4 +51,4 @@ std::vector<std::string> left_out(const Scene& scene) {
   return lines;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// What the scene asks of the engine beyond the bare lattice; the rest is not even compiled into its loop.
 struct Needs {
@@ -29,4 +29,4 @@ bool needs_calibration(const Scene& scene);
 /// One line for each thing that is left out, and why, as `rift check` prints it.
 std::vector<std::string> left_out(const Scene& scene);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -13,14 +13,14 @@
 #include <optional>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 constexpr int most_places = 5;  // that a note names
 
 /// Frames that are missing in a history of evenly spaced ones; one of uneven times misses nothing.
 std::string note_on_missing_rows(const Preset& preset) {
-  const std::vector<HistoryPoint>& rows = preset.scene.crack.history;
+  const std::vector<history::HistoryPoint>& rows = preset.scene.crack.history;
   if (rows.size() < 4) return {};
   constexpr double jitter = 0.1, evenly = 0.75;  // of the usual interval; of all intervals
   const double usual = median_interval(rows);
@@ -120,4 +120,4 @@ std::vector<std::string> notes_on_rows(const Preset& preset) {
   return notes;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

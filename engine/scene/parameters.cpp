@@ -4,7 +4,7 @@
 
 #include <cassert>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -384,4 +384,4 @@ Scene default_scene() {
   return scene;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// The allowed numbers, in SI.
 struct Range {
@@ -31,12 +31,13 @@ struct Word {
 };
 
 /// Where a parameter lives in a Scene. The kind of the member decides how its text is read and written.
-using Slot = std::variant<double*, std::optional<double>*, int*, long*, bool*, Word, Exponent, Shape*, Radii*,
-                          Plane*, StiffnessChoice*, LoadingMethod*, Technique*, DampingRegion*, Kinematics*,
-                          Precision*, ReleaseRateReference*, std::vector<VelocityPiece>*, CrackLine*,
-                          std::vector<HistoryPoint>*, CriticalRate*, LoadCurve*, Smoothing*, PathShape*,
-                          std::vector<std::string>*, std::vector<double>*,
-                          std::vector<std::array<double, 2>>*, std::optional<std::array<double, 2>>*>;
+using Slot =
+    std::variant<double*, std::optional<double>*, int*, long*, bool*, Word, Exponent, Shape*, lattice::Radii*,
+                 theory::Plane*, StiffnessChoice*, LoadingMethod*, Technique*, DampingRegion*, Kinematics*,
+                 Precision*, ReleaseRateReference*, std::vector<VelocityPiece>*, CrackLine*,
+                 std::vector<history::HistoryPoint>*, CriticalRate*, LoadCurve*, history::Smoothing*,
+                 PathShape*, std::vector<std::string>*, std::vector<double>*,
+                 std::vector<std::array<double, 2>>*, std::optional<std::array<double, 2>>*>;
 
 /// One row of the table: all that is known of one member of Scene.
 struct Parameter {
@@ -74,4 +75,4 @@ std::string toml_value(const Scene& scene, const Parameter& row);
 /// "(0, 100] m", "\"static\" or \"ramp\"", ...: what the row allows.
 std::string allowed(const Parameter& row);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::string parameters_markdown() {
   return out;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

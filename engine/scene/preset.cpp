@@ -18,7 +18,7 @@
 #include <set>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -223,4 +223,4 @@ Issue issue_at_row(const Preset& preset, const std::string& key, std::size_t row
   return issue_at(preset, key, fmt::format("row {}: {}", row + 1, text));
 }
 
-}  // namespace rift
+}  // namespace rift::scene

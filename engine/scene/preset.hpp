@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// Where a parameter was set.
 struct Origin {
@@ -72,4 +72,4 @@ std::string preset_text(const Scene& scene);
 /// The same with its lanes as [[lanes]] and its study as [[study.rows]], in the axes that are varied.
 std::string preset_text(const Preset& preset);
 
-}  // namespace rift
+}  // namespace rift::scene

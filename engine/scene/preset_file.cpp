@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 PresetFile read_preset_file(const std::filesystem::path& path, std::size_t largest) {
   std::error_code error;
@@ -36,4 +36,4 @@ PresetFile read_preset_file(const std::filesystem::path& path, std::size_t large
   return {std::move(text), ""};
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace rift {
+namespace rift::scene {
 
 /// The text of a file, or why there is none ("no such file", "is a directory", "cannot be read: ...").
 struct PresetFile {
@@ -15,4 +15,4 @@ struct PresetFile {
 /// device without end does no harm and the reader sees that it is too large.
 PresetFile read_preset_file(const std::filesystem::path& path, std::size_t largest);
 
-}  // namespace rift
+}  // namespace rift::scene

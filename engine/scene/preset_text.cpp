@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::string preset_text(const Preset& preset) {
   return out + steering_text(preset.steering);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 // The rows stand in the effective preset, which a run keeps and reads again.
@@ -107,4 +107,4 @@ RowsFile read_rows_file(const Parameter& row, const std::string& name, const std
   return read;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

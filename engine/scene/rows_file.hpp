@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// The rows of a CSV file that stands for a parameter's list, as the list would be written in a preset.
 struct RowsFile {
@@ -24,4 +24,4 @@ bool names_rows_file(const Parameter& row, const Value& value);
 /// @param[in] name  as written, found from `folder`
 RowsFile read_rows_file(const Parameter& row, const std::string& name, const std::filesystem::path& folder);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 /// What a number of a row may be.
@@ -121,7 +121,7 @@ std::string rows_text(const std::vector<std::array<double, 2>>& points) {
   });
 }
 
-std::string read_history(const Value& value, std::vector<HistoryPoint>& out) {
+std::string read_history(const Value& value, std::vector<history::HistoryPoint>& out) {
   constexpr std::array cells{Cell{"time", Dimension::time}, Cell{"position", Dimension::length},
                              Cell{"uncertainty", Dimension::length}};
   std::vector<std::array<double, 3>> rows;
@@ -133,9 +133,9 @@ std::string read_history(const Value& value, std::vector<HistoryPoint>& out) {
   return {};
 }
 
-std::string rows_text(const std::vector<HistoryPoint>& rows) {
+std::string rows_text(const std::vector<history::HistoryPoint>& rows) {
   const bool known = !rows.empty() && rows.front().uncertainty > 0.0;
-  return list_of(rows, [&](const HistoryPoint& p) {
+  return list_of(rows, [&](const history::HistoryPoint& p) {
     return known ? fmt::format("[{}, {}, {}]", p.time, p.position, p.uncertainty)
                  : fmt::format("[{}, {}]", p.time, p.position);
   });
@@ -186,4 +186,4 @@ std::string rows_text(const LoadCurve& curve) {
   });
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -10,14 +10,14 @@
 /// Parameters that are rows of numbers, read from what the user wrote and written back so that they are read
 /// to the same bits. Readers return what is wrong (nothing is stored then), or empty; writers nothing of no
 /// rows.
-namespace rift {
+namespace rift::scene {
 
 /// Points of the plate, (x, y).
 std::string read_points(const Value& value, std::vector<std::array<double, 2>>& out);
 std::string rows_text(const std::vector<std::array<double, 2>>& points);
 
-std::string read_history(const Value& value, std::vector<HistoryPoint>& out);
-std::string rows_text(const std::vector<HistoryPoint>& rows);
+std::string read_history(const Value& value, std::vector<history::HistoryPoint>& out);
+std::string rows_text(const std::vector<history::HistoryPoint>& rows);
 
 /// The first row's unit says what all are against.
 std::string read_critical_rate(const Value& value, CriticalRate& out);
@@ -27,4 +27,4 @@ std::string rows_text(const CriticalRate& rate);
 std::string read_load_curve(const Value& value, LoadCurve& out);
 std::string rows_text(const LoadCurve& curve);
 
-}  // namespace rift
+}  // namespace rift::scene

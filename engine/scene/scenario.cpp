@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::string fingerprint(const Scene& scene) {
   return out;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// One scenario of a study, or one lane: the base scene with the values of some axes put in their place.
-namespace rift {
+namespace rift::scene {
 
 /// An axis at a value, and the line of the preset that says so.
 struct Setting {
@@ -41,4 +41,4 @@ Scenario scenario_of(const Base& base, std::span<const Setting> settings, Chosen
 /// Equal for two scenarios of one base exactly where their scenes are.
 std::string fingerprint(const Scene& scene);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -186,4 +186,4 @@ std::vector<HandRow> read_hand_rows(ScenarioReading& reading, const std::string&
   return rows;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

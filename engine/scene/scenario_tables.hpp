@@ -8,7 +8,7 @@
 #include <vector>
 
 /// What [study], [[study.rows]] and [[lanes]] say, before any scene is made of it.
-namespace rift {
+namespace rift::scene {
 
 /// The first place of a preset that names an axis.
 struct Mention {
@@ -54,4 +54,4 @@ std::vector<std::vector<Setting>> read_grid(ScenarioReading& reading);
 /// The tables of `list`, "study.rows" or "lanes", in the order of the file.
 std::vector<HandRow> read_hand_rows(ScenarioReading& reading, const std::string& list);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -195,4 +195,4 @@ std::vector<Issue> take_scenarios(Preset& preset, const TomlDocument& document,
   return std::move(study.issues);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// Most scenarios that one preset may ask for.
 inline constexpr int most_scenarios = 10000;
@@ -19,4 +19,4 @@ inline constexpr int most_scenarios = 10000;
 std::vector<Issue> take_scenarios(Preset& preset, const TomlDocument& document,
                                   const std::set<std::string>& unsound);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 enum class StiffnessChoice { in_situ, bulk, calibrated, explicit_values };
 enum class LoadingMethod { static_solve, ramp };
@@ -75,7 +75,7 @@ struct Scene {
         layers;  // elements through the thickness; fixes the thickness (physics: B ~ (L H / N)^1/2)
     std::optional<double> thickness;  // [m]; excludes layers
     int elements;
-    Radii radii;
+    lattice::Radii radii;
     double radius_spread;  // uniform: within +- this fraction of the mean; log-normal: deviation of ln r
     double coordination;   // 2 contacts / N, walls not counted
     std::optional<double> solid_fraction;  // in place of the coordination
@@ -85,7 +85,7 @@ struct Scene {
   struct Material {
     double young_modulus;  // [Pa]
     double poisson_ratio;
-    Plane plane;
+    theory::Plane plane;
     std::optional<double> rayleigh_speed;  // [m/s]
     std::optional<double> density;         // [kg/m3]; excludes rayleigh_speed
     StiffnessChoice stiffness;
@@ -104,8 +104,8 @@ struct Scene {
   } loading;
   struct Crack {
     std::vector<VelocityPiece> velocity;
-    std::vector<HistoryPoint> history;  // measured, in place of the velocity
-    Smoothing smoothing;
+    std::vector<history::HistoryPoint> history;  // measured, in place of the velocity
+    history::Smoothing smoothing;
     double history_gap;       // longest time between two rows, in times of the median
     CriticalRate toughness;   // where it has rows the crack runs by itself
     double toughness_window;  // [mean radii] over which its release rate is smoothed
@@ -156,4 +156,4 @@ struct Scene {
   } film;
 };
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 using Point = std::array<double, 2>;
@@ -44,4 +44,4 @@ std::vector<Point> spline_through(const std::vector<Point>& point, int pieces) {
   return out;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

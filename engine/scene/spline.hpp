@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// Points on the centripetal Catmull-Rom spline through the given ones, these among them: it has no cusps and
 /// no loops of its own (Yuksel, Schaefer and Keyser 2011). The ends go on as the points next to them do.
@@ -12,4 +12,4 @@ namespace rift {
 std::vector<std::array<double, 2>> spline_through(const std::vector<std::array<double, 2>>& point,
                                                   int pieces);
 
-}  // namespace rift
+}  // namespace rift::scene

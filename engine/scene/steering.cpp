@@ -10,7 +10,7 @@
 #include <array>
 #include <optional>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 constexpr std::array<std::string_view, 5> steerable{"technique", "relaxation", "damage_zone_ratio",
@@ -40,7 +40,7 @@ std::string turn_to(std::vector<VelocityPiece>& before, const std::vector<Veloci
   return {};
 }
 
-struct Reading {
+struct SteeringReader {
   Preset& preset;
   std::vector<Issue> issues;
   int lanes;
@@ -52,7 +52,7 @@ struct Reading {
 };
 
 /// A whole number of a [[steering]] table, or nothing where it is not there or wrong.
-std::optional<std::int64_t> whole(Reading& reading, const TomlRow& row, std::string_view name,
+std::optional<std::int64_t> whole(SteeringReader& reading, const TomlRow& row, std::string_view name,
                                   std::int64_t lowest, std::int64_t highest) {
   for (const TomlEntry& entry : row.entries) {
     if (entry.name != name) continue;
@@ -72,7 +72,7 @@ std::string text_of(const Value& value) {
   return shown(value);
 }
 
-void take_row(Reading& reading, const TomlRow& row) {
+void take_row(SteeringReader& reading, const TomlRow& row) {
   const std::size_t issues = reading.issues.size();
   const auto lane = whole(reading, row, "lane", 0, reading.lanes - 1).value_or(0);
   const auto step = whole(reading, row, "step", 0, std::int64_t{1} << 40);
@@ -128,7 +128,7 @@ std::string steer(Scene& scene, const Change& change, double tip) {
 }
 
 std::vector<Issue> take_steering(Preset& preset, const TomlDocument& document) {
-  Reading reading{preset, {}, std::max(1, static_cast<int>(preset.lanes.size()))};
+  SteeringReader reading{preset, {}, std::max(1, static_cast<int>(preset.lanes.size()))};
   for (const TomlTable& table : document.tables)
     if (table.name == "steering")
       reading.issues.push_back(
@@ -156,4 +156,4 @@ std::string steering_text(const std::vector<Change>& changes) {
   return out;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

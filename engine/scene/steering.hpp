@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Changes of a scenario while its crack runs, so that a run that was steered by hand can be repeated.
-namespace rift {
+namespace rift::scene {
 
 struct Preset;
 struct Issue;
@@ -39,4 +39,4 @@ std::vector<Issue> take_steering(Preset& preset, const TomlDocument& document);
 /// The changes as [[steering]] tables, which read_preset() takes back.
 std::string steering_text(const std::vector<Change>& changes);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 constexpr const char* save_as_utf8 = "save it as UTF-8 (in Excel: \"CSV UTF-8\")";
@@ -77,4 +77,4 @@ std::string_view without_byte_order_mark(std::string_view text) {
   return text;
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace rift {
+namespace rift::scene {
 
 /// What keeps a whole file from being read as text, found once and not in each of its lines.
 struct TextTrouble {
@@ -20,4 +20,4 @@ std::optional<TextTrouble> trouble_with_text(std::string_view text);
 /// The text without the byte order mark of UTF-8, which spreadsheets put first.
 std::string_view without_byte_order_mark(std::string_view text);
 
-}  // namespace rift
+}  // namespace rift::scene

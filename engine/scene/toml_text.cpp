@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -141,4 +141,4 @@ Value value_from_text(std::string_view text) {
   return {std::string(text)};
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 struct TomlTable {
   std::string name;
@@ -52,4 +52,4 @@ TomlDocument read_toml(std::string_view text);
 /// One value as it stands after the '=' of --set: a TOML value where it parses, else the bare text.
 Value value_from_text(std::string_view text);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -169,4 +169,4 @@ std::string rounded_text(double si, Dimension dimension) {
   return quantity_text(rounded, dimension);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace rift {
+namespace rift::scene {
 
 enum class Dimension {
   none,
@@ -52,4 +52,4 @@ std::string quantity_text(double si, Dimension dimension);
 /// As quantity_text with six digits, for messages about computed lengths and speeds.
 std::string rounded_text(double si, Dimension dimension);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::string unknown_key(const std::string& table, const std::string& name) {
   return fmt::format("unknown key '{}': [{}] has {}", printable(name), table, listed(siblings, "and"));
 }
 
-}  // namespace rift
+}  // namespace rift::scene

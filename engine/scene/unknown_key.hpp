@@ -3,7 +3,7 @@
 #include <string>
 
 /// Messages about names that the parameter table does not know, with the nearest one that it does.
-namespace rift {
+namespace rift::scene {
 
 /// Whether presets have a table of this name.
 bool is_table(const std::string& name);
@@ -15,4 +15,4 @@ std::string unknown_table(const std::string& name);
 /// @param table  of the preset in which the key stands; empty where `name` is meant to be a full key
 std::string unknown_key(const std::string& table, const std::string& name);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::string wrong_type(std::string_view expected, const Value& value) {
                      text && has_decimal_comma(*text) ? ": decimals have a point" : "");
 }
 
-}  // namespace rift
+}  // namespace rift::scene

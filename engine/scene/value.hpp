@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 
 /// A value as the user wrote it, before it means anything: what TOML knows, without the TOML library.
 struct Value {
@@ -30,4 +30,4 @@ std::optional<double> number_in(const Value& value);
 /// "expected a list, got text".
 std::string wrong_type(std::string_view expected, const Value& value);
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace rift {
+namespace rift::scene {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-}  // namespace rift
+}  // namespace rift::scene

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Small helpers for texts that quote what a user wrote.
-namespace rift {
+namespace rift::scene {
 
 /// The text on one line, short and harmless on a terminal: escaped (base/text.hpp), bytes past `limit` "...".
 std::string printable(std::string_view text, std::size_t limit = 60);
@@ -25,4 +25,4 @@ bool has_decimal_comma(std::string_view text);
 /// Without the blanks at both ends.
 std::string_view trimmed(std::string_view text);
 
-}  // namespace rift
+}  // namespace rift::scene

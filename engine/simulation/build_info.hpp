@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace rift {
+namespace rift::simulation {
 
 /// Which program made a result.
 struct BuildInfo {
@@ -10,4 +10,4 @@ struct BuildInfo {
   std::string compiler;
 };
 
-}  // namespace rift
+}  // namespace rift::simulation

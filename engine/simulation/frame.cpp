@@ -5,16 +5,17 @@
 #include <utility>
 #include <vector>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
-std::array<float, 3> narrow(const Vector6& v) {
+std::array<float, 3> narrow(const mechanics::Vector6& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
 template <class Real>
-std::vector<float> elastic_by_element(const Ensemble<Real>& ensemble, int lane, double energy_unit) {
-  const Lattice& lattice = ensemble.lattice();
+std::vector<float> elastic_by_element(const ensemble::Ensemble<Real>& ensemble, int lane,
+                                      double energy_unit) {
+  const lattice::Lattice& lattice = ensemble.lattice();
   std::vector<double> factor(lattice.ends.size(), 1.0);
   for (int k = 0; k < static_cast<int>(ensemble.met().size()); ++k)
     factor[ensemble.met()[k].beam] = ensemble.factor(k, lane);
@@ -28,7 +29,7 @@ std::vector<float> elastic_by_element(const Ensemble<Real>& ensemble, int lane, 
 }
 
 template <class Real>
-std::vector<float> damage_by_beam(const Ensemble<Real>& ensemble, int lane) {
+std::vector<float> damage_by_beam(const ensemble::Ensemble<Real>& ensemble, int lane) {
   std::vector<std::pair<int, float>> by_beam;
   for (int k = 0; k < static_cast<int>(ensemble.met().size()); ++k)
     by_beam.emplace_back(ensemble.met()[k].beam, static_cast<float>(ensemble.factor(k, lane)));
@@ -41,7 +42,7 @@ std::vector<float> damage_by_beam(const Ensemble<Real>& ensemble, int lane) {
 }  // namespace
 
 template <class Real>
-results::Frame frame_of(Ensemble<Real>& ensemble, int lane, std::span<const std::string> fields,
+results::Frame frame_of(ensemble::Ensemble<Real>& ensemble, int lane, std::span<const std::string> fields,
                         const LaneUnits& units) {
   const int n = static_cast<int>(ensemble.lattice().centre.size());
   results::Frame frame;
@@ -60,7 +61,9 @@ results::Frame frame_of(Ensemble<Real>& ensemble, int lane, std::span<const std:
   return frame;
 }
 
-template results::Frame frame_of(Ensemble<double>&, int, std::span<const std::string>, const LaneUnits&);
-template results::Frame frame_of(Ensemble<float>&, int, std::span<const std::string>, const LaneUnits&);
+template results::Frame frame_of(ensemble::Ensemble<double>&, int, std::span<const std::string>,
+                                 const LaneUnits&);
+template results::Frame frame_of(ensemble::Ensemble<float>&, int, std::span<const std::string>,
+                                 const LaneUnits&);
 
-}  // namespace rift
+}  // namespace rift::simulation

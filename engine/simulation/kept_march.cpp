@@ -16,7 +16,7 @@
 #include <system_error>
 #include <vector>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -175,4 +175,4 @@ void forget_march(const fs::path& folder) {
   fs::remove(folder, ignored);
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace rift {
+namespace rift::simulation {
 
 /// Where a march that is not recorded as a run keeps how far it is: a pass of a study, a specimen of an
 /// experiment.
@@ -37,4 +37,4 @@ std::string kept_identity(const std::filesystem::path& folder);
 /// Removes what is kept, and the folder.
 void forget_march(const std::filesystem::path& folder);
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::simulation {
 
 /// All stiffnesses of a lattice go with E_mu, so that another E_mu changes nothing but time and energy: one
 /// lattice serves scenarios of any E_mu, each in units of its own   [physics.md §5]. A factor turns what the
@@ -28,4 +28,4 @@ struct LaneUnits {
 /// Of a scenario whose E_mu is `stiffer` times that of the lattice.
 inline LaneUnits units_of(double stiffer) { return {1.0 / std::sqrt(stiffer), stiffer}; }
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 constexpr double largest_residual_inertia = 0.01;  // of the ramp: kinetic over total energy   [physics.md §4]
@@ -22,7 +22,7 @@ constexpr std::int64_t between_watches = 128;
 
 /// Whether the grip, which all lanes have, moves as they march: they must start together then.
 bool moves_one_grip(const Prepared& p) {
-  return p.lane.front().schedule.ramp > 0 || grip_moves(p.preset.scene);
+  return p.lane.front().schedule.ramp > 0 || scene::grip_moves(p.preset.scene);
 }
 
 /// Scenarios side by side: as many as fill a register, beyond which a lane is slower and waits better. Those
@@ -30,7 +30,8 @@ bool moves_one_grip(const Prepared& p) {
 template <class Real>
 int most_side_by_side(const Prepared& p, int wished) {
   if (wished > 0) return wished;
-  return moves_one_grip(p) ? most_lanes<Real> : lanes_in_register<Real>(instruction_set());
+  return moves_one_grip(p) ? ensemble::most_lanes<Real>
+                           : ensemble::lanes_in_register<Real>(ensemble::instruction_set());
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ RunResult Run<Real>::march(const Resumption* from) {
   while (busy() || waiting()) {
     if (waiting() && (!busy() || marched_ % between_refills == 0)) refill();
     if (!prepared_.preset.steering.empty()) repeat_changes();
-    if (grip_moves(scene())) follow_load();
+    if (scene::grip_moves(scene())) follow_load();
     step();
     for (Seat& seat : seat_)
       if (seat.scenario >= 0 && ended(seat)) end(seat);
@@ -62,18 +63,18 @@ RunResult Run<Real>::march(const Resumption* from) {
 }
 
 template <class Real>
-Ensemble<Real> Run<Real>::make_ensemble(const Prepared& p, const MarchOptions& options) {
+ensemble::Ensemble<Real> Run<Real>::make_ensemble(const Prepared& p, const MarchOptions& options) {
   const int most = most_side_by_side<Real>(p, options.lanes);
-  std::vector<LaneScenario> first;
+  std::vector<fracture::LaneScenario> first;
   for (const LanePlan& lane : p.lane)
     if (static_cast<int>(first.size()) < most) first.push_back(lane.scenario);
   const bool touching = std::any_of(p.lane.begin(), p.lane.end(),
                                     [](const LanePlan& lane) { return lane.scenario.friction.has_value(); });
-  return Ensemble<Real>(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, first,
-                        {.kinematics = p.preset.scene.solver.kinematics,
-                         .threads = threads_or_all_cpus(options.threads),
-                         .lanes = options.lanes > 0 ? lanes_for<Real>(options.lanes) : 0,
-                         .contact = touching});
+  return ensemble::Ensemble<Real>(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, first,
+                                  {.kinematics = p.preset.scene.solver.kinematics,
+                                   .threads = threads_or_all_cpus(options.threads),
+                                   .lanes = options.lanes > 0 ? ensemble::lanes_for<Real>(options.lanes) : 0,
+                                   .contact = touching});
 }
 
 template <class Real>
@@ -95,7 +96,7 @@ void Run<Real>::follow_load() {
   const LanePlan& first = prepared_.lane.front();
   const auto displacement = [&](std::int64_t steps) {  // the clock stands until the crack starts
     const double since = static_cast<double>(steps) * ensemble_.dt() * first.units.time - first.lead;
-    return load_at(scene().loading.curve, load_time(scene()) + std::max(0.0, since));
+    return scene::load_at(scene().loading.curve, scene::load_time(scene()) + std::max(0.0, since));
   };
   ensemble_.set_grip_speed((displacement(marched_ + 1) - displacement(marched_)) / ensemble_.dt());
 }
@@ -168,9 +169,9 @@ void Run<Real>::read_gauges(const Seat& seat) {
   const LaneUnits& units = plan(seat).units;
   for (std::size_t g = 0; g < prepared_.gauge.size(); ++g) {
     const auto& [point, plane] = prepared_.gauge[g];
-    const PlaneMotion moved = motion_in(
+    const measurement::PlaneMotion moved = measurement::motion_in(
         plane, [&](int i) -> Eigen::Vector3d { return ensemble_.motion(i, lane).template head<3>(); });
-    const PlaneMotion rate = motion_in(plane, [&](int i) -> Eigen::Vector3d {
+    const measurement::PlaneMotion rate = measurement::motion_in(plane, [&](int i) -> Eigen::Vector3d {
       return ensemble_.velocity(i, lane).template head<3>() / units.time;
     });
     observer_.gauge({.step = steps(seat),
@@ -213,29 +214,29 @@ results::Frame Run<Real>::frame(const Seat& seat, const std::vector<std::string>
 }
 
 template <class Real>
-Wake Run<Real>::wake(const Seat& seat) {
+fracture::Wake Run<Real>::wake(const Seat& seat) {
   const int lane = index(seat);
   const LaneUnits& units = plan(seat).units;
   const double tip = ensemble_.tip(lane);
-  std::vector<Vector6> velocity(prepared_.lattice.centre.size());
+  std::vector<mechanics::Vector6> velocity(prepared_.lattice.centre.size());
   std::vector<double> moved(velocity.size());
   for (int i = 0; i < static_cast<int>(velocity.size()); ++i) {
     velocity[i] = ensemble_.velocity(i, lane) / units.time;
     moved[i] = ensemble_.motion(i, lane).z() - prepared_.displacement[i].z();
   }
-  const Box& box = prepared_.lattice.box;
-  const double middle = 0.5 * length_of(prepared_.path);
-  const auto x = [&](double arc) { return point_on(prepared_.path, arc).x(); };
+  const lattice::Box& box = prepared_.lattice.box;
+  const double middle = 0.5 * fracture::length_of(prepared_.path);
+  const auto x = [&](double arc) { return fracture::point_on(prepared_.path, arc).x(); };
   const std::array<double, 2> behind = prepared_.path.tips == 2
                                            ? std::array{x(middle - tip), x(middle + tip)}
                                            : std::array{x(tip) - 2.0 * box.height, x(tip)};
-  return wake_of(prepared_.lattice, behind, velocity, moved);
+  return fracture::wake_of(prepared_.lattice, behind, velocity, moved);
 }
 
 template <class Real>
 void Run<Real>::report_released() {
   if (!observer_.event) return;
-  for (const Softening& c : ensemble_.softening()) {
+  for (const ensemble::Softening& c : ensemble_.softening()) {
     if (c.after != 0.0 || seat_[c.lane].scenario < 0) continue;
     const LaneUnits& units = plan(seat_[c.lane]).units;
     observer_.event({.beam = ensemble_.met()[c.crossing].beam,
@@ -260,7 +261,7 @@ void Run<Real>::pull() {
 template <class Real>
 void Run<Real>::judge_rest(Seat& seat) {
   LaneResult& lane = lane_of(seat);
-  const LatticeEnergy e = ensemble_.energy(index(seat));
+  const fracture::LatticeEnergy e = ensemble_.energy(index(seat));
   lane.prestress_kinetic = (e.kinetic_translation + e.kinetic_rotation) / e.total();
   if (lane.outcome == Outcome::finished && !(lane.prestress_kinetic <= largest_residual_inertia)) {
     lane.outcome = Outcome::diverged;
@@ -290,19 +291,19 @@ const char* name_of(Outcome outcome) {
   return "";
 }
 
-double ledger_limit(Kinematics kinematics, Precision precision) {
-  if (precision == Precision::single_precision) return 1e-3;
-  return kinematics == Kinematics::corotational ? 1e-4 : 1e-10;
+double ledger_limit(scene::Kinematics kinematics, scene::Precision precision) {
+  if (precision == scene::Precision::single_precision) return 1e-3;
+  return kinematics == scene::Kinematics::corotational ? 1e-4 : 1e-10;
 }
 
 void check_grip(const Prepared& p, int side_by_side) {
   if (!moves_one_grip(p)) return;
   const bool ramp = p.lane.front().schedule.ramp > 0;
   const auto refuse = [&](const std::string& why) {
-    throw InputError({issue_at(p.preset, ramp ? "loading.method" : "loading.curve",
-                               "moves the grip of all lanes at once: " + why)});
+    throw scene::InputError({scene::issue_at(p.preset, ramp ? "loading.method" : "loading.curve",
+                                             "moves the grip of all lanes at once: " + why)});
   };
-  const bool in_double = p.preset.scene.solver.precision == Precision::double_precision;
+  const bool in_double = p.preset.scene.solver.precision == scene::Precision::double_precision;
   const int most =
       in_double ? most_side_by_side<double>(p, side_by_side) : most_side_by_side<float>(p, side_by_side);
   if (static_cast<int>(p.lane.size()) > most)
@@ -318,9 +319,9 @@ void check_grip(const Prepared& p, int side_by_side) {
 RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options,
                 const Resumption* from) {
   check_grip(prepared, options.lanes);
-  if (prepared.preset.scene.solver.precision == Precision::single_precision)
+  if (prepared.preset.scene.solver.precision == scene::Precision::single_precision)
     return Run<float>(prepared, observer, options).march(from);
   return Run<double>(prepared, observer, options).march(from);
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::simulation {
 
 /// How far a run has come.
 struct Progress {
@@ -34,10 +34,10 @@ struct Moment {
 /// What a run is to do next. Whoever wants it to wait answers late; waiting is not counted as marching.
 struct Orders {
   bool stop = false;
-  std::vector<Change> changes = {};  // made now: their steps are filled in
-  std::vector<int> frames = {};      // scenarios whose fields are to be written now
-  bool wait = false;                 // asked again before the next step
-  std::int64_t steps = 0;            // asked again after so many steps; 0: after a twentieth of a second
+  std::vector<scene::Change> changes = {};  // made now: their steps are filled in
+  std::vector<int> frames = {};             // scenarios whose fields are to be written now
+  bool wait = false;                        // asked again before the next step
+  std::int64_t steps = 0;  // asked again after so many steps; 0: after a twentieth of a second
 };
 
 enum class CheckpointMoment { on_the_way, before_stop, at_end };
@@ -61,7 +61,7 @@ struct Observer {
   /// The march has ended, and so much is to be done yet.
   std::function<void(const char* stage)> stage = {};
   /// A change was made, or (with the reason) was not.
-  std::function<void(const Change&, const std::string& refused)> changed = {};
+  std::function<void(const scene::Change&, const std::string& refused)> changed = {};
 };
 
 enum class Outcome { finished, stopped, diverged };
@@ -77,9 +77,9 @@ struct LaneResult {
   std::int64_t sound_at = -1;          // the last step at which the books were looked at and not hopeless
   double prestress_kinetic = 0;        // kinetic over total energy when the crack started (ramp)
   double energy_at_crack_start = 0;    // elastic [J]
-  Wake wake;                           // when it finished, of two heights behind the tip, or between two tips
+  fracture::Wake wake;                 // when it finished, of two heights behind the tip, or between two tips
   double wall_s = 0;                   // its share of the time while its crack ran
-  std::vector<Change> changes;         // those that were made, its own velocities among them
+  std::vector<scene::Change> changes;  // those that were made, its own velocities among them
   double arrested_m = std::numeric_limits<double>::quiet_NaN();  // where a crack that runs by itself stopped
 };
 
@@ -109,7 +109,7 @@ struct MarchOptions {
 };
 
 /// The books are said not to close above this residual   [physics.md §7].
-double ledger_limit(Kinematics kinematics, Precision precision);
+double ledger_limit(scene::Kinematics kinematics, scene::Precision precision);
 
 /// Throws InputError where the grip moves in the march's time and the lanes cannot share it: they are more
 /// than go side by side (0: as many as there are kernels for), or a load curve's clock is not the same for
@@ -125,4 +125,4 @@ void check_grip(const Prepared& prepared, int side_by_side = 0);
 RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options = {},
                 const Resumption* from = nullptr);
 
-}  // namespace rift
+}  // namespace rift::simulation

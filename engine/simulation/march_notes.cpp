@@ -8,18 +8,18 @@
 #include <limits>
 #include <stdexcept>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Change& c) {
+Json json_of(const scene::Change& c) {
   return {{"lane", c.lane}, {"step", c.step}, {"axis", c.axis}, {"value", c.value}};
 }
 
 Json json_of(const LaneResult& r) {
   Json changes = Json::array();
-  for (const Change& c : r.changes) changes.push_back(json_of(c));
+  for (const scene::Change& c : r.changes) changes.push_back(json_of(c));
   return {{"outcome", static_cast<int>(r.outcome)},
           {"steps", r.steps},
           {"where", r.where},
@@ -130,4 +130,4 @@ double taken_s(const results::Checkpoint& checkpoint) {
              : 0.0;
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

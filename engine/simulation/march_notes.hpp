@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::simulation {
 
 /// A tip that runs by itself and has come to rest, or the last place where it did.
 struct Rest {
@@ -47,4 +47,4 @@ MarchNotes march_notes(const std::string& json);
 void set_taken_s(results::Checkpoint& checkpoint, double seconds);
 double taken_s(const results::Checkpoint& checkpoint);
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 /// Cracks that run by themselves.
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 /// New velocities over one window of the release rate.
@@ -29,7 +29,7 @@ constexpr std::int64_t looks_in_window = 32;
 template <class Real>
 void Run<Real>::find_velocity(Seat& seat) {
   const LanePlan& lane = plan(seat);
-  const Scene::Crack& crack = lane.scene.crack;
+  const scene::Scene::Crack& crack = lane.scene.crack;
   if (crack.toughness.row.empty() || !ensemble_.cracking() || ended(seat)) return;
   if (seat.rest.since >= 0) return await_restart(seat);
   const double window = toughness_window(seat);
@@ -48,21 +48,22 @@ void Run<Real>::find_velocity(Seat& seat) {
 template <class Real>
 std::optional<double> Run<Real>::velocity_of(const Seat& seat, double tip) const {
   const double thickness = prepared_.scale.thickness * prepared_.path.tips, from = runs_from(seat);
-  const CriticalRate toughness =
-      in_window(lane_[seat.scenario].scene.crack.toughness, tip, toughness_window(seat));
-  const double at_rest = critical_rate(toughness, 0.0, prepared_.rayleigh_speed, tip);
+  const scene::CriticalRate toughness =
+      fracture::in_window(lane_[seat.scenario].scene.crack.toughness, tip, toughness_window(seat));
+  const double at_rest = fracture::critical_rate(toughness, 0.0, prepared_.rayleigh_speed, tip);
   bool beyond_doubt = false;
   for (const double windows : windows_that_agree) {
     const double window = windows * toughness_window(seat);
     if (tip < from + window) break;
-    const std::vector<ReleasedBeam> beams = released(seat, tip - window);
-    const double driving = driving_force(beams, tip, window, thickness);
-    const double velocity = velocity_over_cr(driving, toughness, prepared_.rayleigh_speed, tip,
-                                             std::max(fastest_by_itself, slowest));
+    const std::vector<fracture::ReleasedBeam> beams = released(seat, tip - window);
+    const double driving = fracture::driving_force(beams, tip, window, thickness);
+    const double velocity = fracture::velocity_over_cr(driving, toughness, prepared_.rayleigh_speed, tip,
+                                                       std::max(scene::fastest_by_itself, slowest));
     if (velocity >= slowest) return velocity;
     beyond_doubt =
         windows == windows_that_agree.back() ||
-        driving + errors_beyond_doubt * driving_force_error(beams, tip, window, thickness) < at_rest;
+        driving + errors_beyond_doubt * fracture::driving_force_error(beams, tip, window, thickness) <
+            at_rest;
   }
   return beyond_doubt ? std::nullopt : std::optional(slowest);
 }
@@ -91,8 +92,8 @@ void Run<Real>::stop_tip(Seat& seat, double tip) {
   for (const double windows : windows_that_agree)
     if (tip >= from + windows * toughness_window(seat)) window = windows * toughness_window(seat);
   seat.rest = {.since = steps(seat),
-               .driving = driving_force(released(seat, tip - window), tip, window,
-                                        prepared_.scale.thickness * prepared_.path.tips),
+               .driving = fracture::driving_force(released(seat, tip - window), tip, window,
+                                                  prepared_.scale.thickness * prepared_.path.tips),
                .restarted_m = seat.rest.restarted_m};
   if (const std::string refused = make(seat, {seat.scenario, steps(seat), std::string(tip_stops), ""});
       !refused.empty())
@@ -123,8 +124,8 @@ void Run<Real>::await_restart(Seat& seat) {
     return;
   }
   const double velocity =
-      velocity_over_cr(rest.driving * energy / rest.reference, lane.scene.crack.toughness,
-                       prepared_.rayleigh_speed, tip, std::max(fastest_by_itself, slowest));
+      fracture::velocity_over_cr(rest.driving * energy / rest.reference, lane.scene.crack.toughness,
+                                 prepared_.rayleigh_speed, tip, std::max(scene::fastest_by_itself, slowest));
   if (velocity < slowest) return;
   read_books(seat);
   rest = {.restarted_m = tip};
@@ -135,23 +136,23 @@ void Run<Real>::await_restart(Seat& seat) {
 template <class Real>
 double Run<Real>::energy_ahead(const Seat& seat, double tip, double window) const {
   double energy = 0.0;
-  for (const Crossing& c : ensemble_.met())
+  for (const fracture::Crossing& c : ensemble_.met())
     if (c.position > tip && c.position <= tip + window) energy += ensemble_.beam_energy(c.beam, index(seat));
   return energy;
 }
 
 template <class Real>
-std::vector<ReleasedBeam> Run<Real>::released(const Seat& seat, double from) const {
+std::vector<fracture::ReleasedBeam> Run<Real>::released(const Seat& seat, double from) const {
   const int lane = index(seat);
   const LanePlan& plan = lane_[seat.scenario];
-  const CrackHistory& history = plan.scenario.history;
+  const history::CrackHistory& history = plan.scenario.history;
   const double tip = ensemble_.tip(lane), unit = prepared_.rayleigh_speed * plan.units.time;
-  std::vector<ReleasedBeam> beams;
-  const std::vector<Crossing>& met = ensemble_.met();
+  std::vector<fracture::ReleasedBeam> beams;
+  const std::vector<fracture::Crossing>& met = ensemble_.met();
   for (int k = 0; k < static_cast<int>(met.size()) && met[k].position <= tip; ++k) {
     if (met[k].position <= from) continue;
     beams.push_back({met[k].position, ensemble_.booked(k, lane) * plan.units.energy,
-                     speed_at(history, time_of_arrival(history, met[k].position)) / unit});
+                     history::speed_at(history, history::time_of_arrival(history, met[k].position)) / unit});
   }
   return beams;
 }
@@ -159,4 +160,4 @@ std::vector<ReleasedBeam> Run<Real>::released(const Seat& seat, double from) con
 template void Run<double>::find_velocity(Seat&);
 template void Run<float>::find_velocity(Seat&);
 
-}  // namespace rift
+}  // namespace rift::simulation

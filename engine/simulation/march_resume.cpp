@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace rift {
+namespace rift::simulation {
 
 template <class Real>
 results::Checkpoint Run<Real>::checkpoint() {
@@ -36,7 +36,7 @@ void Run<Real>::go_on(const Resumption& from) {
     result_.lane[row.lane].books.push_back(row);
   }
   for (int k = 0; k < static_cast<int>(lane_.size()); ++k)
-    for (const Change& change : result_.lane[k].changes)
+    for (const scene::Change& change : result_.lane[k].changes)
       (void)change_lane(lane_[k], change, prepared_, change.step);
   for (std::size_t k = 0; k < seat_.size(); ++k) {
     const MarchNotes::Seat& s = notes.seats[k];
@@ -44,7 +44,7 @@ void Run<Real>::go_on(const Resumption& from) {
     if (s.scenario >= 0) ensemble_.steer(static_cast<int>(k), lane_[s.scenario].scenario);
   }
   if (notes.cracking) {
-    const std::vector<DampedBeam> damped = damped_beams(prepared_, lane_);
+    const std::vector<mechanics::DampedBeam> damped = damped_beams(prepared_, lane_);
     damped_ = damped.size();
     ensemble_.set_beta(scene().solver.beta);
     ensemble_.start_crack(damped);
@@ -85,4 +85,4 @@ template results::Checkpoint Run<float>::checkpoint();
 template void Run<double>::go_on(const Resumption&);
 template void Run<float>::go_on(const Resumption&);
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/clock.hpp"
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
 #include "engine/scene/derived.hpp"
@@ -18,13 +19,9 @@
 /// A march while it goes: the loop (march.cpp), whether it goes well (march_watch.cpp), what is asked of it
 /// on the way (march_steering.cpp), where it leads by itself (march_own_way.cpp), and how it goes on from a
 /// checkpoint (march_resume.cpp).
-namespace rift {
+namespace rift::simulation {
 
 using Clock = std::chrono::steady_clock;
-
-inline double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// A lane and the scenario in it.
 struct Seat {
@@ -50,15 +47,15 @@ class Run {
     for (const LanePlan& lane : lane_) total_ += lane.schedule.total();
     for (int k = 0; k < static_cast<int>(lane_.size()); ++k) check_steering(prepared_, lane_, k, 0);
     result_.lanes = ensemble_.scenarios();
-    result_.instructions = name_of(instruction_set());
+    result_.instructions = ensemble::name_of(ensemble::instruction_set());
   }
 
   RunResult march(const Resumption* from);
 
  private:
-  static Ensemble<Real> make_ensemble(const Prepared& p, const MarchOptions& options);
+  static ensemble::Ensemble<Real> make_ensemble(const Prepared& p, const MarchOptions& options);
 
-  const Scene& scene() const { return prepared_.preset.scene; }
+  const scene::Scene& scene() const { return prepared_.preset.scene; }
   std::int64_t ramp() const { return prepared_.lane.front().schedule.ramp; }
   std::int64_t crack_start() const { return prepared_.lane.front().schedule.crack_start(); }
   int index(const Seat& seat) const { return static_cast<int>(&seat - seat_.data()); }
@@ -83,13 +80,13 @@ class Run {
   }
 
   /// Whether the grip moves in the march's time, so that no lane may begin later than the others.
-  bool moves_grip() const { return ramp() > 0 || grip_moves(scene()); }
+  bool moves_grip() const { return ramp() > 0 || scene::grip_moves(scene()); }
   bool waiting() const {
     return !stopped_ && !moves_grip() && next_scenario_ < static_cast<int>(prepared_.lane.size());
   }
 
   /// Time spent marching in this phase, the ramp or the cracks, in earlier calls too; not waiting for orders.
-  double marching_s() const { return seconds_since(phase_started_) - waited_; }
+  double marching_s() const { return base::seconds_since(phase_started_) - waited_; }
   void start_clock(double marched_before_s) { phase_started_ = Clock::now(), waited_ = -marched_before_s; }
 
   // The loop (march.cpp).
@@ -122,7 +119,7 @@ class Run {
   /// The element that is lost first or fastest and its most strained beam, for the message.
   std::string where_it_diverges(int lane);
   /// What the crack has left, in the scenario's units.
-  Wake wake(const Seat& seat);
+  fracture::Wake wake(const Seat& seat);
   void tell_end(const Seat& seat) {
     if (observer_.ended) observer_.ended(seat.scenario, result_);
   }
@@ -144,7 +141,7 @@ class Run {
   double toughness_window(const Seat& seat) const;  // [m]
   double runs_from(const Seat& seat) const;         // [m] crack.start, or where the tip restarted last
   /// The beams that the tip has released from a position on [m].
-  std::vector<ReleasedBeam> released(const Seat& seat, double from) const;
+  std::vector<fracture::ReleasedBeam> released(const Seat& seat, double from) const;
 
   // What is asked of it on the way (march_steering.cpp).
   /// Whether to go on; if not, every lane stops where it is.
@@ -163,13 +160,13 @@ class Run {
     return seat == seat_.end() ? nullptr : &*seat;
   }
   /// Changes the scenario of a lane from the next step on. @return why not, or empty
-  std::string make(Seat& seat, const Change& change);
+  std::string make(Seat& seat, const scene::Change& change);
   /// Damps what the lanes want damped, as far as the step bears it.
   std::string damp(LanePlan& lane, const std::vector<LanePlan>& lanes);
   /// Makes what the preset says was changed at this step.
   void repeat_changes();
-  bool was_made(const Change& change) const {
-    const std::vector<Change>& made = result_.lane[change.lane].changes;
+  bool was_made(const scene::Change& change) const {
+    const std::vector<scene::Change>& made = result_.lane[change.lane].changes;
     return std::find(made.begin(), made.end(), change) != made.end();
   }
 
@@ -182,7 +179,7 @@ class Run {
   const Prepared& prepared_;
   const Observer& observer_;
   std::vector<LanePlan> lane_;  // as they are after the changes so far
-  Ensemble<Real> ensemble_;
+  ensemble::Ensemble<Real> ensemble_;
   RunResult result_;
   std::vector<Seat> seat_;
   int next_scenario_ = 0;
@@ -195,4 +192,4 @@ class Run {
   Clock::time_point phase_started_ = Clock::now(), asked_ = phase_started_;
 };
 
-}  // namespace rift
+}  // namespace rift::simulation

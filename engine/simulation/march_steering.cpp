@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 constexpr auto between_questions = std::chrono::milliseconds(100),
@@ -44,7 +44,7 @@ void Run<Real>::stop_all() {
 
 template <class Real>
 void Run<Real>::carry_out(Orders& orders) {
-  for (Change& change : orders.changes) {
+  for (scene::Change& change : orders.changes) {
     Seat* seat = seat_of(change.lane);
     if (seat) change.step = steps(*seat);
     const bool by_itself = seat && !plan(*seat).scene.crack.toughness.row.empty();
@@ -75,7 +75,7 @@ bool Run<Real>::take_orders(const Progress& progress) {
   do {
     const auto asked = Clock::now();
     orders = observer_.steer(moment);
-    waited_ += seconds_since(asked);
+    waited_ += base::seconds_since(asked);
     carry_out(orders);
   } while (orders.wait && !orders.stop);
   asked_again_at_ = orders.steps > 0 ? marched_ + orders.steps : 0;
@@ -84,7 +84,7 @@ bool Run<Real>::take_orders(const Progress& progress) {
 
 template <class Real>
 void Run<Real>::repeat_changes() {
-  for (const Change& change : prepared_.preset.steering) {
+  for (const scene::Change& change : prepared_.preset.steering) {
     Seat* seat = seat_of(change.lane);
     if (!seat || change.step != steps(*seat) || was_made(change)) continue;
     if (const std::string refused = make(*seat, change); !refused.empty())
@@ -95,7 +95,7 @@ void Run<Real>::repeat_changes() {
 }
 
 template <class Real>
-std::string Run<Real>::make(Seat& seat, const Change& change) {
+std::string Run<Real>::make(Seat& seat, const scene::Change& change) {
   std::vector<LanePlan> lanes = lane_;
   LanePlan& lane = lanes[seat.scenario];
   if (std::string wrong = change_lane(lane, change, prepared_, steps(seat)); !wrong.empty()) return wrong;
@@ -111,7 +111,7 @@ std::string Run<Real>::make(Seat& seat, const Change& change) {
 
 template <class Real>
 std::string Run<Real>::damp(LanePlan& lane, const std::vector<LanePlan>& lanes) {
-  std::vector<DampedBeam> damped = damped_beams(prepared_, lanes);
+  std::vector<mechanics::DampedBeam> damped = damped_beams(prepared_, lanes);
   const double limit = damped_limit(prepared_, damped, lanes);
   if (prepared_.step.dt >= limit)
     return fmt::format("needs steps below {:.3g} s, and those of this run are {:.3g} s",
@@ -129,4 +129,4 @@ template void Run<float>::ask();
 template void Run<double>::repeat_changes();
 template void Run<float>::repeat_changes();
 
-}  // namespace rift
+}  // namespace rift::simulation

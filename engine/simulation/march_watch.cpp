@@ -5,7 +5,7 @@
 #include <cmath>
 
 /// Whether what marches can be a plate that cracks.
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 /// No lattice can hold so many times the energy that was put into it. A stable step shows more than there is
@@ -27,8 +27,8 @@ void Run<Real>::read_books(Seat& seat) {
 
 template <class Real>
 std::string Run<Real>::what_is_wrong(const LaneResult& lane, const results::Sample& row) {
-  const bool exact = scene().solver.kinematics == Kinematics::linear &&
-                     scene().solver.precision == Precision::double_precision;
+  const bool exact = scene().solver.kinematics == scene::Kinematics::linear &&
+                     scene().solver.precision == scene::Precision::double_precision;
   if (!(std::abs(row.residual) <= (exact ? 1e-6 : 0.1)))
     return fmt::format("the books are open by {:.3g} of the energy", row.residual);
   const double held = row.elastic_j + row.kinetic_translation_j + row.kinetic_rotation_j;
@@ -66,7 +66,7 @@ std::string Run<Real>::where_it_diverges(int lane) {
   int worst = 0;
   double most = -1.0;
   for (int i = 0; i < static_cast<int>(prepared_.lattice.centre.size()) && std::isfinite(most); ++i) {
-    const Vector6 v = ensemble_.velocity(i, lane);
+    const mechanics::Vector6 v = ensemble_.velocity(i, lane);
     const double energy = prepared_.lattice.mass[i] * v.head<3>().squaredNorm() +
                           prepared_.lattice.inertia[i] * v.tail<3>().squaredNorm();
     if (energy > most || !std::isfinite(energy)) most = energy, worst = i;
@@ -90,4 +90,4 @@ template void Run<float>::read_books(Seat&);
 template void Run<double>::watch();
 template void Run<float>::watch();
 
-}  // namespace rift
+}  // namespace rift::simulation

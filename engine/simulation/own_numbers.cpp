@@ -8,29 +8,31 @@
 
 #include <limits>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
-const char* name_of(WaveKind kind) {
-  return kind == WaveKind::dilatational ? "dilatational" : kind == WaveKind::shear ? "shear" : "rayleigh";
+const char* name_of(calibration::WaveKind kind) {
+  return kind == calibration::WaveKind::dilatational ? "dilatational"
+         : kind == calibration::WaveKind::shear      ? "shear"
+                                                     : "rayleigh";
 }
 
 /// The plate that hangs together, in the first lane's units.
-Lattice free_plate(const Prepared& p, Cache& cache, const FractionTold& told) {
+lattice::Lattice free_plate(const Prepared& p, Cache& cache, const FractionTold& told) {
   bool found = false;
-  const Scene& scene = p.preset.scene;
-  const PackingRequest request = request_of(scene);
-  const Specimen specimen = make_free_specimen(cached_packing(request, cache, found, told), request.box,
-                                               scene.specimen.contact_tolerance);
-  MicroMaterial micro = p.micro;
+  const scene::Scene& scene = p.preset.scene;
+  const lattice::PackingRequest request = scene::request_of(scene);
+  const lattice::Specimen specimen = lattice::make_free_specimen(
+      lattice::cached_packing(request, cache, found, told), request.box, scene.specimen.contact_tolerance);
+  lattice::MicroMaterial micro = p.micro;
   micro.young_modulus *= p.lane.front().units.energy;
-  return make_lattice(specimen, micro, p.density);
+  return lattice::make_lattice(specimen, micro, p.density);
 }
 
 }  // namespace
 
-double OwnNumbers::speed(WaveKind kind) const {
-  for (const Wave& wave : waves)
+double OwnNumbers::speed(calibration::WaveKind kind) const {
+  for (const calibration::Wave& wave : waves)
     if (wave.kind == kind) return wave.speed;
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -41,26 +43,27 @@ OwnNumbers measure_own_numbers(const Prepared& p, Cache& cache, const StageProgr
       return !progress || progress(stage, from + share * done);
     };
   };
-  const Scene::Material& m = p.preset.scene.material;
-  const Lattice plate = free_plate(p, cache, telling("packing", 0.0, 1.0));
+  const scene::Scene::Material& m = p.preset.scene.material;
+  const lattice::Lattice plate = free_plate(p, cache, telling("packing", 0.0, 1.0));
   OwnNumbers own;
   own.nominal = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
   tell_or_stop(telling("static pulls", 0.0, 1.0), 0.0, "pulling the plate");
-  FreeBody body(plate);
-  const Pulled along = pull(plate, body, 0, 1.0, telling("static pulls", 0.0, 0.5));
-  const Pulled across = pull(plate, body, 1, 1.0, telling("static pulls", 0.5, 0.5));
+  mechanics::FreeBody body(plate);
+  const calibration::Pulled along = calibration::pull(plate, body, 0, 1.0, telling("static pulls", 0.0, 0.5));
+  const calibration::Pulled across =
+      calibration::pull(plate, body, 1, 1.0, telling("static pulls", 0.5, 0.5));
   own.young_along = along.gauge_modulus, own.poisson_along = along.poisson_ratio.y();
   own.young_across = across.gauge_modulus, own.poisson_across = across.poisson_ratio.x();
   const theory::WaveSpeeds expected =
-      theory::wave_speeds(own.young_along, own.poisson_along, p.density, Plane::stress);
+      theory::wave_speeds(own.young_along, own.poisson_along, p.density, theory::Plane::stress);
   const double dt = 0.5 * p.stable.critical * p.lane.front().units.time;
-  own.waves = measured_waves(plate, dt, expected, threads, telling("waves", 0.0, 1.0));
+  own.waves = calibration::measured_waves(plate, dt, expected, threads, telling("waves", 0.0, 1.0));
   return own;
 }
 
 nlohmann::ordered_json json_of(const OwnNumbers& own, double mean_radius) {
   nlohmann::ordered_json waves = nlohmann::ordered_json::array();
-  for (const Wave& wave : own.waves)
+  for (const calibration::Wave& wave : own.waves)
     waves.push_back({{"kind", name_of(wave.kind)},
                      {"wavelength_m", wave.wavelength},
                      {"wavelength_over_radius", wave.wavelength / mean_radius},
@@ -72,10 +75,10 @@ nlohmann::ordered_json json_of(const OwnNumbers& own, double mean_radius) {
           {"nominal_dilatational_speed_m_s", own.nominal.dilatational},
           {"nominal_shear_speed_m_s", own.nominal.shear},
           {"nominal_rayleigh_speed_m_s", own.nominal.rayleigh},
-          {"measured_dilatational_speed_m_s", own.speed(WaveKind::dilatational)},
-          {"measured_shear_speed_m_s", own.speed(WaveKind::shear)},
-          {"measured_rayleigh_speed_m_s", own.speed(WaveKind::rayleigh)},
+          {"measured_dilatational_speed_m_s", own.speed(calibration::WaveKind::dilatational)},
+          {"measured_shear_speed_m_s", own.speed(calibration::WaveKind::shear)},
+          {"measured_rayleigh_speed_m_s", own.speed(calibration::WaveKind::rayleigh)},
           {"waves", waves}};
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -1,5 +1,6 @@
 #include "engine/simulation/prepare.hpp"
 
+#include "engine/base/clock.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/lattice/cached_packing.hpp"
 #include "engine/lattice/stiffness.hpp"
@@ -20,66 +21,62 @@
 #include <span>
 #include <utility>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 void build_specimen(Prepared& p, Cache& cache, const StageProgress& progress) {
-  const Scene& scene = p.preset.scene;
+  const scene::Scene& scene = p.preset.scene;
   const auto start = Clock::now();
-  const PackingRequest request = request_of(scene);
-  const auto refuse = [&](const char* key, const PackingError& error) {
-    return InputError({issue_at(p.preset, key, error.what())});
+  const lattice::PackingRequest request = scene::request_of(scene);
+  const auto refuse = [&](const char* key, const lattice::PackingError& error) {
+    return scene::InputError({scene::issue_at(p.preset, key, error.what())});
   };
-  Packing packing;
+  lattice::Packing packing;
   try {
-    packing = cached_packing(request, cache, p.packing_from_cache, stage(progress, "packing"));
-  } catch (const PackingError& error) {
+    packing = lattice::cached_packing(request, cache, p.packing_from_cache, stage(progress, "packing"));
+  } catch (const lattice::PackingError& error) {
     throw refuse(scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination", error);
   }
   try {
-    p.specimen = make_plate(packing, request.box, scene.specimen.contact_tolerance);
-  } catch (const PackingError& error) {
+    p.specimen = lattice::make_plate(packing, request.box, scene.specimen.contact_tolerance);
+  } catch (const lattice::PackingError& error) {
     throw refuse("specimen.elements", error);
   }
-  p.wall_packing_s = seconds_since(start);
+  p.wall_packing_s = base::seconds_since(start);
 }
 
 /// Where the preset says how the plate is loaded.
-const char* load_key(const Scene& scene) {
+const char* load_key(const scene::Scene& scene) {
   if (!scene.loading.curve.row.empty()) return "loading.curve";
   return scene.loading.force ? "loading.force" : "loading.displacement";
 }
 
-CrackPath path_of(const Scene& scene) {
-  CrackPath path{{}, scene.crack.tips};
-  for (const auto& [x, y] : path_points_m(scene)) path.point.emplace_back(x, y);
+fracture::CrackPath path_of(const scene::Scene& scene) {
+  fracture::CrackPath path{{}, scene.crack.tips};
+  for (const auto& [x, y] : scene::path_points_m(scene)) path.point.emplace_back(x, y);
   return path;
 }
 
 /// A gauge that the crack would tear shows an opening, not a strain.
-std::vector<Gauge> gauges_of(const Prepared& p) {
-  const Scene::Output& output = p.preset.scene.output;
+std::vector<measurement::Gauge> gauges_of(const Prepared& p) {
+  const scene::Scene::Output& output = p.preset.scene.output;
   const double radius = 0.5 * output.gauge_length * p.lattice.mean_radius;
   std::vector<Eigen::Vector2d> centre;
   for (const Eigen::Vector3d& c : p.lattice.centre) centre.emplace_back(c.head<2>());
-  std::vector<Gauge> gauges;
+  std::vector<measurement::Gauge> gauges;
   for (const auto& [x, y] : output.gauges) {
     const auto refuse = [&](const std::string& why) {
-      return InputError({issue_at(p.preset, "output.gauges",
-                                  fmt::format("at ({:g} mm, {:g} mm) {}", 1e3 * x, 1e3 * y, why))});
+      return scene::InputError({scene::issue_at(
+          p.preset, "output.gauges", fmt::format("at ({:g} mm, {:g} mm) {}", 1e3 * x, 1e3 * y, why))});
     };
-    const double away = distance_to(p.path, {x, y});
+    const double away = fracture::distance_to(p.path, {x, y});
     if (away < radius)
       throw refuse(
           fmt::format("the crack runs {:g} mm away, through a gauge of {:.4g} mm (output.gauge_length)",
                       1e-3 * std::round(1e6 * away), 2e3 * radius));
-    auto plane = local_plane(centre, {x, y}, radius);
+    auto plane = measurement::local_plane(centre, {x, y}, radius);
     if (!plane)
       throw refuse(fmt::format("a gauge of {:g} mm (output.gauge_length) has too few elements under it",
                                2e3 * radius));
@@ -88,14 +85,14 @@ std::vector<Gauge> gauges_of(const Prepared& p) {
   return gauges;
 }
 
-LanePlan plan_lane(const Prepared& p, const Scene& scene) {
+LanePlan plan_lane(const Prepared& p, const scene::Scene& scene) {
   LanePlan lane;
   lane.scene = scene;
-  if (scene.material.stiffness == StiffnessChoice::bulk)
-    lane.units = units_of(bulk_micro_material.young_modulus / p.micro.young_modulus);
-  lane.crack_end = crack_end(scene);
+  if (scene.material.stiffness == scene::StiffnessChoice::bulk)
+    lane.units = units_of(lattice::bulk_micro_material.young_modulus / p.micro.young_modulus);
+  lane.crack_end = scene::crack_end(scene);
   const double length = scene.specimen.length;
-  const auto window = window_over_length(scene);
+  const auto window = scene::window_over_length(scene);
   lane.window = {window[0] * length, window[1] * length};
   lane.scenario.law = release_law(scene, p.lattice);
   auto [history, lead] = lane_history(scene, lane.scenario.law.zone_length, p.rayleigh_speed, lane.units);
@@ -108,7 +105,7 @@ LanePlan plan_lane(const Prepared& p, const Scene& scene) {
 
 StepWish step_wish(const LanePlan& lane, double rayleigh_speed) {
   return {.zone_length = lane.scenario.law.zone_length,
-          .speed = highest_velocity(lane.scene) * rayleigh_speed * lane.units.time,
+          .speed = scene::highest_velocity(lane.scene) * rayleigh_speed * lane.units.time,
           .critical_damped = {}};
 }
 
@@ -116,7 +113,7 @@ StepWish step_wish(const LanePlan& lane, double rayleigh_speed) {
 class DampedLimits {
  public:
   explicit DampedLimits(const Prepared& p) : p_(p) {}
-  double of(const LanePlan& lane, std::vector<DampedBeam> damped, const FractionTold& told) {
+  double of(const LanePlan& lane, std::vector<mechanics::DampedBeam> damped, const FractionTold& told) {
     const std::pair kind(lane.scene.damping.region, lane.scene.damping.alpha);
     if (const auto known = limit_.find(kind); known != limit_.end()) return known->second;
     return limit_[kind] = damped_limit(p_, std::move(damped), {&lane, 1}, told);
@@ -124,18 +121,19 @@ class DampedLimits {
 
  private:
   const Prepared& p_;
-  std::map<std::pair<DampingRegion, double>, double> limit_;
+  std::map<std::pair<scene::DampingRegion, double>, double> limit_;
 };
 
-std::vector<LanePlan> planned(const Prepared& p, const std::vector<Scene>& scenes, const FractionTold& told) {
-  if (crossings(p.path, p.lattice).empty())
-    throw InputError({issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
+std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>& scenes,
+                              const FractionTold& told) {
+  if (fracture::crossings(p.path, p.lattice).empty())
+    throw scene::InputError({scene::issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
   std::vector<LanePlan> lanes;
   DampedLimits limits(p);
-  for (const Scene& scene : scenes) {
+  for (const scene::Scene& scene : scenes) {
     LanePlan lane = plan_lane(p, scene);
     StepWish wish = step_wish(lane, p.rayleigh_speed);
-    std::vector<DampedBeam> damped = damped_beams(p, {&lane, 1});
+    std::vector<mechanics::DampedBeam> damped = damped_beams(p, {&lane, 1});
     lane.beams_damped = damped.size();
     if (!damped.empty()) wish.critical_damped = limits.of(lane, std::move(damped), told);
     lane.step = choose_step(p.preset, p.stable, wish, lane.units.time);
@@ -146,53 +144,53 @@ std::vector<LanePlan> planned(const Prepared& p, const std::vector<Scene>& scene
 
 }  // namespace
 
-std::vector<DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan> lanes) {
-  const auto any = [&](DampingRegion region) {
+std::vector<mechanics::DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan> lanes) {
+  const auto any = [&](scene::DampingRegion region) {
     return std::any_of(lanes.begin(), lanes.end(),
                        [&](const LanePlan& lane) { return lane.scene.damping.region == region; });
   };
-  std::vector<DampedBeam> damped;
-  const bool everywhere = any(DampingRegion::all);
-  if (!everywhere && !any(DampingRegion::surface)) return damped;
+  std::vector<mechanics::DampedBeam> damped;
+  const bool everywhere = any(scene::DampingRegion::all);
+  if (!everywhere && !any(scene::DampingRegion::surface)) return damped;
   std::vector<int> crossing(p.lattice.beam.size(), -1);
   int next = 0;
-  for (const Crossing& c : crossings(p.path, p.lattice)) crossing[c.beam] = next++;
+  for (const fracture::Crossing& c : fracture::crossings(p.path, p.lattice)) crossing[c.beam] = next++;
   const double near = p.preset.scene.damping.surface_width * p.lattice.mean_radius;
   std::vector<char> at_surface(p.lattice.centre.size());
   for (std::size_t i = 0; i < at_surface.size(); ++i)
-    at_surface[i] = distance_to(p.path, p.lattice.centre[i].head<2>()) <= near;
+    at_surface[i] = fracture::distance_to(p.path, p.lattice.centre[i].head<2>()) <= near;
   for (int b = 0; b < static_cast<int>(p.lattice.beam.size()); ++b) {
     const bool surface = at_surface[p.lattice.ends[b][0]] || at_surface[p.lattice.ends[b][1]];
-    if (surface || everywhere) damped.push_back(damped_beam(p.lattice, b, crossing[b], surface));
+    if (surface || everywhere) damped.push_back(mechanics::damped_beam(p.lattice, b, crossing[b], surface));
   }
   return damped;
 }
 
-ReleaseLaw release_law(const Scene& scene, const Lattice& lattice) {
-  ReleaseLaw law{.technique = scene.crack.technique, .exponent = scene.crack.relaxation};
-  if (law.technique == Technique::progressive)
+fracture::ReleaseLaw release_law(const scene::Scene& scene, const lattice::Lattice& lattice) {
+  fracture::ReleaseLaw law{.technique = scene.crack.technique, .exponent = scene.crack.relaxation};
+  if (law.technique == scene::Technique::progressive)
     law.zone_length = scene.crack.damage_zone_ratio * lattice.mean_radius;
   return law;
 }
 
-void set_damping(LaneScenario& scenario, const Scene& scene) {
-  const DampingRegion region = scene.damping.region;
-  scenario.alpha_at_surface = region == DampingRegion::none ? 0.0 : scene.damping.alpha;
-  scenario.alpha_elsewhere = region == DampingRegion::all ? scene.damping.alpha : 0.0;
+void set_damping(fracture::LaneScenario& scenario, const scene::Scene& scene) {
+  const scene::DampingRegion region = scene.damping.region;
+  scenario.alpha_at_surface = region == scene::DampingRegion::none ? 0.0 : scene.damping.alpha;
+  scenario.alpha_elsewhere = region == scene::DampingRegion::all ? scene.damping.alpha : 0.0;
 }
 
-double lattice_speed(const Prepared& p, const Speed& speed, const LaneUnits& units) {
-  return speed_m_s(speed, p.rayleigh_speed) * units.time;
+double lattice_speed(const Prepared& p, const scene::Speed& speed, const LaneUnits& units) {
+  return scene::speed_m_s(speed, p.rayleigh_speed) * units.time;
 }
 
-double damped_limit(const Prepared& p, std::vector<DampedBeam> damped, std::span<const LanePlan> lanes,
-                    const FractionTold& told) {
-  ViscousDamping damping(std::move(damped));
+double damped_limit(const Prepared& p, std::vector<mechanics::DampedBeam> damped,
+                    std::span<const LanePlan> lanes, const FractionTold& told) {
+  mechanics::ViscousDamping damping(std::move(damped));
   for (const LanePlan& lane : lanes) {
     damping.alpha_at_surface = std::max(damping.alpha_at_surface, lane.scenario.alpha_at_surface);
     damping.alpha_elsewhere = std::max(damping.alpha_elsewhere, lane.scenario.alpha_elsewhere);
   }
-  return damped_critical_step(p.lattice, damping, p.stable.critical, told);
+  return mechanics::damped_critical_step(p.lattice, damping, p.stable.critical, told);
 }
 
 void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
@@ -208,8 +206,8 @@ void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
     lane.schedule = make_schedule(lane.scene, lane.scenario.history, p.step.dt, lane.crack_end, lane.window);
 }
 
-RateScale scale_of(const Prepared& prepared, const LanePlan& lane) {
-  RateScale scale = prepared.scale;
+fracture::RateScale scale_of(const Prepared& prepared, const LanePlan& lane) {
+  fracture::RateScale scale = prepared.scale;
   scale.g_i0 *= lane.units.energy;
   scale.g_i0_slope *= lane.units.energy;
   return scale;
@@ -219,38 +217,38 @@ double wave_speed_ratio(const Prepared& prepared, const LanePlan& lane) {
   return std::sqrt(prepared.strip_modulus * lane.units.energy / continuum_strip_modulus(lane.scene));
 }
 
-Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& cache,
+Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& lanes, Cache& cache,
                  const StageProgress& progress) {
   Prepared p;
   p.preset = preset;
-  const Scene& scene = p.preset.scene;
-  if (!can_crack(scene))
-    throw InputError(
-        {issue_at(p.preset, "specimen.shape",
-                  "cannot be cracked: plates and blocks are; 'rift pack' fills the other shapes, "
-                  "'rift calibrate' presses cylinders")});
-  p.density = density(scene);
-  p.rayleigh_speed = rayleigh_speed(scene);
+  const scene::Scene& scene = p.preset.scene;
+  if (!scene::can_crack(scene))
+    throw scene::InputError(
+        {scene::issue_at(p.preset, "specimen.shape",
+                         "cannot be cracked: plates and blocks are; 'rift pack' fills the other shapes, "
+                         "'rift calibrate' presses cylinders")});
+  p.density = scene::density(scene);
+  p.rayleigh_speed = scene::rayleigh_speed(scene);
   p.path = path_of(scene);
   build_specimen(p, cache, progress);
   try {
     const auto start = Clock::now();
     build_prestress(p, cache, progress);
-    p.wall_prestress_s = seconds_since(start);
+    p.wall_prestress_s = base::seconds_since(start);
     tell_or_stop(stage(progress, "pre-stress"), 1.0, "solving the pre-stress");
-  } catch (const StaticsError& error) {
-    throw InputError({issue_at(p.preset, load_key(scene), error.what())});
+  } catch (const mechanics::StaticsError& error) {
+    throw scene::InputError({scene::issue_at(p.preset, load_key(scene), error.what())});
   }
   p.gauge = gauges_of(p);
-  p.stable = stable_step(p.lattice, stage(progress, "critical step"));
+  p.stable = mechanics::stable_step(p.lattice, stage(progress, "critical step"));
   refuse_out_of_range(p, critical_step_numbers(p));
   take_lanes(p, planned(p, lanes, stage(progress, "critical step with damping")));
   for (int k = 0; k < static_cast<int>(p.lane.size()); ++k) check_steering(p, p.lane, k, 0);
   return p;
 }
 
-Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progress) {
+Prepared prepare(const scene::Preset& preset, Cache& cache, const StageProgress& progress) {
   return prepare(preset, {preset.scene}, cache, progress);
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-namespace rift {
+namespace rift::simulation {
 
 /// Told what is being done and the fraction of it done; answers false to stop (Interrupted is thrown then).
 using StageProgress = std::function<bool(std::string_view stage, double done)>;
@@ -27,9 +27,9 @@ inline FractionTold stage(const StageProgress& progress, const char* name) {
 
 /// One scenario of a run: what it releases, and when it is looked at, in the lattice's time.
 struct LanePlan {
-  Scene scene;
+  scene::Scene scene;
   LaneUnits units;
-  LaneScenario scenario;
+  fracture::LaneScenario scenario;
   double lead = 0;                 // [s] from the start of the crack to a measured history's first row
   double crack_end = 0;            // tip position [m]
   std::array<double, 2> window{};  // tip positions [m]
@@ -41,23 +41,24 @@ struct LanePlan {
 /// All that a run needs before its first step; what a dry run looks at. Its lanes share lattice, pre-stress,
 /// path and step.
 struct Prepared {
-  Preset preset;
+  scene::Preset preset;
   double density = 0, rayleigh_speed = 0;  // [kg/m3], [m/s]
-  Specimen specimen;
-  MicroMaterial micro;  // of the lattice: scaled in situ, whose units serve "bulk" too, or explicit
-  Lattice lattice;
-  double strip_modulus = 0;           // of this specimen with these beams, by linear kinematics [Pa]
-  double pulled = 0;                  // displacement of the top grip as the crack starts [m]
-  double grip_force = 0;              // with which it pulls along y then [N], of the lattice
-  double static_energy = 0;           // of the plate at rest, notch cut, pulled [J]
-  RateScale scale;                    // b, G_I0, L, tips
-  std::vector<Vector6> displacement;  // at the start of the run: at rest and pulled, or none for a ramp
-  CrackPath path;
-  std::vector<Gauge> gauge;
+  lattice::Specimen specimen;
+  lattice::MicroMaterial micro;  // of the lattice: scaled in situ, whose units serve "bulk" too, or explicit
+  lattice::Lattice lattice;
+  double strip_modulus = 0;   // of this specimen with these beams, by linear kinematics [Pa]
+  double pulled = 0;          // displacement of the top grip as the crack starts [m]
+  double grip_force = 0;      // with which it pulls along y then [N], of the lattice
+  double static_energy = 0;   // of the plate at rest, notch cut, pulled [J]
+  fracture::RateScale scale;  // b, G_I0, L, tips
+  std::vector<mechanics::Vector6>
+      displacement;  // at the start of the run: at rest and pulled, or none for a ramp
+  fracture::CrackPath path;
+  std::vector<measurement::Gauge> gauge;
   std::vector<LanePlan> lane;
-  std::vector<DampedBeam> damped;  // those that any lane damps
-  StableStep stable;               // of the lattice without damping
-  TimeStep step;                   // the smallest that a lane asks for
+  std::vector<mechanics::DampedBeam> damped;  // those that any lane damps
+  mechanics::StableStep stable;               // of the lattice without damping
+  TimeStep step;                              // the smallest that a lane asks for
   bool packing_from_cache = false, statics_from_cache = false;
   double wall_packing_s = 0, wall_prestress_s = 0;
 };
@@ -65,11 +66,11 @@ struct Prepared {
 /// Specimen (packing cached), lattice, pre-stress (cached), crack, step and schedule of a preset without
 /// issues. Throws InputError where the lattice cannot be what the preset asks for, Interrupted where progress
 /// says stop.
-Prepared prepare(const Preset& preset, Cache& cache, const StageProgress& progress = {});
+Prepared prepare(const scene::Preset& preset, Cache& cache, const StageProgress& progress = {});
 
 /// The same for scenarios other than the preset's own, one lane each; they differ in what lanes may differ
 /// in, or by being in-situ and bulk.
-Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& cache,
+Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& lanes, Cache& cache,
                  const StageProgress& progress = {});
 
 /// Goes on with other lanes over the same lattice and pre-stress, such as some of its own: damped beams, step
@@ -78,23 +79,23 @@ Prepared prepare(const Preset& preset, const std::vector<Scene>& lanes, Cache& c
 void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
 
 /// Beams whose damping can matter to any of the lanes: none, those near the path, or all.
-std::vector<DampedBeam> damped_beams(const Prepared& prepared, std::span<const LanePlan> lanes);
+std::vector<mechanics::DampedBeam> damped_beams(const Prepared& prepared, std::span<const LanePlan> lanes);
 
 /// What of a scene makes a lane's scenario, in the lattice's units: the law of its release, its damping, a
 /// speed.
-ReleaseLaw release_law(const Scene& scene, const Lattice& lattice);
-void set_damping(LaneScenario& scenario, const Scene& scene);
-double lattice_speed(const Prepared& prepared, const Speed& speed, const LaneUnits& units);
+fracture::ReleaseLaw release_law(const scene::Scene& scene, const lattice::Lattice& lattice);
+void set_damping(fracture::LaneScenario& scenario, const scene::Scene& scene);
+double lattice_speed(const Prepared& prepared, const scene::Speed& speed, const LaneUnits& units);
 
 /// The largest stable step [s] where the beams are damped as much as any of the lanes damps them.
-double damped_limit(const Prepared& prepared, std::vector<DampedBeam> damped, std::span<const LanePlan> lanes,
-                    const FractionTold& told = {});
+double damped_limit(const Prepared& prepared, std::vector<mechanics::DampedBeam> damped,
+                    std::span<const LanePlan> lanes, const FractionTold& told = {});
 
 /// What a lane's release rate is measured against, in its own units.
-RateScale scale_of(const Prepared& prepared, const LanePlan& lane);
+fracture::RateScale scale_of(const Prepared& prepared, const LanePlan& lane);
 
 /// Speed of the waves in a lane's plate over that of the material's: 1 in situ, sqrt(E_mu / in-situ E_mu)
 /// else.
 double wave_speed_ratio(const Prepared& prepared, const LanePlan& lane);
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -16,14 +16,16 @@
 #include <cmath>
 #include <functional>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
-std::vector<Vector6> cached_motions(const std::string& key, std::size_t elements, Cache& cache,
-                                    bool& from_cache, const std::function<std::vector<Vector6>()>& solve) {
-  std::vector<Vector6> q(elements);
+std::vector<mechanics::Vector6> cached_motions(
+    const std::string& key, std::size_t elements, Cache& cache, bool& from_cache,
+    const std::function<std::vector<mechanics::Vector6>()>& solve) {
+  std::vector<mechanics::Vector6> q(elements);
   if (const auto numbers = recall(cache, "statics", key); numbers && numbers->size() == 6 * elements) {
-    for (std::size_t i = 0; i < elements; ++i) q[i] = Eigen::Map<const Vector6>(numbers->data() + 6 * i);
+    for (std::size_t i = 0; i < elements; ++i)
+      q[i] = Eigen::Map<const mechanics::Vector6>(numbers->data() + 6 * i);
     return q;
   }
   from_cache = false;
@@ -32,38 +34,41 @@ std::vector<Vector6> cached_motions(const std::string& key, std::size_t elements
   return q;
 }
 
-MicroMaterial reference_micro(const Preset& preset, Cache& cache, const StageProgress& progress) {
-  const Scene& scene = preset.scene;
-  const Scene::Material& m = scene.material;
-  if (m.stiffness == StiffnessChoice::explicit_values)
+lattice::MicroMaterial reference_micro(const scene::Preset& preset, Cache& cache,
+                                       const StageProgress& progress) {
+  const scene::Scene& scene = preset.scene;
+  const scene::Scene::Material& m = scene.material;
+  if (m.stiffness == scene::StiffnessChoice::explicit_values)
     return {*m.micro_young_modulus, *m.micro_poisson_ratio, *m.micro_radius_ratio};
-  if (m.stiffness != StiffnessChoice::calibrated) return bulk_micro_material;
+  if (m.stiffness != scene::StiffnessChoice::calibrated) return lattice::bulk_micro_material;
   try {
-    return calibrate(scene, m.young_modulus, m.poisson_ratio, cache, stage(progress, "calibration")).micro;
-  } catch (const OutOfReach& error) {
-    throw InputError({issue_at(preset, "material.poisson_ratio", error.what())});
-  } catch (const PackingError& error) {
-    throw InputError({issue_at(preset, "calibration.elements", error.what())});
+    return calibration::calibrate(scene, m.young_modulus, m.poisson_ratio, cache,
+                                  stage(progress, "calibration"))
+        .micro;
+  } catch (const calibration::OutOfReach& error) {
+    throw scene::InputError({scene::issue_at(preset, "material.poisson_ratio", error.what())});
+  } catch (const lattice::PackingError& error) {
+    throw scene::InputError({scene::issue_at(preset, "calibration.elements", error.what())});
   }
 }
 
 /// Whether the beams' modulus is scaled to the specimen's own.
-bool is_scaled(const Scene& scene) {
-  return scene.material.stiffness == StiffnessChoice::in_situ ||
-         scene.material.stiffness == StiffnessChoice::bulk;
+bool is_scaled(const scene::Scene& scene) {
+  return scene.material.stiffness == scene::StiffnessChoice::in_situ ||
+         scene.material.stiffness == scene::StiffnessChoice::bulk;
 }
 
-std::vector<Vector6> scaled(const std::vector<Vector6>& unit, double displacement) {
-  std::vector<Vector6> q(unit);
-  for (Vector6& v : q) v *= displacement;
+std::vector<mechanics::Vector6> scaled(const std::vector<mechanics::Vector6>& unit, double displacement) {
+  std::vector<mechanics::Vector6> q(unit);
+  for (mechanics::Vector6& v : q) v *= displacement;
   return q;
 }
 
-double energy_of_all(const Lattice& lattice, Kinematics kinematics, const std::vector<char>& present,
-                     const std::vector<Vector6>& q) {
+double energy_of_all(const lattice::Lattice& lattice, scene::Kinematics kinematics,
+                     const std::vector<char>& present, const std::vector<mechanics::Vector6>& q) {
   double energy = 0.0;
   for (std::size_t b = 0; b < lattice.beam.size(); ++b)
-    if (present[b]) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
+    if (present[b]) energy += lattice::energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
   return energy;
 }
 
@@ -71,33 +76,33 @@ double energy_of_all(const Lattice& lattice, Kinematics kinematics, const std::v
 /// E_mu, so E_mu is not among it and all are solved with the same one, to the same bits; the linear ones are
 /// for 1 m and serve any displacement.
 struct Statics {
-  const Lattice lattice;
-  const Scene& scene;
+  const lattice::Lattice lattice;
+  const scene::Scene& scene;
   Cache& cache;
   bool& from_cache;
   std::string lattice_key;
   const StageProgress& progress;
   int expected = 1, solved = 0;  // solutions; those that the cache holds are not counted
 
-  std::vector<Vector6> unit(const std::vector<char>& present, const std::string& notch,
-                            const Pull& pull = {1.0}) {
+  std::vector<mechanics::Vector6> unit(const std::vector<char>& present, const std::string& notch,
+                                       const mechanics::Pull& pull = {1.0}) {
     return cached_motions("statics 2 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
                           from_cache, [&] {
-                            auto q = stretched_at_rest(lattice, present, pull, telling());
+                            auto q = mechanics::stretched_at_rest(lattice, present, pull, telling());
                             ++solved;
                             return q;
                           });
   }
-  std::vector<Vector6> at_rest(const std::vector<char>& present, const std::string& notch,
-                               double displacement) {
-    const Scene::Loading& l = scene.loading;
-    if (scene.solver.kinematics == Kinematics::linear)
+  std::vector<mechanics::Vector6> at_rest(const std::vector<char>& present, const std::string& notch,
+                                          double displacement) {
+    const scene::Scene::Loading& l = scene.loading;
+    if (scene.solver.kinematics == scene::Kinematics::linear)
       return scaled(unit(present, notch, {1.0, l.tilt, l.shear}), displacement);
-    const Pull pull(displacement, l.tilt, l.shear);
+    const mechanics::Pull pull(displacement, l.tilt, l.shear);
     const std::string key = fmt::format("corotational statics 1 of {}{} by {:a}{}", lattice_key, notch,
                                         pull.middle, key_of(pull));
     return cached_motions(key, lattice.centre.size(), cache, from_cache, [&] {
-      auto q = stretched_at_rest_corotational(lattice, present, pull, telling());
+      auto q = mechanics::stretched_at_rest_corotational(lattice, present, pull, telling());
       ++solved;
       return q;
     });
@@ -109,7 +114,7 @@ struct Statics {
     };
   }
   /// What of a pull is not along y and even.
-  static std::string key_of(const Pull& pull) {
+  static std::string key_of(const mechanics::Pull& pull) {
     std::string key;
     if (pull.tilt != 0.0) key += fmt::format(" tilt {:a}", pull.tilt);
     if (pull.shear != 0.0) key += fmt::format(" shear {:a}", pull.shear);
@@ -120,37 +125,37 @@ struct Statics {
 /// The displacement under which the top grip pulls with a force [N], by secants from the linear one: a
 /// lattice of any kinematics is nearly linear between grips. Throws StaticsError.
 /// @param[in] lattice  with the beams' own modulus
-double displacement_under(double force, Statics& statics, const Lattice& lattice,
+double displacement_under(double force, Statics& statics, const lattice::Lattice& lattice,
                           const std::vector<char>& present, const std::string& notch) {
   constexpr int most = 20;
   constexpr double good = 1e-10;  // of the force
-  const Scene::Loading& l = statics.scene.loading;
-  const double unit_force =
-      grip_force(lattice, present, Kinematics::linear, statics.unit(present, notch, {1.0, l.tilt, l.shear}));
+  const scene::Scene::Loading& l = statics.scene.loading;
+  const double unit_force = lattice::grip_force(lattice, present, scene::Kinematics::linear,
+                                                statics.unit(present, notch, {1.0, l.tilt, l.shear}));
   if (!(unit_force > 0.0))
-    throw StaticsError(l.shear != 0.0
-                           ? "no displacement with this loading.shear pulls: the plate turns the other way"
-                           : "the notch leaves the grips nothing to pull");
+    throw mechanics::StaticsError(
+        l.shear != 0.0 ? "no displacement with this loading.shear pulls: the plate turns the other way"
+                       : "the notch leaves the grips nothing to pull");
   double displacement = force / unit_force;
-  const Kinematics kinematics = statics.scene.solver.kinematics;
-  if (kinematics == Kinematics::linear) return displacement;
+  const scene::Kinematics kinematics = statics.scene.solver.kinematics;
+  if (kinematics == scene::Kinematics::linear) return displacement;
   for (int k = 0; k < most; ++k) {
     const double pull =
-        grip_force(lattice, present, kinematics, statics.at_rest(present, notch, displacement));
+        lattice::grip_force(lattice, present, kinematics, statics.at_rest(present, notch, displacement));
     if (std::abs(pull - force) <= good * std::abs(force)) return displacement;
     displacement *= force / pull;
   }
-  throw StaticsError(fmt::format("no displacement holds a force of {:g} N", force));
+  throw mechanics::StaticsError(fmt::format("no displacement holds a force of {:g} N", force));
 }
 
 /// @param[in] strip  energy of the pre-stressed strip over its area [J/m2]
-RateScale scale_against(const Scene& scene, const Lattice& lattice, double strip) {
-  RateScale scale{.thickness = lattice.box.thickness,
-                  .g_i0 = strip,
-                  .length = lattice.box.length,
-                  .tips = scene.crack.tips};
-  if (scene.output.g_i0_reference == ReleaseRateReference::griffith) {
-    const Scene::Material& m = scene.material;
+fracture::RateScale scale_against(const scene::Scene& scene, const lattice::Lattice& lattice, double strip) {
+  fracture::RateScale scale{.thickness = lattice.box.thickness,
+                            .g_i0 = strip,
+                            .length = lattice.box.length,
+                            .tips = scene.crack.tips};
+  if (scene.output.g_i0_reference == scene::ReleaseRateReference::griffith) {
+    const scene::Scene::Material& m = scene.material;
     scale.g_i0 = 0.0;
     scale.g_i0_slope = theory::griffith_slope(strip, lattice.box.height, m.poisson_ratio, m.plane);
   }
@@ -158,68 +163,69 @@ RateScale scale_against(const Scene& scene, const Lattice& lattice, double strip
 }
 
 /// Which beams a notch cuts, for the key of a cached solution.
-std::string notch_key(const Scene& scene) {
+std::string notch_key(const scene::Scene& scene) {
   std::string path;
   if (scene.crack.path.point.empty())
-    path = fmt::format("{:a}", path_height_m(scene));
+    path = fmt::format("{:a}", scene::path_height_m(scene));
   else
-    for (const auto& [x, y] : path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
+    for (const auto& [x, y] : scene::path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
   return fmt::format(" path {} notch {:a}{}", path, scene.crack.start,
                      scene.crack.tips == 2 ? " from the middle" : "");
 }
 
 }  // namespace
 
-double continuum_strip_modulus(const Scene& scene) {
+double continuum_strip_modulus(const scene::Scene& scene) {
   const double nu = scene.material.poisson_ratio;
   return scene.material.young_modulus / (1.0 - nu * nu);
 }
 
 void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
-  const Scene& scene = p.preset.scene;
-  const Kinematics kinematics = scene.solver.kinematics;
+  const scene::Scene& scene = p.preset.scene;
+  const scene::Kinematics kinematics = scene.solver.kinematics;
   p.micro = reference_micro(p.preset, cache, progress);
   tell_or_stop(stage(progress, "pre-stress"), 0.0, "solving the pre-stress");
   p.statics_from_cache = true;
-  p.lattice = make_lattice(p.specimen, p.micro, p.density);
+  p.lattice = lattice::make_lattice(p.specimen, p.micro, p.density);
   refuse_out_of_range(p, lattice_numbers(p));
   Statics statics{p.lattice,
                   scene,
                   cache,
                   p.statics_from_cache,
-                  fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}", key_of(request_of(scene)),
-                              scene.specimen.contact_tolerance, p.micro.young_modulus, p.micro.poisson_ratio,
-                              p.micro.radius_ratio),
+                  fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}",
+                              lattice::key_of(scene::request_of(scene)), scene.specimen.contact_tolerance,
+                              p.micro.young_modulus, p.micro.poisson_ratio, p.micro.radius_ratio),
                   progress};
-  const bool own_pull = kinematics == Kinematics::corotational || scene.loading.tilt != 0.0 ||
+  const bool own_pull = kinematics == scene::Kinematics::corotational || scene.loading.tilt != 0.0 ||
                         scene.loading.shear != 0.0;  // the unit one does not serve
   statics.expected = 1 + (own_pull ? 1 : 0) + (scene.crack.start > 0.0 ? 1 : 0);
   const std::vector<char> present(p.lattice.beam.size(), 1);
-  const std::vector<Vector6> unit = statics.unit(present, "");
+  const std::vector<mechanics::Vector6> unit = statics.unit(present, "");
   if (is_scaled(scene)) {
-    p.micro.young_modulus *= continuum_strip_modulus(scene) / strip_modulus(p.lattice, unit, 1.0);
-    p.lattice = make_lattice(p.specimen, p.micro, p.density);
+    p.micro.young_modulus *= continuum_strip_modulus(scene) / lattice::strip_modulus(p.lattice, unit, 1.0);
+    p.lattice = lattice::make_lattice(p.specimen, p.micro, p.density);
     refuse_out_of_range(p, lattice_numbers(p));
   }
-  p.strip_modulus = strip_modulus(p.lattice, unit, 1.0);
+  p.strip_modulus = lattice::strip_modulus(p.lattice, unit, 1.0);
   std::vector<char> notched(present);
   std::string notch;
   if (scene.crack.start > 0.0) notch = notch_key(scene);
-  for (const Crossing& c : crossings(p.path, p.lattice))
-    if (in_notch(c, scene.crack.start)) notched[c.beam] = 0;
-  const std::optional<double> force = force_at_start(scene);
-  p.pulled =
-      force ? displacement_under(*force, statics, p.lattice, notched, notch) : displacement_at_start(scene);
+  for (const fracture::Crossing& c : fracture::crossings(p.path, p.lattice))
+    if (fracture::in_notch(c, scene.crack.start)) notched[c.beam] = 0;
+  const std::optional<double> force = scene::force_at_start(scene);
+  p.pulled = force ? displacement_under(*force, statics, p.lattice, notched, notch)
+                   : scene::displacement_at_start(scene);
   refuse_out_of_range(p, pull_numbers(p));
   p.displacement = statics.at_rest(present, "", p.pulled);
-  p.scale = scale_against(scene, p.lattice,
-                          energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
+  p.scale = scale_against(
+      scene, p.lattice,
+      lattice::energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
   if (!notch.empty()) p.displacement = statics.at_rest(notched, notch, p.pulled);
-  p.grip_force = grip_force(p.lattice, notched, kinematics, p.displacement);
+  p.grip_force = lattice::grip_force(p.lattice, notched, kinematics, p.displacement);
   p.static_energy = energy_of_all(p.lattice, kinematics, notched, p.displacement);
   refuse_out_of_range(p, prestress_numbers(p));
-  if (scene.loading.method == LoadingMethod::ramp)
-    p.displacement.assign(p.displacement.size(), Vector6::Zero());
+  if (scene.loading.method == scene::LoadingMethod::ramp)
+    p.displacement.assign(p.displacement.size(), mechanics::Vector6::Zero());
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -3,7 +3,7 @@
 #include "engine/cache.hpp"
 #include "engine/simulation/prepare.hpp"
 
-namespace rift {
+namespace rift::simulation {
 
 /// Micro modulus, pre-stress and G_I0. The modulus and G_I0 belong to the strip without its notch; the
 /// modulus is that of small strains with either kinematics.
@@ -12,6 +12,6 @@ namespace rift {
 void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress);
 
 /// What the clamped strip of a continuum with the preset's E and nu would show [Pa].
-double continuum_strip_modulus(const Scene& scene);
+double continuum_strip_modulus(const scene::Scene& scene);
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -3,28 +3,29 @@
 #include "engine/lattice/stiffness.hpp"
 #include "engine/mechanics/statics.hpp"
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 /// Of the plate at rest with its beams as the first lane's law leaves them when the tip is at `tip` [J].
 double energy_cut_to(const Prepared& p, double tip, const FractionTold& told) {
-  const Kinematics kinematics = p.preset.scene.solver.kinematics;
-  const Scene::Loading& loading = p.preset.scene.loading;
-  const Pull pull(p.pulled, loading.tilt, loading.shear);
-  Lattice lattice = p.lattice;
+  const scene::Kinematics kinematics = p.preset.scene.solver.kinematics;
+  const scene::Scene::Loading& loading = p.preset.scene.loading;
+  const mechanics::Pull pull(p.pulled, loading.tilt, loading.shear);
+  lattice::Lattice lattice = p.lattice;
   std::vector<char> present(lattice.beam.size(), 1);
-  for (const Crossing& c : crossings(p.path, lattice)) {
-    const double left = stiffness_left(p.lane.front().scenario.law, tip, c.position);
+  for (const fracture::Crossing& c : fracture::crossings(p.path, lattice)) {
+    const double left = fracture::stiffness_left(p.lane.front().scenario.law, tip, c.position);
     present[c.beam] = left > 0.0;
-    Beam& beam = lattice.beam[c.beam];
+    mechanics::Beam& beam = lattice.beam[c.beam];
     beam.axial *= left, beam.bending *= left, beam.twist *= left;
   }
-  const std::vector<Vector6> q = kinematics == Kinematics::linear
-                                     ? stretched_at_rest(lattice, present, pull, told)
-                                     : stretched_at_rest_corotational(lattice, present, pull, told);
+  const std::vector<mechanics::Vector6> q =
+      kinematics == scene::Kinematics::linear
+          ? mechanics::stretched_at_rest(lattice, present, pull, told)
+          : mechanics::stretched_at_rest_corotational(lattice, present, pull, told);
   double energy = 0.0;
   for (std::size_t b = 0; b < present.size(); ++b)
-    if (present[b]) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
+    if (present[b]) energy += lattice::energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
   return energy;
 }
 
@@ -52,7 +53,7 @@ double quasi_static_ratio(const Prepared& p, const std::array<double, 2>& window
   const double before = energy_cut_to(p, window[0], [&](double done) { return !told || told(0.5 * done); });
   const double after =
       energy_cut_to(p, window[1], [&](double done) { return !told || told(0.5 + 0.5 * done); });
-  return (before - after) / (faces * mean_g_i0(p.scale, window[0], window[1]));
+  return (before - after) / (faces * fracture::mean_g_i0(p.scale, window[0], window[1]));
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

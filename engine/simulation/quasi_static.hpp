@@ -3,7 +3,7 @@
 #include "engine/interrupted.hpp"
 #include "engine/simulation/prepare.hpp"
 
-namespace rift {
+namespace rift::simulation {
 
 /// G / G_I0 of the first lane's crack, run through a window infinitely slowly: what two plates at rest, cut
 /// and softened as with the tip at the window's ends, differ by in energy
@@ -19,4 +19,4 @@ double quasi_static_ratio(const Prepared& prepared, const std::array<double, 2>&
 std::vector<double> quasi_static_rates(const Prepared& prepared, const std::vector<double>& tip,
                                        const FractionTold& told = {});
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <optional>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -31,7 +31,7 @@ struct Recording {
   const Observer& beside;
   const std::filesystem::path& folder;
   double checkpoint_s;
-  Preset steered;             // with the changes so far, and those that are to come
+  scene::Preset steered;      // with the changes so far, and those that are to come
   double taken_before_s = 0;  // by the run, in its earlier calls and in the preparation of this one
   Clock::time_point began = Clock::now();
   Clock::time_point checked = Clock::now();
@@ -69,7 +69,7 @@ struct Recording {
       if (moment == CheckpointMoment::before_stop || (moment == CheckpointMoment::on_the_way && due))
         keep_checkpoint(make());
     };
-    o.changed = [&](const Change& change, const std::string& refused) {
+    o.changed = [&](const scene::Change& change, const std::string& refused) {
       if (refused.empty()) keep(change);
       if (beside.changed) beside.changed(change, refused);
     };
@@ -90,10 +90,10 @@ struct Recording {
   }
 
   /// At once, so that a kill does not lose it.
-  void keep(const Change& change) {
-    std::vector<Change>& all = steered.steering;
+  void keep(const scene::Change& change) {
+    std::vector<scene::Change>& all = steered.steering;
     if (std::find(all.begin(), all.end(), change) == all.end()) all.push_back(change);
-    results::write_whole_file(folder / results::steering_name, preset_text(steered));
+    results::write_whole_file(folder / results::steering_name, scene::preset_text(steered));
   }
 };
 
@@ -206,26 +206,30 @@ bool complete_end(const std::filesystem::path& folder) {
   return true;
 }
 
-bool is_unfinished_run_of(const std::filesystem::path& folder, const Preset& preset, const BuildInfo& build) {
+bool is_unfinished_run_of(const std::filesystem::path& folder, const scene::Preset& preset,
+                          const BuildInfo& build) {
   const results::RunState state = results::inspect_run(folder);
   if (state.header_json.empty()) return false;
   const auto header = results::read_json(state.header_json, folder / results::journal_name);
-  return header.value("preset", "") == preset_text(preset) && header.value("version", "") == build.version &&
-         header.value("instruction_set", "") == name_of(instruction_set()) && !has_ended(folder);
+  return header.value("preset", "") == scene::preset_text(preset) &&
+         header.value("version", "") == build.version &&
+         header.value("instruction_set", "") == ensemble::name_of(ensemble::instruction_set()) &&
+         !has_ended(folder);
 }
 
-Preset preset_of_run(const std::filesystem::path& folder) {
+scene::Preset preset_of_run(const std::filesystem::path& folder) {
   const results::RunState state = results::inspect_run(folder);
   if (state.header_json.empty())
     throw results::WorldError("read", folder, state.reason.empty() ? "there is no run in it" : state.reason);
   const auto header = results::read_json(state.header_json, folder / results::journal_name);
   const std::filesystem::path steered = folder / results::steering_name;
-  Preset preset = std::filesystem::exists(steered)
-                      ? read_preset(steered)
-                      : read_preset_text(header.at("preset").get<std::string>(), header.at("preset_name"));
-  if (!preset.issues.empty()) throw InputError(preset.issues);
+  scene::Preset preset =
+      std::filesystem::exists(steered)
+          ? scene::read_preset(steered)
+          : scene::read_preset_text(header.at("preset").get<std::string>(), header.at("preset_name"));
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   preset.name = header.at("preset_name");
   return preset;
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

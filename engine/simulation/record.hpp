@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace rift {
+namespace rift::simulation {
 
 /// What a recorded run came to: its numbers, and the summary that stands in its folder.
 struct Recorded {
@@ -54,10 +54,11 @@ bool complete_end(const std::filesystem::path& folder);
 
 /// Whether the folder holds a run of this very preset, by this program with these instructions, that has not
 /// come to its end.
-bool is_unfinished_run_of(const std::filesystem::path& folder, const Preset& preset, const BuildInfo& build);
+bool is_unfinished_run_of(const std::filesystem::path& folder, const scene::Preset& preset,
+                          const BuildInfo& build);
 
 /// The preset that a run's folder holds, with the changes of who steered it. Throws WorldError where there is
 /// no run, InputError where its preset is not one of this version.
-Preset preset_of_run(const std::filesystem::path& folder);
+scene::Preset preset_of_run(const std::filesystem::path& folder);
 
-}  // namespace rift
+}  // namespace rift::simulation

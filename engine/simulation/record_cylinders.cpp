@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 /// Everything drawn so far, and the frame of it.
@@ -20,7 +20,7 @@ struct Scenery {
   results::Frame frame;
   double width = 0;  // [m]
 
-  void add(const Specimen& specimen, const std::vector<Vector6>& motion) {
+  void add(const lattice::Specimen& specimen, const std::vector<mechanics::Vector6>& motion) {
     constexpr double gap = 0.3;  // of a diameter
     const double offset = width == 0.0 ? 0.0 : width + gap * specimen.box.length;
     const auto first = static_cast<std::int32_t>(geometry.position.size());
@@ -38,8 +38,8 @@ struct Scenery {
 };
 
 /// Takes out of a body's motion what shifts and turns its middle.
-void stand_still(std::vector<Vector6>& motion, const Lattice& lattice) {
-  const Eigen::Matrix3d gradient = gradient_in_middle(lattice, motion, 1);
+void stand_still(std::vector<mechanics::Vector6>& motion, const lattice::Lattice& lattice) {
+  const Eigen::Matrix3d gradient = calibration::gradient_in_middle(lattice, motion, 1);
   const Eigen::Vector3d turn(0.5 * (gradient(2, 1) - gradient(1, 2)), 0.5 * (gradient(0, 2) - gradient(2, 0)),
                              0.5 * (gradient(1, 0) - gradient(0, 1)));
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
@@ -47,24 +47,25 @@ void stand_still(std::vector<Vector6>& motion, const Lattice& lattice) {
     motion[i].head<3>() -= turn.cross(lattice.centre[i] - 0.5 * lattice.box.size());
     shift += motion[i].head<3>() / static_cast<double>(motion.size());
   }
-  for (Vector6& q : motion) q.head<3>() -= shift;
+  for (mechanics::Vector6& q : motion) q.head<3>() -= shift;
 }
 
 /// Pressed by 1 % of its height, as the mean of its ends; its middle stays.
-std::vector<Vector6> pressed(const Specimen& specimen) {
+std::vector<mechanics::Vector6> pressed(const lattice::Specimen& specimen) {
   constexpr double shortening = 0.01, stress = 1e6;
-  const Lattice lattice = make_lattice(specimen, bulk_micro_material, 1.0);
-  FreeBody body(lattice);
-  Pulled pulled = pull(lattice, body, 1, -specimen.box.section(1) * stress);
+  const lattice::Lattice lattice = lattice::make_lattice(specimen, lattice::bulk_micro_material, 1.0);
+  mechanics::FreeBody body(lattice);
+  calibration::Pulled pulled = calibration::pull(lattice, body, 1, -specimen.box.section(1) * stress);
   stand_still(pulled.motion, lattice);
-  for (Vector6& q : pulled.motion) q *= shortening / (stress / pulled.young_modulus);
+  for (mechanics::Vector6& q : pulled.motion) q *= shortening / (stress / pulled.young_modulus);
   return pulled.motion;
 }
 
-nlohmann::ordered_json header_for(const Preset& preset, const Scenery& scenery, const BuildInfo& build) {
+nlohmann::ordered_json header_for(const scene::Preset& preset, const Scenery& scenery,
+                                  const BuildInfo& build) {
   const double height = preset.scene.specimen.height;
   return {{"preset_name", preset.name},
-          {"preset", preset_text(preset)},
+          {"preset", scene::preset_text(preset)},
           {"version", build.version},
           {"compiler", build.compiler},
           {"seed", preset.scene.specimen.seed},
@@ -83,15 +84,18 @@ nlohmann::ordered_json header_for(const Preset& preset, const Scenery& scenery, 
 
 }  // namespace
 
-void record_cylinders(const Preset& preset, const std::filesystem::path& folder, const BuildInfo& build,
-                      Cache& cache, const CalibrationProgress& progress) {
+void record_cylinders(const scene::Preset& preset, const std::filesystem::path& folder,
+                      const BuildInfo& build, Cache& cache,
+                      const calibration::CalibrationProgress& progress) {
   Scenery scenery;
-  const Scene& scene = preset.scene;
+  const scene::Scene& scene = preset.scene;
   for (std::size_t k = 0; k < scene.calibration.sizes.size(); ++k) {
-    const CylinderTest test = cylinders_for(scene, static_cast<int>(scene.calibration.sizes[k]), {}).front();
+    const calibration::CylinderTest test =
+        calibration::cylinders_for(scene, static_cast<int>(scene.calibration.sizes[k]), {}).front();
     bool found = false;
-    const Packing packing = cached_packing(test.packing, cache, found);
-    const Specimen specimen = make_free_specimen(packing, test.packing.box, test.contact_tolerance);
+    const lattice::Packing packing = lattice::cached_packing(test.packing, cache, found);
+    const lattice::Specimen specimen =
+        lattice::make_free_specimen(packing, test.packing.box, test.contact_tolerance);
     scenery.add(specimen, pressed(specimen));
     if (progress &&
         !progress(static_cast<double>(k + 1) / static_cast<double>(scene.calibration.sizes.size())))
@@ -102,4 +106,4 @@ void record_cylinders(const Preset& preset, const std::filesystem::path& folder,
   writer.finish({{"scenarios", {{{"outcome", "finished"}}}}}, {{}});
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

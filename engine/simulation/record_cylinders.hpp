@@ -7,12 +7,13 @@
 
 #include <filesystem>
 
-namespace rift {
+namespace rift::simulation {
 
 /// Presses the first packing of each size of the preset's [calibration] until it is 1 % shorter, and writes
 /// the cylinders side by side into a run's folder, as one frame that `rift render` can draw.
 /// @param[in] folder  made by create_run_folder()
-void record_cylinders(const Preset& preset, const std::filesystem::path& folder, const BuildInfo& build,
-                      Cache& cache, const CalibrationProgress& progress = {});
+void record_cylinders(const scene::Preset& preset, const std::filesystem::path& folder,
+                      const BuildInfo& build, Cache& cache,
+                      const calibration::CalibrationProgress& progress = {});
 
-}  // namespace rift
+}  // namespace rift::simulation

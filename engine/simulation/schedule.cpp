@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 using Steps = std::vector<std::int64_t>;
@@ -33,11 +33,11 @@ void add_regular(Steps& steps, std::int64_t from, std::int64_t to, int count) {
 }
 
 /// `count` steps at which the tip has come equally far from one to the next, both ends among them.
-void add_along(Steps& steps, std::int64_t first, const CrackHistory& history, double dt, double end,
+void add_along(Steps& steps, std::int64_t first, const history::CrackHistory& history, double dt, double end,
                int count) {
-  const double start = tip_at(history, 0.0);
+  const double start = history::tip_at(history, 0.0);
   for (int k = 0; k < count; ++k) {
-    const double time = time_of_arrival(history, start + k * (end - start) / std::max(1, count - 1));
+    const double time = history::time_of_arrival(history, start + k * (end - start) / std::max(1, count - 1));
     steps.push_back(first + static_cast<std::int64_t>(std::ceil(time / dt)));
   }
 }
@@ -49,14 +49,14 @@ void sort_unique(Steps& steps) {
 
 }  // namespace
 
-double steps_of_crack(const CrackHistory& history, double dt, double end) {
-  return time_of_arrival(history, end) / dt;
+double steps_of_crack(const history::CrackHistory& history, double dt, double end) {
+  return history::time_of_arrival(history, end) / dt;
 }
 
-Schedule make_schedule(const Scene& scene, const CrackHistory& history, double dt, double end,
+Schedule make_schedule(const scene::Scene& scene, const history::CrackHistory& history, double dt, double end,
                        const std::array<double, 2>& window) {
   Schedule s;
-  if (scene.loading.method == LoadingMethod::ramp)
+  if (scene.loading.method == scene::LoadingMethod::ramp)
     s.ramp = scene.loading.ramp_steps, s.hold = scene.loading.hold_steps;
   const double steps = steps_of_crack(history, dt, end);
   assert(steps <= most_steps);
@@ -68,9 +68,9 @@ Schedule make_schedule(const Scene& scene, const CrackHistory& history, double d
     add_along(s.samples, s.crack_start(), history, dt, end, scene.output.samples);
   else
     add_regular(s.samples, s.crack_start(), s.total(), scene.output.samples);
-  for (int k = 0; k <= sub_windows; ++k) {
-    const double tip = window[0] + k * (window[1] - window[0]) / sub_windows;
-    const double arrival = time_of_arrival(history, tip) / dt;
+  for (int k = 0; k <= fracture::sub_windows; ++k) {
+    const double tip = window[0] + k * (window[1] - window[0]) / fracture::sub_windows;
+    const double arrival = history::time_of_arrival(history, tip) / dt;
     if (!(arrival <= static_cast<double>(s.fracture) + 1.0)) continue;
     const auto step = static_cast<std::int64_t>(std::llround(arrival));
     if (step >= 0 && step <= s.fracture) s.samples.push_back(s.crack_start() + step);
@@ -84,4 +84,4 @@ Schedule make_schedule(const Scene& scene, const CrackHistory& history, double d
   return s;
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

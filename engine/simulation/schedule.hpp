@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace rift {
+namespace rift::simulation {
 
 /// Which step does what; steps are counted from the start of the run, loading included.
 struct Schedule {
@@ -22,7 +22,7 @@ inline constexpr double most_steps = 1e12;
 
 /// Steps of the crack from its start to `end` [m], whole or not: infinite, or NaN, where no number of them
 /// brings it there.
-double steps_of_crack(const CrackHistory& history, double dt, double end);
+double steps_of_crack(const history::CrackHistory& history, double dt, double end);
 
 /// A crack that runs by itself is sampled and shown at even distances of its tip. Else samples over each
 /// phase, a power of two of steps apart, and one at each end and sub-division of the window, where the tip is
@@ -30,7 +30,7 @@ double steps_of_crack(const CrackHistory& history, double dt, double end);
 /// @param[in] end     tip position at which the run ends [m]
 /// Asks for at most most_steps steps.
 /// @param[in] window  tip positions [m]
-Schedule make_schedule(const Scene& scene, const CrackHistory& history, double dt, double end,
+Schedule make_schedule(const scene::Scene& scene, const history::CrackHistory& history, double dt, double end,
                        const std::array<double, 2>& window);
 
-}  // namespace rift
+}  // namespace rift::simulation

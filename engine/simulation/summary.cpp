@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -27,32 +27,33 @@ double peak_memory_bytes() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-const char* name_of(Technique t) { return t == Technique::simple ? "simple" : "progressive"; }
-const char* name_of(DampingRegion r) {
-  return r == DampingRegion::none ? "none" : r == DampingRegion::surface ? "surface" : "all";
+const char* name_of(scene::Technique t) { return t == scene::Technique::simple ? "simple" : "progressive"; }
+const char* name_of(scene::DampingRegion r) {
+  return r == scene::DampingRegion::none ? "none" : r == scene::DampingRegion::surface ? "surface" : "all";
 }
-const char* name_of(StiffnessChoice s) {
+const char* name_of(scene::StiffnessChoice s) {
   switch (s) {
-    case StiffnessChoice::in_situ:
+    case scene::StiffnessChoice::in_situ:
       return "in-situ";
-    case StiffnessChoice::bulk:
+    case scene::StiffnessChoice::bulk:
       return "bulk";
-    case StiffnessChoice::calibrated:
+    case scene::StiffnessChoice::calibrated:
       return "calibrated";
-    case StiffnessChoice::explicit_values:
+    case scene::StiffnessChoice::explicit_values:
       break;
   }
   return "explicit";
 }
 
-const char* name_of(ReleaseRateReference r) {
-  return r == ReleaseRateReference::strip ? "strip" : "griffith";
+const char* name_of(scene::ReleaseRateReference r) {
+  return r == scene::ReleaseRateReference::strip ? "strip" : "griffith";
 }
 
 void add_scenario(Json& j, const LanePlan& lane) {
-  const Scene& scene = lane.scene;
-  const bool progressive = scene.crack.technique == Technique::progressive;
-  j["crack_velocity_over_cr"] = keeps_its_velocity(scene) ? Json(highest_velocity(scene)) : Json(nullptr);
+  const scene::Scene& scene = lane.scene;
+  const bool progressive = scene.crack.technique == scene::Technique::progressive;
+  j["crack_velocity_over_cr"] =
+      scene::keeps_its_velocity(scene) ? Json(scene::highest_velocity(scene)) : Json(nullptr);
   j["crack_course"] = !scene.crack.history.empty()         ? "measured"
                       : !scene.crack.toughness.row.empty() ? "by itself"
                       : scene.crack.velocity.size() == 1   ? "constant"
@@ -60,26 +61,26 @@ void add_scenario(Json& j, const LanePlan& lane) {
   j["tips"] = scene.crack.tips;
   j["technique"] = name_of(scene.crack.technique);
   j["relaxation"] = progressive ? Json(scene.crack.relaxation) : Json(nullptr);
-  j["relaxation_name"] = progressive ? Json(relaxation_name(scene.crack.relaxation)) : Json(nullptr);
+  j["relaxation_name"] = progressive ? Json(scene::relaxation_name(scene.crack.relaxation)) : Json(nullptr);
   j["damage_zone_ratio"] = progressive ? Json(scene.crack.damage_zone_ratio) : Json(nullptr);
   if (scene.crack.friction) j["friction"] = *scene.crack.friction;
   j["damping_alpha"] = scene.damping.alpha;
   j["damping_region"] = name_of(scene.damping.region);
   j["stiffness"] = name_of(scene.material.stiffness);
-  j["plane"] = scene.material.plane == Plane::stress ? "stress" : "strain";
-  j["prestress_method"] = scene.loading.method == LoadingMethod::ramp ? "ramp" : "static";
-  j["kinematics"] = scene.solver.kinematics == Kinematics::linear ? "linear" : "corotational";
-  j["precision"] = scene.solver.precision == Precision::double_precision ? "double" : "single";
+  j["plane"] = scene.material.plane == theory::Plane::stress ? "stress" : "strain";
+  j["prestress_method"] = scene.loading.method == scene::LoadingMethod::ramp ? "ramp" : "static";
+  j["kinematics"] = scene.solver.kinematics == scene::Kinematics::linear ? "linear" : "corotational";
+  j["precision"] = scene.solver.precision == scene::Precision::double_precision ? "double" : "single";
   j["beta"] = scene.solver.beta;
   j["seed"] = scene.specimen.seed;
 }
 
 void add_specimen(Json& j, const Prepared& p, const LanePlan& lane) {
-  const Scene& scene = p.preset.scene;
+  const scene::Scene& scene = p.preset.scene;
   j["elements"] = scene.specimen.elements;
   j["layers"] = scene.specimen.layers ? Json(*scene.specimen.layers) : Json(nullptr);
   j["beams"] = p.lattice.beam.size();
-  j["beams_crossed"] = crossings(p.path, p.lattice).size();
+  j["beams_crossed"] = fracture::crossings(p.path, p.lattice).size();
   j["beams_damped"] = lane.beams_damped;
   j["rattlers"] = p.specimen.rattlers;
   j["coordination"] = p.specimen.packing.coordination;
@@ -108,7 +109,7 @@ void add_step(Json& j, const Prepared& p, const LanePlan& lane, const RunResult&
   j["dt_element_bound_s"] = p.step.element_bound * lane.units.time;
   j["dt_fraction"] = p.step.dt / p.step.critical;
   j["steps"] = result.steps;
-  const double fastest = highest_velocity(lane.scene) * p.rayleigh_speed;
+  const double fastest = scene::highest_velocity(lane.scene) * p.rayleigh_speed;
   const double zone = lane.scenario.law.zone_length;
   j["steps_per_beam"] = zone > 0.0 ? Json(zone / (fastest * dt)) : Json(nullptr);
   j["threads"] = r.threads;
@@ -118,15 +119,15 @@ void add_step(Json& j, const Prepared& p, const LanePlan& lane, const RunResult&
 }
 
 void add_rates(Json& j, const Prepared& p, const LanePlan& lane, const Rates& rates) {
-  const Plateau& plateau = rates.plateau;
+  const fracture::Plateau& plateau = rates.plateau;
   const auto rate = [&](double value) { return plateau.reached ? Json(value) : Json(nullptr); };
   const double ratio = plateau.mean.ratio_with_damping,
-               v = keeps_its_velocity(lane.scene) ? highest_velocity(lane.scene) : undefined;
-  const Scene::Material& m = p.preset.scene.material;
-  const auto reference = [&](theory::Factor (*of)(double, double, Plane)) {
+               v = scene::keeps_its_velocity(lane.scene) ? scene::highest_velocity(lane.scene) : undefined;
+  const scene::Scene::Material& m = p.preset.scene.material;
+  const auto reference = [&](theory::Factor (*of)(double, double, theory::Plane)) {
     return v > 0.0 && v <= 1.0 ? of(v, m.poisson_ratio, m.plane).g : undefined;
   };
-  const double g_i0 = mean_g_i0(scale_of(p, lane), lane.window[0], lane.window[1]);
+  const double g_i0 = fracture::mean_g_i0(scale_of(p, lane), lane.window[0], lane.window[1]);
   j["g_i0_reference"] = name_of(lane.scene.output.g_i0_reference);
   j["g_i0_j_m2"] = g_i0;
   j["displacement_m"] = p.pulled;
@@ -138,7 +139,7 @@ void add_rates(Json& j, const Prepared& p, const LanePlan& lane, const Rates& ra
   j["ratio_translation_only"] = rate(plateau.mean.ratio_translation_only);
   j["ratio_scatter"] = rate(plateau.scatter);
   j["window_over_length"] = {lane.window[0] / p.scale.length, lane.window[1] / p.scale.length};
-  j["echo_free_over_length"] = echo_free_tip_m(lane.scene, wave_speed_ratio(p, lane)) / p.scale.length;
+  j["echo_free_over_length"] = scene::echo_free_tip_m(lane.scene, wave_speed_ratio(p, lane)) / p.scale.length;
   j["broberg"] = reference(theory::broberg);
   j["freund"] = reference(theory::freund);
   j["strip"] = reference(theory::strip);
@@ -170,7 +171,7 @@ void add_books(Json& j, const Prepared& p, const LanePlan& lane, const LaneResul
 }
 
 /// What the crack has left behind; empty where it did not come to its end.
-void add_wake(Json& j, const Wake& wake) {
+void add_wake(Json& j, const fracture::Wake& wake) {
   j["wake_cell_m"] = wake.cell_m;
   j["wake_kinetic_j"] = wake.kinetic_j;
   j["wake_rotation_j"] = wake.cell_m.empty() ? Json(nullptr) : Json(wake.rotation_j);
@@ -195,43 +196,29 @@ void add_costs(Json& j, const Prepared& p, const RunResult& r, const LaneResult&
   j["memory_peak_bytes"] = peak_memory_bytes();
 }
 
-}  // namespace
-
 /// Whether the scenario was changed while its tip was in its window: a mean over it means nothing then.
 bool changed_in_window(const Prepared& prepared, const RunResult& result, int lane) {
   const LanePlan& plan = prepared.lane[lane];
-  const std::vector<Change>& changes = result.lane[lane].changes;
+  const std::vector<scene::Change>& changes = result.lane[lane].changes;
   const bool by_itself = !plan.scene.crack.toughness.row.empty();
-  return std::any_of(changes.begin(), changes.end(), [&](const Change& change) {
+  return std::any_of(changes.begin(), changes.end(), [&](const scene::Change& change) {
     if (by_itself && (change.axis == "crack_velocity" || change.axis == tip_stops)) return false;
     const auto steps = static_cast<double>(change.step - plan.schedule.crack_start());
-    const double tip = tip_at(plan.scenario.history, steps * prepared.step.dt);
+    const double tip = history::tip_at(plan.scenario.history, steps * prepared.step.dt);
     return tip > plan.window[0] && tip < plan.window[1];
   });
 }
 
 Json changes_of(const LaneResult& lane) {
   Json changes = Json::array();
-  for (const Change& c : lane.changes)
+  for (const scene::Change& c : lane.changes)
     changes.push_back({{"step", c.step}, {"axis", c.axis}, {"value", c.value}});
   return changes;
 }
 
-Rates rates_of(const Prepared& prepared, const RunResult& result, int lane) {
-  std::vector<results::Sample> rows;
-  for (const results::Sample& row : result.lane[lane].books)
-    if (row.phase == results::Phase::fracture) rows.push_back(row);
-  if (rows.size() < 2) return {};
-  const LanePlan& plan = prepared.lane[lane];
-  const RateScale scale = scale_of(prepared, plan);
-  Rates rates{plateau_of(rows, plan.window, scale), rate_curve(rows, scale)};
-  if (changed_in_window(prepared, result, lane)) rates.plateau.reached = false;
-  return rates;
-}
-
 /// How the preset wants to be shown, for whoever makes a film of the run.
-Json film_of(const Scene& scene) {
-  const Scene::Film& f = scene.film;
+Json film_of(const scene::Scene& scene) {
+  const scene::Scene::Film& f = scene.film;
   return {{"title", f.title},         {"field", f.field}, {"colours", f.colours},
           {"camera", f.camera},       {"beams", f.beams}, {"magnification", f.magnification},
           {"close_up_m", f.close_up}, {"chart", f.chart}, {"boundaries", f.boundaries}};
@@ -254,7 +241,7 @@ Json scenarios_of(const Prepared& prepared) {
 Json rate_scales_of(const Prepared& prepared) {
   Json scales = Json::array();
   for (const LanePlan& lane : prepared.lane) {
-    const RateScale scale = scale_of(prepared, lane);
+    const fracture::RateScale scale = scale_of(prepared, lane);
     scales.push_back({{"g_i0_j_m2", scale.g_i0}, {"g_i0_slope_j_m3", scale.g_i0_slope}});
   }
   return scales;
@@ -262,38 +249,53 @@ Json rate_scales_of(const Prepared& prepared) {
 
 /// Of the top grip, for those who draw it.
 double largest_displacement(const Prepared& prepared) {
-  const Scene& scene = prepared.preset.scene;
+  const scene::Scene& scene = prepared.preset.scene;
   double largest = prepared.pulled;
-  if (grip_moves(scene))
+  if (scene::grip_moves(scene))
     for (const auto& [time, displacement] : scene.loading.curve.row)
-      if (time > load_time(scene) && std::abs(displacement) > std::abs(largest)) largest = displacement;
+      if (time > scene::load_time(scene) && std::abs(displacement) > std::abs(largest))
+        largest = displacement;
   return largest;
 }
 
+}  // namespace
+
+Rates rates_of(const Prepared& prepared, const RunResult& result, int lane) {
+  std::vector<results::Sample> rows;
+  for (const results::Sample& row : result.lane[lane].books)
+    if (row.phase == results::Phase::fracture) rows.push_back(row);
+  if (rows.size() < 2) return {};
+  const LanePlan& plan = prepared.lane[lane];
+  const fracture::RateScale scale = scale_of(prepared, plan);
+  Rates rates{fracture::plateau_of(rows, plan.window, scale), fracture::rate_curve(rows, scale)};
+  if (changed_in_window(prepared, result, lane)) rates.plateau.reached = false;
+  return rates;
+}
+
 Json header_of(const Prepared& prepared, const BuildInfo& build) {
-  const Scene& scene = prepared.preset.scene;
+  const scene::Scene& scene = prepared.preset.scene;
   const LanePlan& first = prepared.lane.front();
-  std::int64_t most_steps = 0;
-  for (const LanePlan& lane : prepared.lane) most_steps = std::max(most_steps, lane.schedule.total());
+  std::int64_t steps = 0;
+  for (const LanePlan& lane : prepared.lane) steps = std::max(steps, lane.schedule.total());
   return {{"preset_name", prepared.preset.name},
-          {"preset", preset_text(prepared.preset)},
+          {"preset", scene::preset_text(prepared.preset)},
           {"version", build.version},
           {"compiler", build.compiler},
-          {"instruction_set", name_of(instruction_set())},
+          {"instruction_set", ensemble::name_of(ensemble::instruction_set())},
           {"seed", scene.specimen.seed},
           {"lanes", prepared.lane.size()},
           {"dt_s", prepared.step.dt * first.units.time},
-          {"steps", most_steps},
+          {"steps", steps},
           {"length_m", prepared.lattice.box.length},
           {"height_m", prepared.lattice.box.height},
           {"thickness_m", prepared.lattice.box.thickness},
-          {"g_i0_j_m2", mean_g_i0(scale_of(prepared, first), first.window[0], first.window[1])},
+          {"g_i0_j_m2", fracture::mean_g_i0(scale_of(prepared, first), first.window[0], first.window[1])},
           {"rate_scales", rate_scales_of(prepared)},
           {"rayleigh_speed_m_s", prepared.rayleigh_speed},
           {"tips", prepared.path.tips},
           {"path", path_of(prepared)},
           {"displacement_m", largest_displacement(prepared)},
-          {"grip_moves", grip_moves(scene)},
+          {"grip_moves", scene::grip_moves(scene)},
           {"mean_radius_m", prepared.lattice.mean_radius},
           {"density_kg_m3", prepared.density},
           {"solid_fraction", prepared.specimen.packing.solid_fraction},
@@ -328,15 +330,16 @@ Json summary_of(const Prepared& prepared, const RunResult& result, const std::ve
 }
 
 results::Geometry geometry_of(const Prepared& prepared) {
-  const Lattice& lattice = prepared.lattice;
+  const lattice::Lattice& lattice = prepared.lattice;
   results::Geometry g;
   for (const Eigen::Vector3d& c : lattice.centre)
     g.position.push_back({static_cast<float>(c.x()), static_cast<float>(c.y()), static_cast<float>(c.z())});
   for (double r : prepared.specimen.radius) g.radius.push_back(static_cast<float>(r));
   for (const auto& [i, j] : lattice.ends) g.beam.push_back({i, j});
-  for (const Crossing& c : crossings(prepared.path, lattice)) g.crossing.push_back(c.beam);
+  for (const fracture::Crossing& c : fracture::crossings(prepared.path, lattice))
+    g.crossing.push_back(c.beam);
   std::sort(g.crossing.begin(), g.crossing.end());
   return g;
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -5,11 +5,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace rift {
+namespace rift::simulation {
 
 /// The plateau and the rate curve of a lane's fracture phase.
 struct Rates {
-  Plateau plateau;
+  fracture::Plateau plateau;
   std::vector<results::RatePoint> curve;
 };
 Rates rates_of(const Prepared& prepared, const RunResult& result, int lane = 0);
@@ -31,4 +31,4 @@ nlohmann::ordered_json lane_summary(const Prepared& prepared, const RunResult& r
 /// The lattice as a viewer needs it.
 results::Geometry geometry_of(const Prepared& prepared);
 
-}  // namespace rift
+}  // namespace rift::simulation

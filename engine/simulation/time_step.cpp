@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace rift {
+namespace rift::simulation {
 
 double default_step(double critical, double zone_length, double speed) {
   assert(std::isfinite(critical));
@@ -15,8 +15,9 @@ double default_step(double critical, double zone_length, double speed) {
   return dt;
 }
 
-TimeStep choose_step(const Preset& preset, const StableStep& stable, const StepWish& wish, double time_unit) {
-  const Scene& scene = preset.scene;
+TimeStep choose_step(const scene::Preset& preset, const mechanics::StableStep& stable, const StepWish& wish,
+                     double time_unit) {
+  const scene::Scene& scene = preset.scene;
   TimeStep step{.dt = default_step(stable.critical, wish.zone_length, wish.speed),
                 .critical = stable.critical,
                 .critical_damped = wish.critical_damped.value_or(stable.critical),
@@ -34,8 +35,8 @@ TimeStep choose_step(const Preset& preset, const StableStep& stable, const StepW
                 "the critical step of this lattice with this damping is "
                 "{:.4g} s ({:.4g} s undamped)",
                 step.critical_damped * time_unit, step.critical * time_unit);
-  throw InputError(
-      {issue_at(preset, key, fmt::format("makes a step of {:.4g} s, and {}", step.dt * time_unit, limit))});
+  throw scene::InputError({scene::issue_at(
+      preset, key, fmt::format("makes a step of {:.4g} s, and {}", step.dt * time_unit, limit))});
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

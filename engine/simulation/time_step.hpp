@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace rift {
+namespace rift::simulation {
 
 /// Limits of the step and the step chosen [s].
 struct TimeStep {
@@ -29,7 +29,7 @@ struct StepWish {
 /// The step which the preset asks for, or else the default one of the wish. Throws InputError where it is not
 /// below the limit.
 /// @param[in] time_unit  a second of the lattice, in seconds of the preset   [LaneUnits]
-TimeStep choose_step(const Preset& preset, const StableStep& stable, const StepWish& wish,
+TimeStep choose_step(const scene::Preset& preset, const mechanics::StableStep& stable, const StepWish& wish,
                      double time_unit = 1.0);
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace rift {
+namespace rift::stability {
 namespace {
 
 constexpr const char* plate_text = R"(
@@ -31,7 +31,7 @@ window = [0.2, 0.5]
 )";
 
 /// The beams of the plate that a tip on the straight path has passed, by their ends alone.
-std::int64_t beams_passed(const Prepared& p, double tip) {
+std::int64_t beams_passed(const simulation::Prepared& p, double tip) {
   const double height = p.path.point.front().y();
   std::int64_t passed = 0;
   for (const auto& [i, j] : p.lattice.ends) {
@@ -46,24 +46,25 @@ std::int64_t beams_passed(const Prepared& p, double tip) {
 /// The releases of each lane, counted as the march reports them.
 struct Releases {
   std::vector<std::int64_t> of_lane;
-  explicit Releases(const Prepared& p) : of_lane(p.lane.size(), 0) {}
-  Observer observer() {
-    Observer observer;
+  explicit Releases(const simulation::Prepared& p) : of_lane(p.lane.size(), 0) {}
+  simulation::Observer observer() {
+    simulation::Observer observer;
     observer.event = [this](const results::ReleaseEvent& event) { ++of_lane[event.lane]; };
     return observer;
   }
 };
 
 /// What marching came to, of one lane.
-Seen seen_of(const Prepared& p, const RunResult& result, const Releases& releases, int lane) {
-  const LaneResult& r = result.lane[lane];
-  const Scene& scene = p.lane[lane].scene;
+Seen seen_of(const simulation::Prepared& p, const simulation::RunResult& result, const Releases& releases,
+             int lane) {
+  const simulation::LaneResult& r = result.lane[lane];
+  const scene::Scene& scene = p.lane[lane].scene;
   Seen seen;
   seen.residual = r.worst_residual;
-  seen.limit = ledger_limit(scene.solver.kinematics, scene.solver.precision);
+  seen.limit = simulation::ledger_limit(scene.solver.kinematics, scene.solver.precision);
   seen.steps = r.steps;
   seen.wall_s = r.wall_s;
-  if (r.outcome == Outcome::diverged) {
+  if (r.outcome == simulation::Outcome::diverged) {
     seen.ending = Ending::diverges;
     seen.caught_within = r.steps - std::max<std::int64_t>(r.sound_at, 0);
     seen.said = r.where;
@@ -76,7 +77,7 @@ Seen seen_of(const Prepared& p, const RunResult& result, const Releases& release
   seen.time_s = last.time_s;
   const auto passed = static_cast<double>(beams_passed(p, last.tip_m));
   seen.claims.push_back({"beams released", passed, passed, static_cast<double>(releases.of_lane[lane])});
-  const Rates rates = rates_of(p, result, lane);
+  const simulation::Rates rates = simulation::rates_of(p, result, lane);
   if (rates.plateau.reached) {
     seen.ratio = rates.plateau.mean.ratio_with_damping;
     return seen;
@@ -86,7 +87,9 @@ Seen seen_of(const Prepared& p, const RunResult& result, const Releases& release
   std::copy_if(r.books.begin(), r.books.end(), std::back_inserter(rows),
                [](const results::Sample& row) { return row.phase == results::Phase::fracture; });
   const auto& [from, to] = p.lane[lane].window;
-  seen.ratio = rate_around(rows, 0.5 * (from + to), to - from, scale_of(p, p.lane[lane])).ratio_with_damping;
+  seen.ratio =
+      fracture::rate_around(rows, 0.5 * (from + to), to - from, simulation::scale_of(p, p.lane[lane]))
+          .ratio_with_damping;
   return seen;
 }
 
@@ -97,7 +100,7 @@ Seen refused(std::string said) {
   return seen;
 }
 
-Scene with(Scene scene, const SceneChange& change, Precision precision) {
+scene::Scene with(scene::Scene scene, const SceneChange& change, scene::Precision precision) {
   scene.solver.precision = precision;
   if (change) change(scene);
   return scene;
@@ -105,44 +108,44 @@ Scene with(Scene scene, const SceneChange& change, Precision precision) {
 
 }  // namespace
 
-Preset plate_preset(const std::vector<std::string>& overrides) {
-  return read_preset_text(plate_text, "the suite's plate", overrides);
+scene::Preset plate_preset(const std::vector<std::string>& overrides) {
+  return scene::read_preset_text(plate_text, "the suite's plate", overrides);
 }
 
 Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, const PlateChange& plate,
-           Precision precision) try {
-  Preset preset = plate_preset(overrides);
-  if (!preset.issues.empty()) throw InputError(preset.issues);
+           scene::Precision precision) try {
+  scene::Preset preset = plate_preset(overrides);
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   preset.scene = with(preset.scene, scene, precision);
   Cache none;
-  Prepared p = prepare(preset, none);
+  simulation::Prepared p = simulation::prepare(preset, none);
   if (plate) plate(p);
   Releases releases(p);
-  return seen_of(p, march(p, releases.observer()), releases, 0);
-} catch (const InputError& error) {
+  return seen_of(p, simulation::march(p, releases.observer()), releases, 0);
+} catch (const scene::InputError& error) {
   return refused(error.what());
 }
 
-Seen SideBySide::of(int lane, Precision precision) {
-  std::vector<Seen>& seen = seen_[precision == Precision::single_precision];
+Seen SideBySide::of(int lane, scene::Precision precision) {
+  std::vector<Seen>& seen = seen_[precision == scene::Precision::single_precision];
   if (seen.empty()) {
-    Preset preset = plate_preset();
+    scene::Preset preset = plate_preset();
     preset.scene.solver.precision = precision;
-    std::vector<Scene> scenes;
+    std::vector<scene::Scene> scenes;
     for (const SceneChange& change : lanes_) scenes.push_back(with(preset.scene, change, precision));
     Cache none;
-    const Prepared p = prepare(preset, scenes, none);
+    const simulation::Prepared p = simulation::prepare(preset, scenes, none);
     Releases releases(p);
-    const RunResult result = march(p, releases.observer());
+    const simulation::RunResult result = simulation::march(p, releases.observer());
     for (int k = 0; k < static_cast<int>(lanes_.size()); ++k) seen.push_back(seen_of(p, result, releases, k));
   }
   return seen.at(static_cast<std::size_t>(lane));
 }
 
-void force_step(Prepared& prepared, double dt) {
-  std::vector<LanePlan> lanes = prepared.lane;
-  for (LanePlan& lane : lanes) lane.step.dt = dt;
-  take_lanes(prepared, std::move(lanes));
+void force_step(simulation::Prepared& prepared, double dt) {
+  std::vector<simulation::LanePlan> lanes = prepared.lane;
+  for (simulation::LanePlan& lane : lanes) lane.step.dt = dt;
+  simulation::take_lanes(prepared, std::move(lanes));
 }
 
-}  // namespace rift
+}  // namespace rift::stability

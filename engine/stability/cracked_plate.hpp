@@ -8,27 +8,27 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::stability {
 
 /// The suite's plate: 300 elements, 24 x 12 mm and two layers, pulled by 5 %, cracked at 0.5 c_r to 12 mm.
 /// Packs in 0.1 s, a step takes 0.1 ms.
-Preset plate_preset(const std::vector<std::string>& overrides = {});
+scene::Preset plate_preset(const std::vector<std::string>& overrides = {});
 
 /// What a case changes of a scene that a preset could not say (its ranges guard against slips of units), and
 /// of what is prepared from it.
-using SceneChange = std::function<void(Scene&)>;
-using PlateChange = std::function<void(Prepared&)>;
+using SceneChange = std::function<void(scene::Scene&)>;
+using PlateChange = std::function<void(simulation::Prepared&)>;
 
 /// Prepares and marches it; what refuses it is what was seen. Claims that every beam which the tip has passed
 /// was released, once.
 Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, const PlateChange& plate,
-           Precision precision);
+           scene::Precision precision);
 
 /// Scenarios that march side by side in one pass, in each precision once; asked for one by one.
 class SideBySide {
  public:
   explicit SideBySide(std::vector<SceneChange> lanes) : lanes_(std::move(lanes)) {}
-  Seen of(int lane, Precision precision);
+  Seen of(int lane, scene::Precision precision);
 
  private:
   std::vector<SceneChange> lanes_;
@@ -36,6 +36,6 @@ class SideBySide {
 };
 
 /// The step of all lanes set to `dt` [s of the lattice], whatever the checks would say of it.
-void force_step(Prepared& prepared, double dt);
+void force_step(simulation::Prepared& prepared, double dt);
 
-}  // namespace rift
+}  // namespace rift::stability

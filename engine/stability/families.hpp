@@ -3,7 +3,7 @@
 #include "engine/stability/suite.hpp"
 
 /// The families of the suite, each adding its cases.
-namespace rift {
+namespace rift::stability {
 
 using Cases = std::vector<StabilityCase>;
 
@@ -16,4 +16,4 @@ void add_packings(Cases& cases);                             // ratio of the rad
 void add_damping(Cases& cases);                              // alpha and its shrunken limit
 void add_cracks(Cases& cases, const SuiteOptions& options);  // damage zone, velocity, pre-strain
 
-}  // namespace rift
+}  // namespace rift::stability

@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace rift {
+namespace rift::stability {
 namespace {
 
 using Eigen::VectorXd;
@@ -22,29 +22,30 @@ using Eigen::VectorXd;
 constexpr double far = 1e6;  // grown or shrunk
 
 /// M^-1/2 of each degree of freedom, 0 where gripped.
-VectorXd root_mobility(const Lattice& lattice) {
+VectorXd root_mobility(const lattice::Lattice& lattice) {
   VectorXd root = VectorXd::Zero(6 * static_cast<long>(lattice.mass.size()));
   for (long i = 0; i < static_cast<long>(lattice.mass.size()); ++i) {
-    if (lattice.grip[i] != Grip::none) continue;
+    if (lattice.grip[i] != lattice::Grip::none) continue;
     root.segment<3>(6 * i).setConstant(1.0 / std::sqrt(lattice.mass[i]));
     root.segment<3>(6 * i + 3).setConstant(1.0 / std::sqrt(lattice.inertia[i]));
   }
   return root;
 }
 
-std::vector<Vector6> by_element(const VectorXd& q) {
-  std::vector<Vector6> motion(static_cast<std::size_t>(q.size() / 6));
+std::vector<mechanics::Vector6> by_element(const VectorXd& q) {
+  std::vector<mechanics::Vector6> motion(static_cast<std::size_t>(q.size() / 6));
   for (std::size_t i = 0; i < motion.size(); ++i) motion[i] = q.segment<6>(6 * static_cast<long>(i));
   return motion;
 }
 
 /// An ensemble of one lane that no crack ever reaches, at rest and moved out of its equilibrium.
 template <class Real>
-Ensemble<Real> released(const Lattice& lattice, const VectorXd& from, double dt, double beta) {
-  LaneScenario idle;
-  idle.history = history_of(0.0, {{1.0, 1.0}});
+ensemble::Ensemble<Real> released(const lattice::Lattice& lattice, const VectorXd& from, double dt,
+                                  double beta) {
+  fracture::LaneScenario idle;
+  idle.history = history::history_of(0.0, {{1.0, 1.0}});
   const double beside = 10.0 * (lattice.box.length + lattice.box.height);
-  Ensemble<Real> s(lattice, straight_path(lattice.box.length, beside), 0.0, dt, {idle});
+  ensemble::Ensemble<Real> s(lattice, fracture::straight_path(lattice.box.length, beside), 0.0, dt, {idle});
   s.release_from(by_element(from));
   s.set_beta(beta);
   return s;
@@ -58,13 +59,13 @@ double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 
 /// Position (times omega) and speed of a mode, from those of all elements.
 struct ModalState {
-  const Lattice& lattice;
+  const lattice::Lattice& lattice;
   const HighestMode& mode;
 
   Eigen::Vector2d of(auto& s) const {
     Eigen::Vector2d state = Eigen::Vector2d::Zero();
     for (int i = 0; i < static_cast<int>(lattice.mass.size()); ++i) {
-      Vector6 weight = mode.shape.segment<6>(6L * i);
+      mechanics::Vector6 weight = mode.shape.segment<6>(6L * i);
       weight.head<3>() *= lattice.mass[i], weight.tail<3>() *= lattice.inertia[i];
       state += Eigen::Vector2d(mode.omega * weight.dot(s.motion(i, 0)), weight.dot(s.velocity(i, 0)));
     }
@@ -81,8 +82,9 @@ double largest_turn(const Eigen::Matrix2d& a) {
 }
 
 template <class Real>
-Seen vibrate_in(const Lattice& lattice, const HighestMode& mode, double dt, double beta, std::int64_t steps) {
-  Ensemble<Real> s =
+Seen vibrate_in(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
+                std::int64_t steps) {
+  ensemble::Ensemble<Real> s =
       released<Real>(lattice, mode.shape * (1e-6 / mode.shape.cwiseAbs().maxCoeff()), dt, beta);
   const ModalState modal{lattice, mode};
   Eigen::Vector2d before = modal.of(s);
@@ -108,11 +110,11 @@ Seen vibrate_in(const Lattice& lattice, const HighestMode& mode, double dt, doub
 
 }  // namespace
 
-HighestMode highest_mode(const Lattice& lattice) {
+HighestMode highest_mode(const lattice::Lattice& lattice) {
   const VectorXd root = root_mobility(lattice);
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(root.size(), root.size());
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
-    const Matrix12 part = stiffness_of(lattice.beam[b]);
+    const mechanics::Matrix12 part = mechanics::stiffness_of(lattice.beam[b]);
     const auto& e = lattice.ends[b];
     for (int r : {0, 1})
       for (int c : {0, 1}) k.block<6, 6>(6 * e[r], 6 * e[c]) += part.block<6, 6>(6 * r, 6 * c);
@@ -137,12 +139,13 @@ double turn_of_mode(double omega_dt, double beta) {
   return half_trace < 0.0 ? std::numbers::pi : 0.0;
 }
 
-Seen vibrate(const Lattice& lattice, const HighestMode& mode, double dt, double beta, std::int64_t steps,
-             Precision precision) {
-  Seen seen = precision == Precision::double_precision ? vibrate_in<double>(lattice, mode, dt, beta, steps)
-                                                       : vibrate_in<float>(lattice, mode, dt, beta, steps);
-  seen.limit = ledger_limit(Kinematics::linear, precision);
-  const double rounding = growth_tolerance * (precision == Precision::double_precision ? 1.0 : 10.0);
+Seen vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
+             std::int64_t steps, scene::Precision precision) {
+  Seen seen = precision == scene::Precision::double_precision
+                  ? vibrate_in<double>(lattice, mode, dt, beta, steps)
+                  : vibrate_in<float>(lattice, mode, dt, beta, steps);
+  seen.limit = simulation::ledger_limit(scene::Kinematics::linear, precision);
+  const double rounding = growth_tolerance * (precision == scene::Precision::double_precision ? 1.0 : 10.0);
   if (seen.growth > rounding)
     seen.residual = std::numeric_limits<double>::quiet_NaN();  // of nothing that is kept
   seen.ending = seen.growth > rounding        ? Ending::diverges
@@ -151,13 +154,14 @@ Seen vibrate(const Lattice& lattice, const HighestMode& mode, double dt, double 
   return seen;
 }
 
-Seen vibrate_freely(const Lattice& lattice, double dt, std::int64_t steps, Precision precision) {
+Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
+                    scene::Precision precision) {
   std::mt19937_64 random(7);
   VectorXd q = root_mobility(lattice);
   for (double& x : q) x *= static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5;
   q *= 1e-6 / q.cwiseAbs().maxCoeff();
   Seen seen;
-  seen.limit = ledger_limit(Kinematics::linear, precision);
+  seen.limit = simulation::ledger_limit(scene::Kinematics::linear, precision);
   const auto march = [&](auto s) {
     seen.residual = 0.0;
     double kinetic = 0.0;
@@ -173,7 +177,7 @@ Seen vibrate_freely(const Lattice& lattice, double dt, std::int64_t steps, Preci
     // A hundred looks at cos^2 of one mode's phase, the fewest there can be, are known to 0.035.
     seen.claims.push_back(claim_near("kinetic share of K + U - C in the mean", kinetic / looks, 0.5, 0.1));
   };
-  if (precision == Precision::double_precision)
+  if (precision == scene::Precision::double_precision)
     march(released<double>(lattice, q, dt, 1.0));
   else
     march(released<float>(lattice, q, dt, 1.0));
@@ -181,4 +185,4 @@ Seen vibrate_freely(const Lattice& lattice, double dt, std::int64_t steps, Preci
   return seen;
 }
 
-}  // namespace rift
+}  // namespace rift::stability

@@ -5,14 +5,14 @@
 
 #include <Eigen/Core>
 
-namespace rift {
+namespace rift::stability {
 
 /// A lattice's highest mode of vibration, by dense algebra: for lattices of some hundred elements.
 struct HighestMode {
   double omega = 0;       // [1/s]
   Eigen::VectorXd shape;  // 6 N, mass-normalised, zero where gripped
 };
-HighestMode highest_mode(const Lattice& lattice);
+HighestMode highest_mode(const lattice::Lattice& lattice);
 
 /// ln of what one step of velocity Verlet does to the amplitude of a mode, at best 0 for beta = 1: the
 /// spectral radius of the matrix with determinant 1 + (beta - 1) h / 2 and trace 2 - (1 + beta) h / 2, h =
@@ -27,11 +27,12 @@ double turn_of_mode(double omega_dt, double beta);
 /// the spectral radius of the matrix that fits all steps best. It diverges where that is above 1; where it is
 /// not the books must close, and the mode must turn as turn_of_mode() says.
 /// @param[in] steps  at most; it ends earlier where the amplitude has grown or shrunk 1e6-fold
-Seen vibrate(const Lattice& lattice, const HighestMode& mode, double dt, double beta, std::int64_t steps,
-             Precision precision);
+Seen vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
+             std::int64_t steps, scene::Precision precision);
 
 /// Marches the lattice from rest in a mixture of all motions and looks at the books a hundred times: half of
 /// K + U - C is kinetic in the mean (the virial theorem, as velocity Verlet keeps it).
-Seen vibrate_freely(const Lattice& lattice, double dt, std::int64_t steps, Precision precision);
+Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
+                    scene::Precision precision);
 
-}  // namespace rift
+}  // namespace rift::stability

@@ -14,30 +14,31 @@
 #include <memory>
 
 /// Families over lattices made by hand.
-namespace rift {
+namespace rift::stability {
 namespace {
 
 struct Vibrating {
-  Lattice lattice = small_block(5, 5, 3);
+  lattice::Lattice lattice = small_block(5, 5, 3);
   HighestMode mode = highest_mode(lattice);
-  StableStep stable = stable_step(lattice);
+  mechanics::StableStep stable = mechanics::stable_step(lattice);
 };
 
 constexpr std::int64_t growing_steps = 4000;
 
 /// A crack at 0.5 of the speed of a bar's waves along any path of a lattice that is pulled by 1 %.
 /// @param[in] least, most  beams that the path crosses
-Seen crack_along(const Lattice& lattice, const CrackPath& path, double until, int least, int most,
-                 Precision precision) {
-  const StableStep stable = stable_step(lattice);
+Seen crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& path, double until, int least,
+                 int most, scene::Precision precision) {
+  const mechanics::StableStep stable = mechanics::stable_step(lattice);
   const double speed = 500.0, dt = 0.3 * stable.critical;
   const std::vector<char> present(lattice.beam.size(), 1);
-  const std::vector<Vector6> base = stretched_at_rest(lattice, present, 0.01 * lattice.box.height);
-  LaneScenario scenario;
-  scenario.law = {Technique::progressive, 1.0, lattice.mean_radius};
-  scenario.history = history_of(-scenario.law.zone_length, {{speed, until}});
+  const std::vector<mechanics::Vector6> base =
+      mechanics::stretched_at_rest(lattice, present, 0.01 * lattice.box.height);
+  fracture::LaneScenario scenario;
+  scenario.law = {scene::Technique::progressive, 1.0, lattice.mean_radius};
+  scenario.history = history::history_of(-scenario.law.zone_length, {{speed, until}});
   Seen seen;
-  seen.limit = ledger_limit(Kinematics::linear, precision);
+  seen.limit = simulation::ledger_limit(scene::Kinematics::linear, precision);
   const auto run = [&](auto s) {
     s.start_from(base);
     s.start_crack({});
@@ -59,43 +60,43 @@ Seen crack_along(const Lattice& lattice, const CrackPath& path, double until, in
     seen.claims.push_back(
         claim_near("energy that they took over that of the books", taken / end.fracture_j, 1.0, 1e-9));
   };
-  if (precision == Precision::double_precision)
-    run(Ensemble<double>(lattice, path, 0.0, dt, {scenario}));
+  if (precision == scene::Precision::double_precision)
+    run(ensemble::Ensemble<double>(lattice, path, 0.0, dt, {scenario}));
   else
-    run(Ensemble<float>(lattice, path, 0.0, dt, {scenario}));
+    run(ensemble::Ensemble<float>(lattice, path, 0.0, dt, {scenario}));
   seen.ending = seen.residual <= seen.limit ? Ending::closes : Ending::open;
   return seen;
 }
 
 /// Energy of a block that is pulled by 1 mm [J].
-double energy_pulled(const Lattice& lattice) {
-  const std::vector<Vector6> pulled =
-      stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 1e-3);
+double energy_pulled(const lattice::Lattice& lattice) {
+  const std::vector<mechanics::Vector6> pulled =
+      mechanics::stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 1e-3);
   double energy = 0.0;
   for (std::size_t b = 0; b < lattice.beam.size(); ++b)
-    energy += energy_of_beam(lattice, static_cast<int>(b), Kinematics::linear, pulled);
+    energy += lattice::energy_of_beam(lattice, static_cast<int>(b), scene::Kinematics::linear, pulled);
   return energy;
 }
 
 /// Two halves that nothing joins: the upper one is lifted as a whole and nothing is strained.
-Seen halves_apart(Precision precision) {
-  const Lattice lattice = small_block(4, 6, 2, true), whole = small_block(4, 6, 2);
-  Seen seen = vibrate_freely(lattice, 0.9 * stable_step(lattice).critical, 2000, precision);
+Seen halves_apart(scene::Precision precision) {
+  const lattice::Lattice lattice = small_block(4, 6, 2, true), whole = small_block(4, 6, 2);
+  Seen seen = vibrate_freely(lattice, 0.9 * mechanics::stable_step(lattice).critical, 2000, precision);
   seen.claims.push_back(claim_near("energy when pulled over that of the block in one piece",
                                    energy_pulled(lattice) / energy_pulled(whole), 0.0, 1e-15));
   return seen;
 }
 
-Seen rattlers_only(Precision) {
-  Packing packing;
+Seen rattlers_only(scene::Precision) {
+  lattice::Packing packing;
   for (const double x : {1e-3, 4e-3})
     for (const double y : {1e-3, 4e-3})
       for (const double z : {1e-3, 4e-3}) packing.centre.emplace_back(x, y, z);
   packing.radius.assign(8, 1e-3);
   Seen seen;
   try {
-    (void)make_plate(packing, {.length = 5e-3, .height = 5e-3, .thickness = 5e-3}, 1.0);
-  } catch (const PackingError& error) {
+    (void)lattice::make_plate(packing, {.length = 5e-3, .height = 5e-3, .thickness = 5e-3}, 1.0);
+  } catch (const lattice::PackingError& error) {
     seen.ending = Ending::refused;
     seen.said = error.what();
   }
@@ -111,7 +112,8 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
     const double dt = fraction * block->stable.critical;
     const double growth = growth_of_mode(block->mode.omega * dt, 1.0);
     cases.push_back({"time step", fmt::format("{:g} of critical", fraction),
-                     growth > 0.0 ? Ending::diverges : Ending::closes, growth, "", [block, dt](Precision p) {
+                     growth > 0.0 ? Ending::diverges : Ending::closes, growth, "",
+                     [block, dt](scene::Precision p) {
                        return vibrate(block->lattice, block->mode, dt, 1.0, growing_steps, p);
                      }});
   }
@@ -122,13 +124,13 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
     const double growth = growth_of_mode(block->mode.omega * dt, beta);
     cases.push_back({"beta", fmt::format("{:g} at half the critical step", beta),
                      growth > 0.0 ? Ending::diverges : Ending::closes, growth, "",
-                     [block, dt, beta](Precision p) {
+                     [block, dt, beta](scene::Precision p) {
                        return vibrate(block->lattice, block->mode, dt, beta, growing_steps, p);
                      }});
   }
   const std::int64_t steps = options.quick ? 10'000 : 1'000'000;
   cases.push_back({"drift", fmt::format("{} steps of free vibration at 0.9 of critical", steps),
-                   Ending::closes, std::nan(""), "", [block, steps](Precision p) {
+                   Ending::closes, std::nan(""), "", [block, steps](scene::Precision p) {
                      return vibrate_freely(block->lattice, 0.9 * block->stable.critical, steps, p);
                    }});
 }
@@ -136,20 +138,20 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
 void add_small_lattices(Cases& cases) {
   for (const int elements : {2, 20})
     cases.push_back({"small lattices", elements == 2 ? "two elements, one beam" : "a chain of 20 elements",
-                     Ending::closes, std::nan(""), "", [elements](Precision p) {
-                       const Lattice chain = small_chain(elements);
-                       return vibrate_freely(chain, 0.9 * stable_step(chain).critical, 5000, p);
+                     Ending::closes, std::nan(""), "", [elements](scene::Precision p) {
+                       const lattice::Lattice chain = small_chain(elements);
+                       return vibrate_freely(chain, 0.9 * mechanics::stable_step(chain).critical, 5000, p);
                      }});
   cases.push_back({"small lattices", "cut in two", Ending::closes, std::nan(""), "", halves_apart});
   cases.push_back({"small lattices", "rattlers only", Ending::refused, std::nan(""), "grip", rattlers_only});
 }
 
 void add_paths(Cases& cases) {
-  const auto block = std::make_shared<Lattice>(small_block(12, 8, 2));
+  const auto block = std::make_shared<lattice::Lattice>(small_block(12, 8, 2));
   const double r = small_spacing;
-  const auto add = [&](const char* name, const CrackPath& path, double until, int least, int most) {
+  const auto add = [&](const char* name, const fracture::CrackPath& path, double until, int least, int most) {
     cases.push_back({"crack path", name, Ending::closes, std::nan(""), "",
-                     [=](Precision p) { return crack_along(*block, path, until, least, most, p); }});
+                     [=](scene::Precision p) { return crack_along(*block, path, until, least, most, p); }});
   };
   // Between two rows: 12 x 2 upright beams and 2 x 11 x 2 diagonal ones. The others were counted apart;
   // aslant, where rounding decides to which side a centre on the path belongs, 40 if all belong to one.
@@ -171,9 +173,9 @@ GrowthCurve growth_around_the_limit() {
     curve.step.push_back(x);
     curve.expected.push_back(growth_of_mode(2.0 * x, 1.0));
     curve.seen.push_back(
-        vibrate(v.lattice, v.mode, x * truth, 1.0, growing_steps, Precision::double_precision).growth);
+        vibrate(v.lattice, v.mode, x * truth, 1.0, growing_steps, scene::Precision::double_precision).growth);
   }
   return curve;
 }
 
-}  // namespace rift
+}  // namespace rift::stability

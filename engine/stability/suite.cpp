@@ -2,7 +2,7 @@
 
 #include "engine/stability/families.hpp"
 
-namespace rift {
+namespace rift::stability {
 
 std::vector<StabilityCase> stability_cases(const SuiteOptions& options) {
   Cases cases;
@@ -20,4 +20,4 @@ std::vector<StabilityCase> stability_cases(const SuiteOptions& options) {
   return cases;
 }
 
-}  // namespace rift
+}  // namespace rift::stability

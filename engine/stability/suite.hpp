@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rift {
+namespace rift::stability {
 
 /// How a suite is run.
 struct SuiteOptions {
@@ -26,4 +26,4 @@ struct GrowthCurve {
 };
 GrowthCurve growth_around_the_limit();
 
-}  // namespace rift
+}  // namespace rift::stability

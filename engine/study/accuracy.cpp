@@ -13,7 +13,7 @@
 #include <iterator>
 #include <set>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 constexpr double step_fractions[] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.98};
@@ -33,32 +33,32 @@ std::string grouped(int n) {
   return text;
 }
 
-std::string issues_text(const std::vector<Issue>& issues) {
+std::string issues_text(const std::vector<scene::Issue>& issues) {
   std::string text;
-  for (const Issue& issue : issues) text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
+  for (const scene::Issue& issue : issues) text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
   return text;
 }
 
 /// The preset with another scene; what contradicts itself is told as if the preset had said so.
-std::vector<Issue> contradictions_of(const Preset& preset, const Scene& scene) {
-  Preset varied = preset;
+std::vector<scene::Issue> contradictions_of(const scene::Preset& preset, const scene::Scene& scene) {
+  scene::Preset varied = preset;
   varied.scene = scene;
-  return contradictions(varied, {});
+  return scene::contradictions(varied, {});
 }
 
 struct Planning {
   AccuracyPlan plan;
   bool quick = false;
 
-  const Scene& base() const { return plan.preset.scene; }
-  void add(Knob knob, std::string label, const Scene& scene) {
+  const scene::Scene& base() const { return plan.preset.scene; }
+  void add(Knob knob, std::string label, const scene::Scene& scene) {
     plan.variants.push_back(
         {knob, std::move(label), scene, issues_text(contradictions_of(plan.preset, scene))});
   }
 };
 
 void take_quarter(Planning& p) {
-  Scene quarter = p.base();
+  scene::Scene quarter = p.base();
   quarter.specimen.elements /= finer;
   const bool sound =
       quarter.specimen.elements >= fewest_quick && contradictions_of(p.plan.preset, quarter).empty();
@@ -69,14 +69,14 @@ void take_quarter(Planning& p) {
 }
 
 /// The scene that all variants start from.
-Planning start_from(const Preset& preset, bool quick) {
+Planning start_from(const scene::Preset& preset, bool quick) {
   Planning p{.plan = {.preset = preset, .variants = {}, .notes = {}}, .quick = quick};
-  Scene& scene = p.plan.preset.scene;
+  scene::Scene& scene = p.plan.preset.scene;
   p.plan.preset.study.clear();
   p.plan.preset.lanes.clear();
   scene.output.frames = 0;
-  if (scene.loading.method == LoadingMethod::ramp) {
-    scene.loading.method = LoadingMethod::static_solve;
+  if (scene.loading.method == scene::LoadingMethod::ramp) {
+    scene.loading.method = scene::LoadingMethod::static_solve;
     p.plan.notes.push_back(
         quick
             ? "the preset's ramp is left out: all variants start from the static solve"
@@ -94,20 +94,20 @@ Planning start_from(const Preset& preset, bool quick) {
   return p;
 }
 
-Scene with_step(Scene scene, double fraction, Precision precision) {
+scene::Scene with_step(scene::Scene scene, double fraction, scene::Precision precision) {
   scene.solver.dt.reset();
   scene.solver.dt_fraction = fraction;
   scene.solver.precision = precision;
   return scene;
 }
 
-std::string step_label(double fraction, Precision precision) {
+std::string step_label(double fraction, scene::Precision precision) {
   return fmt::format("{:g} of critical{}", fraction,
-                     precision == Precision::single_precision ? ", single" : "");
+                     precision == scene::Precision::single_precision ? ", single" : "");
 }
 
 void add_steps(Planning& p) {
-  using enum Precision;
+  using enum scene::Precision;
   for (const double f : step_fractions)
     p.add(Knob::time_step, step_label(f, double_precision), with_step(p.base(), f, double_precision));
   for (const double f : step_fractions)
@@ -118,7 +118,7 @@ void add_steps(Planning& p) {
 void add_elements(Planning& p, const std::set<int>& levels, int seeds) {
   for (const int n : levels)
     for (int k = 0; k < seeds; ++k) {
-      Scene scene = p.base();
+      scene::Scene scene = p.base();
       scene.specimen.elements = n;
       scene.specimen.seed += k;
       p.add(Knob::elements, grouped(n) + " elements", scene);
@@ -126,24 +126,24 @@ void add_elements(Planning& p, const std::set<int>& levels, int seeds) {
 }
 
 void add_kinematics(Planning& p) {
-  for (const Kinematics kinematics : {Kinematics::linear, Kinematics::corotational}) {
-    Scene scene = p.base();
+  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational}) {
+    scene::Scene scene = p.base();
     scene.solver.kinematics = kinematics;
-    p.add(Knob::kinematics, kinematics == Kinematics::linear ? "linear" : "corotational", scene);
+    p.add(Knob::kinematics, kinematics == scene::Kinematics::linear ? "linear" : "corotational", scene);
   }
 }
 
 /// A ramp as the preset's own keys say, else in the paper's time, which grows with the height.
-Scene ramped(const Preset& preset) {
-  Scene scene = preset.scene;
-  scene.loading.method = LoadingMethod::ramp;
-  const double time =
-      paper_ramp_s * scene.specimen.height / paper_height_m * paper_rayleigh_speed / rayleigh_speed(scene);
+scene::Scene ramped(const scene::Preset& preset) {
+  scene::Scene scene = preset.scene;
+  scene.loading.method = scene::LoadingMethod::ramp;
+  const double time = paper_ramp_s * scene.specimen.height / paper_height_m * paper_rayleigh_speed /
+                      scene::rayleigh_speed(scene);
   const double wanted = std::ceil(time / estimated_length(scene).step_s);
-  const Range allowed = find_parameter("loading.ramp_steps")->range;
-  if (auto issue =
-          range_issue(preset, scene, {"a ramp", wanted, allowed, "steps", {"solver.dt", "specimen.height"}}))
-    throw InputError({*issue});
+  const scene::Range allowed = scene::find_parameter("loading.ramp_steps")->range;
+  if (auto issue = scene::range_issue(preset, scene,
+                                      {"a ramp", wanted, allowed, "steps", {"solver.dt", "specimen.height"}}))
+    throw scene::InputError({*issue});
   const int steps = static_cast<int>(wanted);
   if (!preset.origins.contains("loading.ramp_steps")) scene.loading.ramp_steps = steps;
   if (!preset.origins.contains("loading.hold_steps")) scene.loading.hold_steps = steps / 2;
@@ -153,7 +153,7 @@ Scene ramped(const Preset& preset) {
 void add_prestress(Planning& p) {
   if (p.quick) return;
   p.add(Knob::prestress, "static", p.base());
-  const Scene ramp = ramped(p.plan.preset);
+  const scene::Scene ramp = ramped(p.plan.preset);
   p.add(
       Knob::prestress,
       fmt::format("ramp, {} + {} steps", grouped(ramp.loading.ramp_steps), grouped(ramp.loading.hold_steps)),
@@ -165,7 +165,7 @@ void add_samples(Planning& p) {
                                    ? std::set<int>{few_samples, p.base().output.samples, most_samples}
                                    : std::set<int>{few_samples, 100, p.base().output.samples, most_samples};
   for (const int samples : levels) {
-    Scene scene = p.base();
+    scene::Scene scene = p.base();
     scene.output.samples = samples;
     p.add(Knob::samples, grouped(samples) + " samples", scene);
   }
@@ -174,10 +174,11 @@ void add_samples(Planning& p) {
 void add_together(Planning& p) {
   for (const double f : step_fractions) {
     if (f < least_together || f > most_together) continue;
-    Scene scene = with_step(p.base(), f, Precision::single_precision);
+    scene::Scene scene = with_step(p.base(), f, scene::Precision::single_precision);
     scene.output.samples = few_samples;
     p.add(Knob::together,
-          fmt::format("{}, {} samples", step_label(f, Precision::single_precision), few_samples), scene);
+          fmt::format("{}, {} samples", step_label(f, scene::Precision::single_precision), few_samples),
+          scene);
   }
 }
 
@@ -223,7 +224,7 @@ const char* name_of(Knob knob) {
   return "";
 }
 
-AccuracyPlan plan_accuracy(const Preset& preset, const AccuracyWish& wish) {
+AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyWish& wish) {
   const Planning start = start_from(preset, wish.quick);
   const int elements = start.base().specimen.elements;
   if (!wish.elements.empty()) {
@@ -247,9 +248,9 @@ double estimated_seconds(const AccuracyPlan& plan) {
   double beam_steps = 0.0;
   std::set<std::string> scenarios, lattices;
   for (const Variant& v : plan.variants) {
-    if (!v.cannot_be.empty() || !scenarios.insert(preset_text(v.scene)).second) continue;
+    if (!v.cannot_be.empty() || !scenarios.insert(scene::preset_text(v.scene)).second) continue;
     beam_steps += estimated_cost(v.scene);
-    const bool corotational = v.scene.solver.kinematics == Kinematics::corotational;
+    const bool corotational = v.scene.solver.kinematics == scene::Kinematics::corotational;
     const std::string lattice =
         fmt::format("{} {} {}", v.scene.specimen.elements, v.scene.specimen.seed, corotational);
     if (lattices.insert(lattice).second) beam_steps += estimated_preparation(v.scene);
@@ -257,12 +258,12 @@ double estimated_seconds(const AccuracyPlan& plan) {
   return beam_steps / beam_steps_per_s;
 }
 
-std::vector<Scene> side_by_side(const Scene& scene, int count) {
-  std::vector<Scene> scenes(static_cast<std::size_t>(count), scene);
+std::vector<scene::Scene> side_by_side(const scene::Scene& scene, int count) {
+  std::vector<scene::Scene> scenes(static_cast<std::size_t>(count), scene);
   for (std::size_t k = 0; k < scenes.size(); ++k)
-    for (VelocityPiece& piece : scenes[k].crack.velocity)
+    for (scene::VelocityPiece& piece : scenes[k].crack.velocity)
       piece.speed.value *= 1.0 - 1e-6 * static_cast<double>(k + 1);
   return scenes;
 }
 
-}  // namespace rift
+}  // namespace rift::study

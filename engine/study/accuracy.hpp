@@ -7,7 +7,7 @@
 
 /// Error against run time: what a scene is tried with, one thing at a time, to see what buys time and what it
 /// costs in accuracy.
-namespace rift {
+namespace rift::study {
 
 /// What is varied from the scene. `together` holds combinations worth recommending.
 enum class Knob { scene, time_step, precision, elements, kinematics, prestress, samples, together };
@@ -17,7 +17,7 @@ const char* name_of(Knob knob);  // "time step"
 struct Variant {
   Knob knob = Knob::scene;
   std::string label;  // "0.4 of critical, single"
-  Scene scene;
+  scene::Scene scene;
   std::string cannot_be = {};  // why it is not tried; empty where it is
 };
 
@@ -28,7 +28,7 @@ struct AccuracyWish {
 };
 
 struct AccuracyPlan {
-  Preset preset;                   // the scene all variants start from, at rest by the static solve
+  scene::Preset preset;            // the scene all variants start from, at rest by the static solve
   std::vector<Variant> variants;   // knob by knob; the first is the scene itself
   std::vector<std::string> notes;  // what the user should know of the choice
 };
@@ -43,12 +43,12 @@ struct AccuracyPlan {
 ///   samples     25 to 1,600                                   against the most
 ///   together    0.4 to 0.9 of critical, single, 25 samples
 /// A step in seconds that the preset gives holds wherever the time step is not what is varied.
-AccuracyPlan plan_accuracy(const Preset& preset, const AccuracyWish& wish);
+AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyWish& wish);
 
 /// Seconds that a plan takes from nothing, roughly: at 100 M beam-steps/s.
 double estimated_seconds(const AccuracyPlan& plan);
 
 /// The scene `count` times, velocities 1e-6 apart: what as many lanes of equal work march.
-std::vector<Scene> side_by_side(const Scene& scene, int count);
+std::vector<scene::Scene> side_by_side(const scene::Scene& scene, int count);
 
-}  // namespace rift
+}  // namespace rift::study

@@ -9,7 +9,7 @@
 #include <functional>
 #include <limits>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -160,7 +160,7 @@ void judge_elements(Judging& j) {
 
 /// The parts of the error together, against the finest lattice at the converged step.
 void judge_whole(Judging& j) {
-  const Scene& scene = j.variant(j.scene()).scene;
+  const scene::Scene& scene = j.variant(j.scene()).scene;
   double lattice = 0.0, uncertainty = 0.0;
   for (const AccuracyLine* line : j.of(Knob::elements))
     if (j.variant(*line).scene.specimen.elements == scene.specimen.elements && std::isfinite(line->error)) {
@@ -209,9 +209,10 @@ Accuracy judge_accuracy(const std::vector<Tried>& tried, double goal) {
   judge_precision(j);
   judge_elements(j);
   judge_against(j, Knob::kinematics, "linear beams, a difference of models",
-                [](const Variant& v) { return v.scene.solver.kinematics == Kinematics::linear; });
-  judge_against(j, Knob::prestress, "the static solve",
-                [](const Variant& v) { return v.scene.loading.method == LoadingMethod::static_solve; });
+                [](const Variant& v) { return v.scene.solver.kinematics == scene::Kinematics::linear; });
+  judge_against(j, Knob::prestress, "the static solve", [](const Variant& v) {
+    return v.scene.loading.method == scene::LoadingMethod::static_solve;
+  });
   int most = 0;
   for (const AccuracyLine* line : j.of(Knob::samples)) most = std::max(most, static_cast<int>(line->value));
   judge_against(j, Knob::samples, "the most samples",
@@ -235,4 +236,4 @@ std::vector<std::string> reference_texts(const Accuracy& accuracy) {
   return texts;
 }
 
-}  // namespace rift
+}  // namespace rift::study

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Errors of tried variants, one kind a knob; the distance to the theory is kept apart from them.
-namespace rift {
+namespace rift::study {
 
 /// All that was found of a variant, over its seeds where it has several. Ratios are ratio_with_damping.
 struct AccuracyLine {
@@ -68,4 +68,4 @@ Accuracy judge_accuracy(const std::vector<Tried>& tried, double goal);
 /// "time step: against ...", one line for each knob.
 std::vector<std::string> reference_texts(const Accuracy& accuracy);
 
-}  // namespace rift
+}  // namespace rift::study

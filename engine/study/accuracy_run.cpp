@@ -4,7 +4,7 @@
 #include "engine/study/curve.hpp"
 #include "engine/study/passes.hpp"
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 /// Preparation beside the march: packing and pre-stress come from the cache for most variants.
@@ -14,15 +14,16 @@ double cost_of(const Variant& v) {
   return v.cannot_be.empty() ? estimated_cost(v.scene) + cached_share * estimated_preparation(v.scene) : 0.0;
 }
 
-Preset study_of(const AccuracyPlan& plan, const std::vector<Scene>& scenes) {
-  Preset preset = plan.preset;
-  for (const Scene& scene : scenes) preset.study.push_back(study_row_of(scene));
+scene::Preset study_of(const AccuracyPlan& plan, const std::vector<scene::Scene>& scenes) {
+  scene::Preset preset = plan.preset;
+  for (const scene::Scene& scene : scenes) preset.study.push_back(study_row_of(scene));
   return preset;
 }
 
-std::string reasons(const InputError& error) {
+std::string reasons(const scene::InputError& error) {
   std::string text;
-  for (const Issue& issue : error.issues) text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
+  for (const scene::Issue& issue : error.issues)
+    text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
   return text;
 }
 
@@ -34,14 +35,14 @@ StudyOptions in_shared_folder(StudyOptions options) {
 }  // namespace
 
 AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, Cache& cache,
-                         const BuildInfo& build, const StudyObserver& observer) {
+                         const simulation::BuildInfo& build, const StudyObserver& observer) {
   AccuracyRun run;
   double all = 0.0, before = 0.0;
   for (const Variant& v : plan.variants) all += cost_of(v);
   for (const Variant& v : plan.variants) {
     run.tried.push_back({v, nullptr});
     Tried& now = run.tried.back();
-    if (!v.cannot_be.empty() || run.outcome == Outcome::stopped) continue;
+    if (!v.cannot_be.empty() || run.outcome == simulation::Outcome::stopped) continue;
     StudyObserver part;
     part.progress = [&](std::string_view stage, double done) {
       return !observer.progress || observer.progress(stage, (before + done * cost_of(v)) / all);
@@ -55,24 +56,26 @@ AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, 
           run_study(study_of(plan, {v.scene}), in_shared_folder(options), cache, build, part);
       run.computed += result.computed, run.found += result.found;
       now.row = result.rows.front();
-      if (result.outcome != Outcome::finished) run.outcome = result.outcome;
-    } catch (const InputError& error) {
+      if (result.outcome != simulation::Outcome::finished) run.outcome = result.outcome;
+    } catch (const scene::InputError& error) {
       if (run.tried.size() == 1) throw;
       now.variant.cannot_be = reasons(error);
     }
-    if (now.row.is_object() && text_in(now.row, "outcome") == name_of(Outcome::diverged))
+    if (now.row.is_object() &&
+        text_in(now.row, "outcome") == simulation::name_of(simulation::Outcome::diverged))
       now.variant.cannot_be = "diverged: " + text_in(now.row, "outcome_where");
     before += cost_of(v);
   }
   return run;
 }
 
-std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const Scene& scene, const StudyOptions& options,
-                                   Cache& cache, const BuildInfo& build, const StudyObserver& observer) {
+std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
+                                   const StudyOptions& options, Cache& cache,
+                                   const simulation::BuildInfo& build, const StudyObserver& observer) {
   const int lanes = lanes_of_many(scene.solver.precision);
   const StudyResult result = run_study(study_of(plan, side_by_side(scene, lanes)), in_shared_folder(options),
                                        cache, build, observer);
-  return result.outcome == Outcome::stopped ? std::vector<SummaryRow>{} : result.rows;
+  return result.outcome == simulation::Outcome::stopped ? std::vector<SummaryRow>{} : result.rows;
 }
 
-}  // namespace rift
+}  // namespace rift::study

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace rift {
+namespace rift::study {
 
 /// A variant and what came of it.
 struct Tried {
@@ -15,7 +15,7 @@ struct Tried {
 
 struct AccuracyRun {
   std::vector<Tried> tried;  // in the order of the plan
-  Outcome outcome = Outcome::finished;
+  simulation::Outcome outcome = simulation::Outcome::finished;
   int computed = 0, found = 0;
 };
 
@@ -24,11 +24,12 @@ struct AccuracyRun {
 /// why in `cannot_be`; only the first one, the scene itself, throws InputError. Progress tells how far the
 /// whole plan is.
 AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, Cache& cache,
-                         const BuildInfo& build, const StudyObserver& observer);
+                         const simulation::BuildInfo& build, const StudyObserver& observer);
 
 /// A variant as often as lanes side by side are fastest, in one pass: rows whose wall times are one
 /// scenario's share. Empty where it was stopped.
-std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const Scene& scene, const StudyOptions& options,
-                                   Cache& cache, const BuildInfo& build, const StudyObserver& observer);
+std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
+                                   const StudyOptions& options, Cache& cache,
+                                   const simulation::BuildInfo& build, const StudyObserver& observer);
 
-}  // namespace rift
+}  // namespace rift::study

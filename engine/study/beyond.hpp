@@ -7,7 +7,7 @@
 
 /// What goes beyond the paper: which damage zone agrees best, what the lattice itself takes, and Broberg's
 /// own problem   [physics.md §9].
-namespace rift {
+namespace rift::study {
 
 /// One relaxation and damage zone in the paper's plate, at several velocities.
 struct MapCell {
@@ -57,4 +57,4 @@ std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points);
 /// The findings, told like claims.
 std::vector<Claim> beyond_the_paper();
 
-}  // namespace rift
+}  // namespace rift::study

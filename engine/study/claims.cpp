@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 Claim picture(std::string name, std::string artefact, std::string text, std::string preset,
@@ -217,4 +217,4 @@ Curve curve_of_elements(const Evidence& evidence, double factor) {
   return curve_of(evidence.rows, selection);
 }
 
-}  // namespace rift
+}  // namespace rift::study

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::study {
 
 /// What a claim is judged by: the scenarios of one stiffness, and their series.
 struct Evidence {
@@ -45,4 +45,4 @@ Curve curve_in(const Evidence& evidence, Selection selection);
 /// Progressive release on lattices of `factor` times the elements.
 Curve curve_of_elements(const Evidence& evidence, double factor);
 
-}  // namespace rift
+}  // namespace rift::study

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 constexpr double smallest_difference = 1e-6;  // below it rounding and the sum of the books would be measured
@@ -72,4 +72,4 @@ Convergence converge(std::vector<Level> levels) {
           .text = fmt::format("observed order {:.2f}", t.order())};
 }
 
-}  // namespace rift
+}  // namespace rift::study

@@ -4,7 +4,7 @@
 #include <vector>
 
 /// What a number tends to as its resolution is refined, and whether that can be told.
-namespace rift {
+namespace rift::study {
 
 /// A number at a resolution.
 struct Level {
@@ -27,4 +27,4 @@ struct Convergence {
 /// level, where it is there at the same factor, shows p within 0.5.
 Convergence converge(std::vector<Level> levels);
 
-}  // namespace rift
+}  // namespace rift::study

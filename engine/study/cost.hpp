@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace rift {
+namespace rift::study {
 
 /// Estimates that need no lattice, for bars and for asking before a long study.
 
@@ -13,16 +13,16 @@ struct Length {
   double step_s = 0;
   std::int64_t steps = 0;
 };
-Length estimated_length(const Scene& scene);
+Length estimated_length(const scene::Scene& scene);
 
 /// What a step costs: the scene's beams, as many times as its damping and its kinematics make them dearer
 /// [rift bench --needs]. The unit is a walk over one beam for as many lanes as march side by side.
-double estimated_step_cost(const Scene& scene);
+double estimated_step_cost(const scene::Scene& scene);
 
 /// The steps of a scenario that marches by itself.
-double estimated_cost(const Scene& scene);
+double estimated_cost(const scene::Scene& scene);
 
 /// The same for packing and pre-stress together.
-double estimated_preparation(const Scene& scene);
+double estimated_preparation(const scene::Scene& scene);
 
-}  // namespace rift
+}  // namespace rift::study

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 constexpr double slack = 1e-9;  // velocities and lengths of presets are read from decimal text
@@ -112,4 +112,4 @@ std::string axis_in(const SummaryRow& row, const char* axis, const std::string& 
   return text.empty() ? absent : text;
 }
 
-}  // namespace rift
+}  // namespace rift::study

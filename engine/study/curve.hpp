@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::study {
 
 /// Elements of the paper's plate.
 inline constexpr int paper_elements = 20000;
@@ -62,4 +62,4 @@ std::string text_in(const SummaryRow& row, const char* name);
 /// The text of an axis of a row, or `absent` where the study does not name it.
 std::string axis_in(const SummaryRow& row, const char* axis, const std::string& absent);
 
-}  // namespace rift
+}  // namespace rift::study

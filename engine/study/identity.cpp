@@ -8,14 +8,14 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-namespace rift {
+namespace rift::study {
 
 namespace {
 
 /// How a scene is shown says nothing of its numbers.
-std::string text_without_film(Scene scene) {
-  scene.film = default_scene().film;
-  return preset_text(scene);
+std::string text_without_film(scene::Scene scene) {
+  scene.film = scene::default_scene().film;
+  return scene::preset_text(scene);
 }
 
 }  // namespace
@@ -24,30 +24,31 @@ std::string hash_text(std::string_view text) {
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
-std::vector<Scene> scenes_of_study(const Preset& preset) {
-  std::vector<Scene> scenes;
-  for (const StudyRow& row : preset.study) {
+std::vector<scene::Scene> scenes_of_study(const scene::Preset& preset) {
+  std::vector<scene::Scene> scenes;
+  for (const scene::StudyRow& row : preset.study) {
     scenes.push_back(row.scene);
     scenes.back().output.frames = 0;
   }
   return scenes;
 }
 
-StudyRow study_row_of(const Scene& scene) {
-  StudyRow row{scene, {}};
-  for (const Axis& axis : axes()) row.axes.emplace_back(axis.name, axis_text(scene, axis));
+scene::StudyRow study_row_of(const scene::Scene& scene) {
+  scene::StudyRow row{scene, {}};
+  for (const scene::Axis& axis : scene::axes())
+    row.axes.emplace_back(axis.name, scene::axis_text(scene, axis));
   return row;
 }
 
-std::string result_key(const Scene& scene, const std::string& version) {
+std::string result_key(const scene::Scene& scene, const std::string& version) {
   return fmt::format("{}\nversion {}\ninstruction set {}\n", text_without_film(scene), version,
-                     name_of(instruction_set()));
+                     ensemble::name_of(ensemble::instruction_set()));
 }
 
-std::string study_hash(const Preset& preset) {
+std::string study_hash(const scene::Preset& preset) {
   std::string text = "version " RIFT_VERSION "\n";
-  for (const Scene& scene : scenes_of_study(preset)) text += text_without_film(scene);
+  for (const scene::Scene& scene : scenes_of_study(preset)) text += text_without_film(scene);
   return hash_text(text);
 }
 
-}  // namespace rift
+}  // namespace rift::study

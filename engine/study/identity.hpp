@@ -7,21 +7,21 @@
 #include <vector>
 
 /// What makes a scenario of a study the same one again: its effective preset and the program.
-namespace rift {
+namespace rift::study {
 
 /// XXH3-64 of a text as 16 hex digits.
 std::string hash_text(std::string_view text);
 
 /// The scenarios' scenes in the order of preset.study. They write no frames: a study keeps numbers.
-std::vector<Scene> scenes_of_study(const Preset& preset);
+std::vector<scene::Scene> scenes_of_study(const scene::Preset& preset);
 
 /// A scene as a row of a study that names all axes.
-StudyRow study_row_of(const Scene& scene);
+scene::StudyRow study_row_of(const scene::Scene& scene);
 
 /// All that the bits of a scenario's result depend on: effective preset, version and instruction set.
-std::string result_key(const Scene& scene, const std::string& version);
+std::string result_key(const scene::Scene& scene, const std::string& version);
 
 /// Of the scenarios, in their order, and of this program's version; what study.json is known by.
-std::string study_hash(const Preset& preset);
+std::string study_hash(const scene::Preset& preset);
 
-}  // namespace rift
+}  // namespace rift::study

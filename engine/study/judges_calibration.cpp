@@ -8,37 +8,37 @@
 #include <cmath>
 #include <map>
 
-namespace rift::judges {
+namespace rift::study::judges {
 namespace {
 
 constexpr double converged_elements = 15000, converged_margin = 0.025;  // the paper's words of Fig. 17
 constexpr double table_young = 10.3, table_margin = 0.03;               // [GPa]; the margin is ours
 constexpr double least_poisson = 0.30, most_poisson = 0.33;
-constexpr double micro_gpa = bulk_micro_material.young_modulus / 1e9;
+constexpr double micro_gpa = lattice::bulk_micro_material.young_modulus / 1e9;
 
 /// A number of the cylinders with the paper's beams, by size.
-std::map<double, Scattered> by_size(const Evidence& evidence, const char* number, double scale) {
+std::map<double, calibration::Scattered> by_size(const Evidence& evidence, const char* number, double scale) {
   std::map<double, std::vector<double>> values;
   for (const SummaryRow& row : evidence.rows)
     if (text_in(row, "series") == "size")
       values[number_in(row, "elements")].push_back(scale * number_in(row, number));
-  std::map<double, Scattered> means;
-  for (const auto& [elements, all] : values) means[elements] = scattered(all);
+  std::map<double, calibration::Scattered> means;
+  for (const auto& [elements, all] : values) means[elements] = calibration::scattered(all);
   return means;
 }
 
-std::map<double, Scattered> large_ones(std::map<double, Scattered> sizes) {
+std::map<double, calibration::Scattered> large_ones(std::map<double, calibration::Scattered> sizes) {
   std::erase_if(sizes, [](const auto& size) { return size.first < converged_elements; });
   return sizes;
 }
 
-double mean_over(const std::map<double, Scattered>& sizes) {
+double mean_over(const std::map<double, calibration::Scattered>& sizes) {
   double sum = 0.0;
   for (const auto& [elements, s] : sizes) sum += s.mean;
   return sum / static_cast<double>(sizes.size());
 }
 
-std::string list_of(const std::map<double, Scattered>& sizes, int digits) {
+std::string list_of(const std::map<double, calibration::Scattered>& sizes, int digits) {
   std::string list;
   for (const auto& [elements, s] : sizes)
     list += fmt::format("{}{:.{}f} at {:.0f}", list.empty() ? "" : ", ", s.mean, digits, elements);
@@ -46,7 +46,7 @@ std::string list_of(const std::map<double, Scattered>& sizes, int digits) {
 }
 
 /// Every mean above 15,000 elements within 2.5 % of their common mean.
-Judgement converges(const std::map<double, Scattered>& all, const char* name, int digits) {
+Judgement converges(const std::map<double, calibration::Scattered>& all, const char* name, int digits) {
   const auto sizes = large_ones(all);
   if (sizes.size() < 2) return {Verdict::not_decidable, "fewer than two sizes of 15,000 elements and more"};
   const double mean = mean_over(sizes);
@@ -87,4 +87,4 @@ Judgement table2(const Evidence& evidence) {
   return all_of({{"modulus", young_of_table(evidence)}, {"Poisson's ratio", poisson_of_table(evidence)}});
 }
 
-}  // namespace rift::judges
+}  // namespace rift::study::judges

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rift::judges {
+namespace rift::study::judges {
 namespace {
 
 Selection scheme(double relaxation) {
@@ -41,7 +41,7 @@ Judgement few_beams_damped(const Evidence& evidence) {
 Judgement fig01(const Evidence&) {
   double farthest = 0.0, at = 0.0;
   for (int k = 0; k <= 100; ++k) {
-    const double v = 0.01 * k, away = std::abs(theory::broberg(v, 0.3, Plane::stress).g - (1.0 - v));
+    const double v = 0.01 * k, away = std::abs(theory::broberg(v, 0.3, theory::Plane::stress).g - (1.0 - v));
     if (away > farthest) farthest = away, at = v;
   }
   return {Verdict::not_decidable,
@@ -77,9 +77,10 @@ Judgement fig08(const Evidence& evidence) {
 }
 
 Judgement fig09(const Evidence&) {
-  const ReleaseLaw law{Technique::progressive, 1.0, 1.0};
-  const double ahead = stiffness_left(law, 0.0, 1.0), middle = stiffness_left(law, 0.0, 0.5),
-               at_tip = stiffness_left(law, 0.0, 0.0);
+  const fracture::ReleaseLaw law{scene::Technique::progressive, 1.0, 1.0};
+  const double ahead = fracture::stiffness_left(law, 0.0, 1.0),
+               middle = fracture::stiffness_left(law, 0.0, 0.5),
+               at_tip = fracture::stiffness_left(law, 0.0, 0.0);
   return {
       ahead == 1.0 && middle > 0.0 && middle < 1.0 && at_tip == 0.0 ? Verdict::holds : Verdict::does_not_hold,
       fmt::format("stiffness left {:g} at L_CZM ahead of the tip, {:g} half way, {:g} at the tip", ahead,
@@ -91,8 +92,8 @@ Judgement fig10(const Evidence&) {
   std::vector<double> half;
   bool ends = true;
   for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {
-    const ReleaseLaw law{Technique::progressive, power, 1.0};
-    const auto left = [&](double b) { return stiffness_left(law, b, 1.0); };  // b = a + l - s_b
+    const fracture::ReleaseLaw law{scene::Technique::progressive, power, 1.0};
+    const auto left = [&](double b) { return fracture::stiffness_left(law, b, 1.0); };  // b = a + l - s_b
     text += fmt::format(" {} {:g}, {:.3f}, {:g};", name, left(0.0), left(0.5), left(1.0));
     half.push_back(left(0.5));
     ends = ends && left(0.0) == 1.0 && left(1.0) == 0.0;
@@ -187,4 +188,4 @@ Judgement table1(const Evidence& evidence) {
   return {Verdict::not_decidable, "no result"};
 }
 
-}  // namespace rift::judges
+}  // namespace rift::study::judges

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift::judges {
+namespace rift::study::judges {
 namespace {
 
 constexpr double paper_step_s = 2.35e-8;
@@ -261,4 +261,4 @@ Judgement sec5_bending(const Evidence& evidence) {
   return {yes_or_no(low <= slight && low > high), text};
 }
 
-}  // namespace rift::judges
+}  // namespace rift::study::judges

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 constexpr int coarser = 4;  // fewer elements in quick; the step of a scene that gives one grows as much
@@ -15,11 +15,12 @@ constexpr int most_quick_elements = 10000;
 constexpr double slowest = 0.011;  // [c_r]
 
 /// The scenes that a preset asks for.
-std::vector<Scene> scenes_of(const Preset& preset) {
-  std::vector<Scene> scenes;
-  for (const StudyRow& row : preset.study) scenes.push_back(row.scene);
+std::vector<scene::Scene> scenes_of(const scene::Preset& preset) {
+  std::vector<scene::Scene> scenes;
+  for (const scene::StudyRow& row : preset.study) scenes.push_back(row.scene);
   if (!scenes.empty()) return scenes;
-  for (const StiffnessChoice stiffness : {StiffnessChoice::bulk, StiffnessChoice::in_situ}) {
+  for (const scene::StiffnessChoice stiffness :
+       {scene::StiffnessChoice::bulk, scene::StiffnessChoice::in_situ}) {
     scenes.push_back(preset.scene);
     scenes.back().material.stiffness = stiffness;
     scenes.back().output.frames = 0;
@@ -28,10 +29,10 @@ std::vector<Scene> scenes_of(const Preset& preset) {
 }
 
 /// The scene as --quick computes it; nothing where it leaves it out.
-std::optional<Scene> quick_scene(Scene scene) {
+std::optional<scene::Scene> quick_scene(scene::Scene scene) {
   scene.specimen.elements /= coarser;
   if (scene.specimen.elements > most_quick_elements) return std::nullopt;
-  if (highest_velocity(scene) < slowest && scene.specimen.seed != 1) return std::nullopt;
+  if (scene::highest_velocity(scene) < slowest && scene.specimen.seed != 1) return std::nullopt;
   if (scene.solver.dt) {
     *scene.solver.dt *= coarser;
     scene.loading.ramp_steps /= coarser;
@@ -46,19 +47,19 @@ int plate_elements(Effort effort) {
   return effort == Effort::quick ? paper_elements / coarser : paper_elements;
 }
 
-PaperStudy merge_presets(const std::vector<std::pair<std::string, Preset>>& presets, Effort effort) {
+PaperStudy merge_presets(const std::vector<std::pair<std::string, scene::Preset>>& presets, Effort effort) {
   PaperStudy merged;
   if (!presets.empty()) merged.preset.scene = presets.front().second.scene;
   merged.preset.name = "reproduction";
   std::map<std::string, int> row_of_scene;  // by the scene as text
   for (const auto& [name, preset] : presets) {
     std::vector<int>& rows = merged.of[name];
-    for (const Scene& scene : scenes_of(preset)) {
-      const std::optional<Scene> wanted =
-          effort == Effort::quick ? quick_scene(scene) : std::optional<Scene>(scene);
+    for (const scene::Scene& scene : scenes_of(preset)) {
+      const std::optional<scene::Scene> wanted =
+          effort == Effort::quick ? quick_scene(scene) : std::optional<scene::Scene>(scene);
       if (!wanted) continue;
       const auto [known, fresh] =
-          row_of_scene.emplace(preset_text(*wanted), static_cast<int>(merged.preset.study.size()));
+          row_of_scene.emplace(scene::preset_text(*wanted), static_cast<int>(merged.preset.study.size()));
       if (fresh) merged.preset.study.push_back(study_row_of(*wanted));
       if (std::find(rows.begin(), rows.end(), known->second) == rows.end()) rows.push_back(known->second);
     }
@@ -66,4 +67,4 @@ PaperStudy merge_presets(const std::vector<std::pair<std::string, Preset>>& pres
   return merged;
 }
 
-}  // namespace rift
+}  // namespace rift::study

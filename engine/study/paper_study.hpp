@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::study {
 
 /// Several presets as one study, so that scenarios of equal lattice and step march side by side whichever
 /// figure they belong to.
 struct PaperStudy {
-  Preset preset;                               // its study: each scene once, all axes named
+  scene::Preset preset;                        // its study: each scene once, all axes named
   std::map<std::string, std::vector<int>> of;  // rows of each preset, by its name (the file's stem)
 };
 
@@ -25,6 +25,6 @@ int plate_elements(Effort effort);
 
 /// Merges presets without issues. One without a study stands for its own scene with both stiffnesses, without
 /// frames.
-PaperStudy merge_presets(const std::vector<std::pair<std::string, Preset>>& presets, Effort effort);
+PaperStudy merge_presets(const std::vector<std::pair<std::string, scene::Preset>>& presets, Effort effort);
 
-}  // namespace rift
+}  // namespace rift::study

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 /// Lanes as a part of most_lanes, and what a step of so many takes, in steps of a half   [measured with
@@ -21,9 +21,11 @@ struct Width {
 
 template <class Real>
 std::vector<Width> widths() {
-  std::vector<Width> usable{{most_lanes<Real>, 0.7}};
+  std::vector<Width> usable{{ensemble::most_lanes<Real>, 0.7}};
   for (const Width& width : {Width{4, 1.1}, Width{2, 1.0}, Width{1, 2.1}})
-    if (most_lanes<Real> / width.part <= lanes_in_register<Real>(instruction_set())) usable.push_back(width);
+    if (ensemble::most_lanes<Real> / width.part <=
+        ensemble::lanes_in_register<Real>(ensemble::instruction_set()))
+      usable.push_back(width);
   return usable;
 }
 
@@ -33,7 +35,7 @@ Queue soonest_in(const std::vector<std::int64_t>& steps) {
   const auto all = static_cast<double>(std::accumulate(steps.begin(), steps.end(), std::int64_t{0}));
   Queue best;
   for (const Width& width : widths<Real>()) {
-    const int lanes = most_lanes<Real> / width.part;
+    const int lanes = ensemble::most_lanes<Real> / width.part;
     const double time = width.step * std::max(longest, all / lanes);
     if (best.time == 0.0 || time < best.time) best = {lanes, time};
   }
@@ -42,23 +44,23 @@ Queue soonest_in(const std::vector<std::int64_t>& steps) {
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lanes) {
+std::vector<std::vector<std::size_t>> passes_of(const std::vector<simulation::LanePlan>& lanes) {
   const auto kind = [&](std::size_t k) {
-    const LanePlan& lane = lanes[k];
-    const bool moving = grip_moves(lane.scene);  // by one clock
-    return std::tuple(lane.step.dt, lane.scene.damping.region == DampingRegion::none,
+    const simulation::LanePlan& lane = lanes[k];
+    const bool moving = scene::grip_moves(lane.scene);  // by one clock
+    return std::tuple(lane.step.dt, lane.scene.damping.region == scene::DampingRegion::none,
                       moving ? lane.lead : 0.0, moving ? lane.units.time : 0.0);
   };
   const auto length = [&](std::size_t k) {
-    return time_of_arrival(lanes[k].scenario.history, lanes[k].crack_end);
+    return history::time_of_arrival(lanes[k].scenario.history, lanes[k].crack_end);
   };
   std::vector<std::size_t> order(lanes.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return length(a) > length(b); });
-  const Precision precision = lanes.front().scene.solver.precision;
+  const scene::Precision precision = lanes.front().scene.solver.precision;
   const auto most = static_cast<std::size_t>(lanes_of_many(precision));
-  const bool one_grip =
-      lanes.front().scene.loading.method == LoadingMethod::ramp || grip_moves(lanes.front().scene);
+  const bool one_grip = lanes.front().scene.loading.method == scene::LoadingMethod::ramp ||
+                        scene::grip_moves(lanes.front().scene);
   std::vector<std::vector<std::size_t>> passes;
   for (const std::size_t k : order) {
     const auto fits = [&](const std::vector<std::size_t>& pass) {
@@ -74,12 +76,13 @@ std::vector<std::vector<std::size_t>> passes_of(const std::vector<LanePlan>& lan
   return passes;
 }
 
-Queue soonest(const std::vector<std::int64_t>& steps, Precision precision) {
-  return precision == Precision::single_precision ? soonest_in<float>(steps) : soonest_in<double>(steps);
+Queue soonest(const std::vector<std::int64_t>& steps, scene::Precision precision) {
+  return precision == scene::Precision::single_precision ? soonest_in<float>(steps)
+                                                         : soonest_in<double>(steps);
 }
 
-int lanes_of_many(Precision precision) {
+int lanes_of_many(scene::Precision precision) {
   return soonest(std::vector<std::int64_t>(1000, 1), precision).lanes;
 }
 
-}  // namespace rift
+}  // namespace rift::study

@@ -11,22 +11,24 @@
 #include <map>
 #include <tuple>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
-bool may_differ_in_lanes(const Parameter& row) {
-  const auto table = axes();
+bool may_differ_in_lanes(const scene::Parameter& row) {
+  const auto table = scene::axes();
   return std::any_of(table.begin(), table.end(),
-                     [&](const Axis& axis) { return axis.per_lane && axis.key == row.key; });
+                     [&](const scene::Axis& axis) { return axis.per_lane && axis.key == row.key; });
 }
 
 /// Equal for scenes that differ at most in what lanes may differ in, or by being in-situ and bulk: time and
 /// energy tell these apart, on one lattice.
-std::string shared_text(Scene scene) {
-  if (scene.material.stiffness == StiffnessChoice::bulk) scene.material.stiffness = StiffnessChoice::in_situ;
+std::string shared_text(scene::Scene scene) {
+  if (scene.material.stiffness == scene::StiffnessChoice::bulk)
+    scene.material.stiffness = scene::StiffnessChoice::in_situ;
   std::string text;
-  for (const Parameter& row : parameters())
-    if (!may_differ_in_lanes(row)) text += std::string(row.key) + " = " + toml_value(scene, row) + "\n";
+  for (const scene::Parameter& row : scene::parameters())
+    if (!may_differ_in_lanes(row))
+      text += std::string(row.key) + " = " + scene::toml_value(scene, row) + "\n";
   return text;
 }
 
@@ -36,7 +38,7 @@ void share_costs(std::vector<StudyItem>& items) {
   std::map<std::tuple<int, long, bool>, std::vector<StudyItem*>> passes;
   for (StudyItem& item : items) {
     const long rung = std::lround(std::log2(estimated_length(item.scene).step_s));
-    passes[{item.group, rung, item.scene.damping.region != DampingRegion::none}].push_back(&item);
+    passes[{item.group, rung, item.scene.damping.region != scene::DampingRegion::none}].push_back(&item);
   }
   for (const auto& [kind, pass] : passes) {
     std::vector<std::int64_t> steps;
@@ -53,10 +55,10 @@ void share_costs(std::vector<StudyItem>& items) {
 
 }  // namespace
 
-std::vector<StudyItem> plan_study(const Preset& preset, const std::string& version) {
+std::vector<StudyItem> plan_study(const scene::Preset& preset, const std::string& version) {
   std::vector<StudyItem> items;
   std::map<std::string, int> groups;
-  for (Scene& scene : scenes_of_study(preset)) {
+  for (scene::Scene& scene : scenes_of_study(preset)) {
     StudyItem item;
     item.row = static_cast<int>(items.size());
     item.key = result_key(scene, version);
@@ -82,4 +84,4 @@ std::vector<StudyItem> part_of(const std::vector<StudyItem>& items, int shard, i
   return part;
 }
 
-}  // namespace rift
+}  // namespace rift::study

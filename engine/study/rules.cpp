@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 Judgement nothing_to_judge(const std::string& why) { return {Verdict::not_decidable, why}; }
@@ -204,4 +204,4 @@ Judgement all_of(const std::vector<Part>& parts) {
   return whole;
 }
 
-}  // namespace rift
+}  // namespace rift::study

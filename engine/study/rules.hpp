@@ -7,7 +7,7 @@
 
 /// What the words of a claim mean, fixed before any result was seen. Each judgement tells what was measured,
 /// whichever way it goes.
-namespace rift {
+namespace rift::study {
 
 /// "near", "agrees": mean |ratio - Broberg| over the named velocities at most this.
 inline constexpr double near_margin = 0.05;
@@ -78,4 +78,4 @@ Judgement all_of(const std::vector<Part>& parts);
 /// "0.6-1.0"
 std::string span_text(Span span);
 
-}  // namespace rift
+}  // namespace rift::study

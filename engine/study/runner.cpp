@@ -1,5 +1,6 @@
 #include "engine/study/runner.hpp"
 
+#include "engine/base/clock.hpp"
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/interrupted.hpp"
 #include "engine/results/files.hpp"
@@ -26,29 +27,25 @@
 #include <string>
 #include <system_error>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// A study under way.
 struct Study {
-  const Preset& preset;
+  const scene::Preset& preset;
   const StudyOptions& options;
   Cache& cache;
-  const BuildInfo& build;
+  const simulation::BuildInfo& build;
   const StudyObserver& observer;
   std::vector<StudyItem> items;  // of all parts
   StudyResult result = {};
   int there = 0;                   // scenarios computed or found
   double cost = 0, cost_done = 0;  // of what is to be computed   [cost.hpp]
   bool stopped = false;
-  std::vector<Issue> issues = {};
+  std::vector<scene::Issue> issues = {};
 
   bool is_there(const StudyItem& item) const { return !result.rows[item.row].is_null(); }
 
@@ -60,22 +57,23 @@ struct Study {
   }
 };
 
-Json axes_of(const StudyRow& row) {
+Json axes_of(const scene::StudyRow& row) {
   Json axes = Json::object();
   for (const auto& [name, text] : row.axes) axes[name] = text;
   return axes;
 }
 
-StudyManifest manifest_of(const Preset& preset, const std::vector<StudyItem>& items, const BuildInfo& build) {
+StudyManifest manifest_of(const scene::Preset& preset, const std::vector<StudyItem>& items,
+                          const simulation::BuildInfo& build) {
   StudyManifest manifest{.hash = study_hash(preset),
                          .version = build.version,
-                         .instruction_set = std::string(name_of(instruction_set())),
+                         .instruction_set = std::string(ensemble::name_of(ensemble::instruction_set())),
                          .preset = preset.name,
-                         .preset_text = preset_text(preset),
+                         .preset_text = scene::preset_text(preset),
                          .axes = {},
                          .rows = Json::array()};
   for (const auto& [name, text] : preset.study.front().axes) manifest.axes.push_back(name);
-  for (const StudyRow& row : preset.study) manifest.rows.push_back({{"axes", axes_of(row)}});
+  for (const scene::StudyRow& row : preset.study) manifest.rows.push_back({{"axes", axes_of(row)}});
   for (const StudyItem& item : items) manifest.rows[item.row]["file"] = result_file("", item.key).string();
   return manifest;
 }
@@ -86,7 +84,8 @@ void take(Study& study, const StudyItem& item, Json scenario) {
   row["axes"] = axes_of(study.preset.study[item.row]);
   row["row"] = item.row;
   row["series"] = result_file("", item.key).replace_extension(".csv").string();
-  if (row.at("outcome") == name_of(Outcome::diverged)) study.result.outcome = Outcome::diverged;
+  if (row.at("outcome") == simulation::name_of(simulation::Outcome::diverged))
+    study.result.outcome = simulation::Outcome::diverged;
   ++study.there;
   if (study.observer.finished)
     study.observer.finished(row, study.there, static_cast<int>(study.preset.study.size()));
@@ -104,18 +103,18 @@ void gather(Study& study, const std::vector<StudyItem>& items) {
 }
 
 /// The scenario as a preset of its own, so that a message says which of the study's values is meant.
-Preset preset_of(const Study& study, const StudyItem& item) {
-  Preset preset;
+scene::Preset preset_of(const Study& study, const StudyItem& item) {
+  scene::Preset preset;
   preset.scene = item.scene;
   preset.origins = study.preset.origins;
   preset.name = study.preset.name;
   for (const auto& [name, text] : study.preset.study[item.row].axes)
-    preset.origins[std::string(find_axis(name)->key)] = {preset.name, 0, text};
+    preset.origins[std::string(scene::find_axis(name)->key)] = {preset.name, 0, text};
   return preset;
 }
 
 /// The books, those of a ramp among them, and the rate curve, as series.csv of a run has them.
-std::string series_of(const LaneResult& lane, const Rates& rates) {
+std::string series_of(const simulation::LaneResult& lane, const simulation::Rates& rates) {
   std::vector<results::Sample> rows;
   for (results::Sample row : lane.books) {
     row.lane = 0;
@@ -135,54 +134,55 @@ std::string pass_identity(std::span<const StudyItem> pass) {
 std::filesystem::path passes_folder(const Study& study) { return study.options.folder / "passes"; }
 
 /// Marches what `prepared` holds now, keeps each scenario as it ends, and of what is under way a checkpoint.
-void march_pass(Study& study, const Prepared& prepared, std::span<const StudyItem> pass,
+void march_pass(Study& study, const simulation::Prepared& prepared, std::span<const StudyItem> pass,
                 Clock::time_point started) {
   const std::string identity = pass_identity(pass);
-  MarchKeeping keeping{
+  simulation::MarchKeeping keeping{
       .folder = passes_folder(study) / hash_text(identity), .identity = identity, .result_too = false};
   std::string note;
-  const std::optional<Resumption> from = kept_march(keeping, note);
-  keeping.taken_before_s = seconds_since(started) + (from ? taken_s(from->checkpoint) : 0.0);
+  const std::optional<simulation::Resumption> from = simulation::kept_march(keeping, note);
+  keeping.taken_before_s =
+      base::seconds_since(started) + (from ? simulation::taken_s(from->checkpoint) : 0.0);
   const auto marching = Clock::now();
   double cost = 0.0;
   for (const StudyItem& item : pass)
     if (!study.is_there(item)) cost += item.cost;
-  Observer observer;
-  observer.ended = [&](int k, const RunResult& so_far) {
-    const LaneResult& lane = so_far.lane[k];
-    if (lane.outcome == Outcome::stopped || study.is_there(pass[k])) return;
-    const Rates rates = rates_of(prepared, so_far, k);
-    const Json scenario = lane_summary(prepared, so_far, k, rates, study.build,
-                                       keeping.taken_before_s + seconds_since(marching));
+  simulation::Observer observer;
+  observer.ended = [&](int k, const simulation::RunResult& so_far) {
+    const simulation::LaneResult& lane = so_far.lane[k];
+    if (lane.outcome == simulation::Outcome::stopped || study.is_there(pass[k])) return;
+    const simulation::Rates rates = simulation::rates_of(prepared, so_far, k);
+    const Json scenario = simulation::lane_summary(prepared, so_far, k, rates, study.build,
+                                                   keeping.taken_before_s + base::seconds_since(marching));
     ++study.result.computed;
     take(study, pass[k], write_result(study.options.folder, pass[k].key, scenario, series_of(lane, rates)));
   };
-  observer.go_on = [&](const Progress& p) {
+  observer.go_on = [&](const simulation::Progress& p) {
     return study.tell("crack", static_cast<double>(p.step) / static_cast<double>(p.total), cost);
   };
   std::vector<std::int64_t> steps;
-  for (const LanePlan& lane : prepared.lane) steps.push_back(lane.schedule.total());
+  for (const simulation::LanePlan& lane : prepared.lane) steps.push_back(lane.schedule.total());
   const bool ramp = prepared.lane.front().schedule.ramp > 0;
   const int lanes = ramp ? 0 : soonest(steps, prepared.preset.scene.solver.precision).lanes;
-  march_and_keep(
+  simulation::march_and_keep(
       prepared, observer,
       {.threads = study.options.threads, .lanes = lanes, .checkpoint_s = study.options.checkpoint_s}, keeping,
       from ? &*from : nullptr, note);
   if (!note.empty()) study.cache.notes.push_back(note + ": the pass began anew");
   study.cost_done += cost;
-  if (!study.stopped) forget_march(keeping.folder);
+  if (!study.stopped) simulation::forget_march(keeping.folder);
 }
 
 /// The group's lattice under its pre-stress, with a lane for each of these scenarios.
-Prepared prepare_lanes(Study& study, std::span<const StudyItem> items) {
-  std::vector<Scene> scenes;
+simulation::Prepared prepare_lanes(Study& study, std::span<const StudyItem> items) {
+  std::vector<scene::Scene> scenes;
   for (const StudyItem& item : items) scenes.push_back(item.scene);
   const double preparation = estimated_preparation(scenes.front());
-  return prepare(preset_of(study, items.front()), scenes, study.cache,
-                 [&](std::string_view stage, double done) {
-                   const bool packing = stage == "packing";
-                   return study.tell(stage, packing ? 0.7 * done : 0.7, preparation);
-                 });
+  return simulation::prepare(preset_of(study, items.front()), scenes, study.cache,
+                             [&](std::string_view stage, double done) {
+                               const bool packing = stage == "packing";
+                               return study.tell(stage, packing ? 0.7 * done : 0.7, preparation);
+                             });
 }
 
 /// A pass that an earlier call has left under way.
@@ -201,7 +201,7 @@ std::vector<PassUnderWay> passes_under_way(const Study& study, std::span<const S
   std::error_code none;  // no folder, no passes
   for (const auto& entry : std::filesystem::directory_iterator(passes_folder(study), none)) {
     PassUnderWay pass{.folder = entry.path(), .items = {}};
-    std::istringstream names(kept_identity(entry.path()));
+    std::istringstream names(simulation::kept_identity(entry.path()));
     bool whole = true;
     for (std::string name; whole && std::getline(names, name);) {
       const auto item = known.find(name);
@@ -215,7 +215,7 @@ std::vector<PassUnderWay> passes_under_way(const Study& study, std::span<const S
 
 /// Removes the passes all of whose scenarios have been computed, by whichever call.
 void forget_passes_that_are_done(const Study& study) {
-  for (const PassUnderWay& pass : passes_under_way(study, {})) forget_march(pass.folder);
+  for (const PassUnderWay& pass : passes_under_way(study, {})) simulation::forget_march(pass.folder);
   std::error_code none;  // a folder that holds other passes stays
   std::filesystem::remove(passes_folder(study), none);
 }
@@ -231,15 +231,15 @@ void compute_group(Study& study, std::vector<StudyItem> items) {
   }
   std::erase_if(items, [&](const StudyItem& item) { return study.is_there(item); });
   if (items.empty()) return;
-  Prepared prepared = prepare_lanes(study, items);
+  simulation::Prepared prepared = prepare_lanes(study, items);
   study.cost_done += estimated_preparation(items.front().scene);
-  const std::vector<LanePlan> plans = prepared.lane;
+  const std::vector<simulation::LanePlan> plans = prepared.lane;
   for (const std::vector<std::size_t>& pass : passes_of(plans)) {
     if (study.stopped) return;
-    std::vector<LanePlan> lanes;
+    std::vector<simulation::LanePlan> lanes;
     std::vector<StudyItem> marching;
     for (const std::size_t k : pass) lanes.push_back(plans[k]), marching.push_back(items[k]);
-    take_lanes(prepared, std::move(lanes));
+    simulation::take_lanes(prepared, std::move(lanes));
     march_pass(study, prepared, marching, started);
   }
 }
@@ -263,7 +263,7 @@ void compute(Study& study, const std::vector<std::vector<StudyItem>>& groups) {
   for (const auto& group : groups) {
     try {
       compute_group(study, group);
-    } catch (const InputError& error) {
+    } catch (const scene::InputError& error) {
       study.issues.insert(study.issues.end(), error.issues.begin(), error.issues.end());
     } catch (const Interrupted&) {
       study.stopped = true;
@@ -274,8 +274,8 @@ void compute(Study& study, const std::vector<std::vector<StudyItem>>& groups) {
 
 }  // namespace
 
-StudyResult run_study(const Preset& preset, const StudyOptions& options, Cache& cache, const BuildInfo& build,
-                      const StudyObserver& observer) {
+StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, Cache& cache,
+                      const simulation::BuildInfo& build, const StudyObserver& observer) {
   const auto start = Clock::now();
   Study study{preset, options, cache, build, observer, plan_study(preset, build.version)};
   const std::vector<StudyItem>& items = study.items;
@@ -292,14 +292,14 @@ StudyResult run_study(const Preset& preset, const StudyOptions& options, Cache& 
   results::check_target(options.folder / "table.csv");
   gather(study, items);
   compute(study, missing(study, part_of(items, options.shard, options.shards)));
-  if (!study.issues.empty()) throw InputError(study.issues);
+  if (!study.issues.empty()) throw scene::InputError(study.issues);
   if (options.shards > 1) gather(study, items);
   if (study.stopped)
-    study.result.outcome = Outcome::stopped;
+    study.result.outcome = simulation::Outcome::stopped;
   else
     forget_passes_that_are_done(study);
-  study.result.wall_s = seconds_since(start);
+  study.result.wall_s = base::seconds_since(start);
   return std::move(study.result);
 }
 
-}  // namespace rift
+}  // namespace rift::study

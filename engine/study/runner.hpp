@@ -13,7 +13,7 @@
 #include <vector>
 
 /// Studies: many scenarios, each computed once, kept as soon as it is there.
-namespace rift {
+namespace rift::study {
 
 /// One object of summary.json's "scenarios", plus "axes": {name: text}, its place "row" in the study, and
 /// "series": the file of its series in the folder.
@@ -35,7 +35,7 @@ struct StudyObserver {
 
 struct StudyResult {
   std::vector<SummaryRow> rows;  // in the order of preset.study; null where not computed yet
-  Outcome outcome = Outcome::finished;
+  simulation::Outcome outcome = simulation::Outcome::finished;
   int computed = 0, found = 0;
   double wall_s = 0;
 };
@@ -47,7 +47,7 @@ struct StudyResult {
 /// lattice and pre-stress, and march side by side where their steps are equal. Damaged files are noted in
 /// cache.notes and computed again. Throws FolderExists (open_study), InputError with all scenarios that
 /// cannot be run, after the others, and WorldError.
-StudyResult run_study(const Preset& preset, const StudyOptions& options, Cache& cache, const BuildInfo& build,
-                      const StudyObserver& observer);
+StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, Cache& cache,
+                      const simulation::BuildInfo& build, const StudyObserver& observer);
 
-}  // namespace rift
+}  // namespace rift::study

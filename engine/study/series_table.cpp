@@ -5,7 +5,7 @@
 #include <limits>
 #include <string_view>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
@@ -62,4 +62,4 @@ Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
   return {xy / xx, yy > 0.0 ? xy * xy / (xx * yy) : 1.0};
 }
 
-}  // namespace rift
+}  // namespace rift::study

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::study {
 
 /// A scenario's series, column by column; an empty field is NaN, and `phase` is kept as text.
 struct SeriesTable {
@@ -27,4 +27,4 @@ struct Line {
 };
 Line line_through(const std::vector<double>& x, const std::vector<double>& y);
 
-}  // namespace rift
+}  // namespace rift::study

@@ -11,7 +11,7 @@
 
 #include <system_error>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ Json write_result(const fs::path& folder, const std::string& key, const Json& sc
   return kept;
 }
 
-}  // namespace rift
+}  // namespace rift::study

@@ -10,7 +10,7 @@
 /// A study's folder on the disk: study.json, and a pair of files per scenario under runs/
 /// (docs/results-format.md). Several processes may write into one: every file appears whole, under a name
 /// that follows from what is in it.
-namespace rift {
+namespace rift::study {
 
 inline constexpr const char* study_name = "study.json";
 
@@ -45,4 +45,4 @@ std::optional<nlohmann::ordered_json> read_result(const std::filesystem::path& f
 nlohmann::ordered_json write_result(const std::filesystem::path& folder, const std::string& key,
                                     const nlohmann::ordered_json& scenario, const std::string& series_csv);
 
-}  // namespace rift
+}  // namespace rift::study

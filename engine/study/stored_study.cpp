@@ -7,14 +7,14 @@
 
 #include <utility>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse_study(const fs::path& file, std::string why) {
-  throw InputError({Issue{.file = file.string(), .key = {}, .text = std::move(why)}});
+  throw scene::InputError({scene::Issue{.file = file.string(), .key = {}, .text = std::move(why)}});
 }
 
 std::string member_text(const Json& object, const char* name) {
@@ -45,8 +45,8 @@ StoredStudy read_study(const fs::path& folder) {
   if (text.empty())
     refuse_study(file, "holds no preset, as before rift 0.2: 'rift study' with its preset goes on with it");
   StoredStudy study;
-  study.preset = read_preset_text(text, member_text(manifest, "preset"));
-  if (!study.preset.issues.empty()) throw InputError(study.preset.issues);
+  study.preset = scene::read_preset_text(text, member_text(manifest, "preset"));
+  if (!study.preset.issues.empty()) throw scene::InputError(study.preset.issues);
   if (study.preset.study.empty() || study.preset.study.size() != manifest["scenarios"].size())
     refuse_study(file, "is damaged: its preset and its list of scenarios do not fit each other");
   for (const Json& scenario : manifest["scenarios"])
@@ -54,4 +54,4 @@ StoredStudy read_study(const fs::path& folder) {
   return study;
 }
 
-}  // namespace rift
+}  // namespace rift::study

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::study {
 
 /// A study as its folder holds it.
 struct StoredStudy {
-  Preset preset;
+  scene::Preset preset;
   std::vector<nlohmann::ordered_json> rows;  // summaries in the order of preset.study; null: not computed yet
   std::vector<std::string> notes;            // which results are damaged
 };
@@ -22,4 +22,4 @@ struct StoredStudy {
 /// read.
 StoredStudy read_study(const std::filesystem::path& folder);
 
-}  // namespace rift
+}  // namespace rift::study

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace rift {
+namespace rift::theory {
 
 /// Which plane elasticity the material constants and the references are read in.
 enum class Plane { stress, strain };
 
-}  // namespace rift
+}  // namespace rift::theory

@@ -9,6 +9,7 @@
 #include "engine/study/identity.hpp"
 #include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/common.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/accuracy_report.hpp"
 #include "studio/report/study_table.hpp"
@@ -39,11 +40,7 @@ struct AccuracyCommand {
   bool quick = false, yes = false;
 };
 
-[[noreturn]] void refuse(const std::string& file, const std::string& text) {
-  throw InputError({Issue{.file = file, .key = {}, .text = text}});
-}
-
-void check_one_scene(const Preset& preset) {
+void check_one_scene(const scene::Preset& preset) {
   if (preset.study.empty() && preset.lanes.empty()) return;
   refuse(preset.name,
          fmt::format("holds {}: 'rift accuracy' varies one scene by itself, a preset without [study] and "
@@ -52,12 +49,12 @@ void check_one_scene(const Preset& preset) {
 }
 
 /// What the folder is the accuracy of: the scene as the preset gives it.
-Json mark_of(const Preset& preset) {
-  return {{"accuracy_of", preset.name}, {"scene", hash_text(preset_text(preset.scene))}};
+Json mark_of(const scene::Preset& preset) {
+  return {{"accuracy_of", preset.name}, {"scene", study::hash_text(scene::preset_text(preset.scene))}};
 }
 
 /// Makes the folder, or goes on in one of the same scene; anything else is left alone.
-void open_folder(const fs::path& folder, const Preset& preset) {
+void open_folder(const fs::path& folder, const scene::Preset& preset) {
   std::error_code ignored;
   const fs::path file = folder / "accuracy.json";
   const Json mark = mark_of(preset);
@@ -91,17 +88,19 @@ struct PackingCache {
   Cache cache;
 };
 
-void tell_finished(const AccuracyCommand& command, ProgressLine& line, const Variant& variant,
-                   const SummaryRow& row, int done, int of) {
+void tell_finished(const AccuracyCommand& command, ProgressLine& line, const study::Variant& variant,
+                   const study::SummaryRow& row, int done, int of) {
   line.clear();
   if (command.scene.quiet) return;
   if (command.scene.json) {
-    const Json told{{"finished", variant.label}, {"knob", name_of(variant.knob)}, {"done", done}, {"of", of}};
+    const Json told{
+        {"finished", variant.label}, {"knob", study::name_of(variant.knob)}, {"done", done}, {"of", of}};
     base::message("{}\n", base::json_text(told));
     return;
   }
-  base::message("[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, name_of(variant.knob), variant.label,
-                number_in(row, "ratio_with_damping"), number_in(row, "wall_fracture_s"));
+  base::message("[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, study::name_of(variant.knob),
+                variant.label, study::number_in(row, "ratio_with_damping"),
+                study::number_in(row, "wall_fracture_s"));
 }
 
 std::string command_text(const AccuracyCommand& command) {
@@ -112,7 +111,7 @@ std::string command_text(const AccuracyCommand& command) {
   return text + fmt::format(" --seeds {} --goal {:g}", command.seeds, command.goal);
 }
 
-ExitCode stopped(const AccuracyRun& run, int received, const fs::path& folder) {
+ExitCode stopped(const study::AccuracyRun& run, int received, const fs::path& folder) {
   base::message("rift accuracy: {}; {} of {} variants are kept in {}: the same command goes on from here\n",
                 received != 0 ? "stopped" : "the budget ran out", run.computed + run.found, run.tried.size(),
                 folder.string());
@@ -130,7 +129,7 @@ ExitCode write_files(const AccuracyReport& report, const fs::path& folder) {
   return ExitCode::done;
 }
 
-void print_result(const AccuracyCommand& command, const AccuracyReport& report, const AccuracyRun& run,
+void print_result(const AccuracyCommand& command, const AccuracyReport& report, const study::AccuracyRun& run,
                   const fs::path& folder) {
   if (command.scene.json) {
     base::print_text(base::json_text(accuracy_json(report), 2) + "\n");
@@ -141,40 +140,40 @@ void print_result(const AccuracyCommand& command, const AccuracyReport& report, 
               run.found, duration_text(report.wall_s), folder.string());
 }
 
-ExitCode compute(const AccuracyCommand& command, const Preset& preset, const AccuracyPlan& plan,
+ExitCode compute(const AccuracyCommand& command, const scene::Preset& preset, const study::AccuracyPlan& plan,
                  const fs::path& folder, std::optional<double> budget) {
   const auto start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const StopSignal stop;
   ProgressLine line(progress_style(command.scene.quiet, command.scene.json));
   PackingCache packings(command.scene, folder);
-  StudyOptions options;
+  study::StudyOptions options;
   options.folder = folder;
   options.threads = command.scene.threads;
-  StudyObserver observer;
+  study::StudyObserver observer;
   observer.progress = [&](std::string_view stage, double done) {
     line.tell("accuracy", done, stage);
     return stop.received() == 0 && (!budget || seconds() < *budget);
   };
-  observer.finished = [&](const SummaryRow& row, int done, int of) {
+  observer.finished = [&](const study::SummaryRow& row, int done, int of) {
     tell_finished(command, line, plan.variants[static_cast<std::size_t>(done) - 1], row, done, of);
   };
-  AccuracyRun run = try_variants(plan, options, packings.cache, build_info(), observer);
-  if (run.outcome == Outcome::stopped) return stopped(run, stop.received(), folder);
+  study::AccuracyRun run = study::try_variants(plan, options, packings.cache, build_info(), observer);
+  if (run.outcome == simulation::Outcome::stopped) return stopped(run, stop.received(), folder);
   AccuracyReport report{.preset = preset.name,
                         .command = command_text(command),
                         .build = build_info(),
                         .notes = plan.notes,
                         .tried = run.tried,
-                        .accuracy = judge_accuracy(run.tried, command.goal),
+                        .accuracy = study::judge_accuracy(run.tried, command.goal),
                         .goal = command.goal,
                         .lanes = {},
                         .wall_s = 0};
   if (const int chosen = report.accuracy.recommended; chosen >= 0) {
-    const AccuracyLine& best = report.accuracy.lines[static_cast<std::size_t>(chosen)];
-    const Scene& scene = run.tried[static_cast<std::size_t>(best.tried.front())].variant.scene;
+    const study::AccuracyLine& best = report.accuracy.lines[static_cast<std::size_t>(chosen)];
+    const scene::Scene& scene = run.tried[static_cast<std::size_t>(best.tried.front())].variant.scene;
     observer.finished = {};
-    report.lanes = fill_lanes(plan, scene, options, packings.cache, build_info(), observer);
+    report.lanes = study::fill_lanes(plan, scene, options, packings.cache, build_info(), observer);
   }
   line.clear();
   print_notes(packings.cache);
@@ -184,20 +183,20 @@ ExitCode compute(const AccuracyCommand& command, const Preset& preset, const Acc
   line.clear();
   print_result(command, report, run, folder);
   if (files != ExitCode::done) return files;
-  return run.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+  return run.outcome == simulation::Outcome::diverged ? ExitCode::diverged : ExitCode::done;
 }
 
 ExitCode accuracy(const AccuracyCommand& command) {
   const std::optional<double> budget = read_budget("rift accuracy", command.budget);
-  const Preset preset = read_scene(command.scene);
+  const scene::Preset preset = read_scene(command.scene);
   check_one_scene(preset);
   if (command.scene.print_config) {
-    base::print_text(preset_text(preset));
+    base::print_text(scene::preset_text(preset));
     return ExitCode::done;
   }
-  const AccuracyPlan plan =
-      plan_accuracy(preset, {.quick = command.quick, .elements = command.elements, .seeds = command.seeds});
-  const double seconds = estimated_seconds(plan);
+  const study::AccuracyPlan plan = study::plan_accuracy(
+      preset, {.quick = command.quick, .elements = command.elements, .seeds = command.seeds});
+  const double seconds = study::estimated_seconds(plan);
   if (seconds > long_s && !command.yes && !budget)
     refuse("rift accuracy",
            fmt::format("about {} from nothing (at 100 M beam-steps/s): --yes starts it, --budget TIME "

@@ -27,11 +27,11 @@ struct BenchOptions {
   std::string color;
 };
 
-using Cases = std::vector<BenchCase>;
+using Cases = std::vector<ensemble::BenchCase>;
 
-BenchCase base_case(int elements, int threads) {
-  BenchCase c;
-  c.instructions = instruction_set();
+ensemble::BenchCase base_case(int elements, int threads) {
+  ensemble::BenchCase c;
+  c.instructions = ensemble::instruction_set();
   c.elements = elements;
   c.threads = threads;
   return c;
@@ -39,15 +39,16 @@ BenchCase base_case(int elements, int threads) {
 
 /// The kernels that the documents quote, for one size and number of threads.
 void add_kernels(Cases& cases, int elements, int threads) {
-  const auto add = [&](std::string name, Kinematics kinematics, Precision precision, int scenarios) {
-    BenchCase c = base_case(elements, threads);
+  const auto add = [&](std::string name, scene::Kinematics kinematics, scene::Precision precision,
+                       int scenarios) {
+    ensemble::BenchCase c = base_case(elements, threads);
     c.name = std::move(name);
     c.kinematics = kinematics, c.precision = precision, c.scenarios = scenarios;
     cases.push_back(c);
   };
-  using enum Precision;
-  for (const Kinematics kinematics : {Kinematics::linear, Kinematics::corotational}) {
-    const std::string name = kinematics == Kinematics::linear ? "linear" : "corotational";
+  using enum scene::Precision;
+  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational}) {
+    const std::string name = kinematics == scene::Kinematics::linear ? "linear" : "corotational";
     add(name, kinematics, double_precision, 1);
     add(name, kinematics, single_precision, 1);
     for (const int lanes : {4, 8}) add(name, kinematics, double_precision, lanes);
@@ -58,7 +59,7 @@ void add_kernels(Cases& cases, int elements, int threads) {
 Cases kernel_cases(const BenchOptions& options, int threads) {
   Cases cases;
   for (const int elements : options.elements) {
-    BenchCase plain = base_case(elements, 1);
+    ensemble::BenchCase plain = base_case(elements, 1);
     plain.name = "plain", plain.plain = true;
     cases.push_back(plain);
     for (const int t : {1, threads})
@@ -73,51 +74,56 @@ Cases needs_cases(const BenchOptions& options, int threads) {
   const int elements = options.elements.front();
   for (const int scenarios : {1, 8}) {
     const auto add = [&](std::string name, const auto& change) {
-      BenchCase c = base_case(elements, threads);
+      ensemble::BenchCase c = base_case(elements, threads);
       c.name = std::move(name), c.scenarios = scenarios;
-      if (scenarios > 1) c.precision = Precision::single_precision;
+      if (scenarios > 1) c.precision = scene::Precision::single_precision;
       change(c);
       cases.push_back(c);
     };
-    add("bare", [](BenchCase&) {});
-    add("damping, 5 % of the beams", [](BenchCase& c) { c.damped = 0.05; });
-    add("damping, all beams", [](BenchCase& c) { c.damped = 1.0; });
-    add("numerical damping", [](BenchCase& c) { c.beta = 0.9; });
-    add("energies every step", [](BenchCase& c) { c.weighed = true; });
-    add("corotational beams", [](BenchCase& c) { c.kinematics = Kinematics::corotational; });
+    add("bare", [](ensemble::BenchCase&) {});
+    add("damping, 5 % of the beams", [](ensemble::BenchCase& c) { c.damped = 0.05; });
+    add("damping, all beams", [](ensemble::BenchCase& c) { c.damped = 1.0; });
+    add("numerical damping", [](ensemble::BenchCase& c) { c.beta = 0.9; });
+    add("energies every step", [](ensemble::BenchCase& c) { c.weighed = true; });
+    add("corotational beams", [](ensemble::BenchCase& c) { c.kinematics = scene::Kinematics::corotational; });
   }
   return cases;
 }
 
 /// All of them, or those before a stop.
-std::vector<BenchResult> time_all(const Cases& cases, const BenchOptions& options, const StopSignal& stop) {
+std::vector<ensemble::BenchResult> time_all(const Cases& cases, const BenchOptions& options,
+                                            const StopSignal& stop) {
   ProgressLine line(progress_style(options.quiet, options.json));
-  std::vector<BenchResult> results;
-  for (const BenchCase& c : cases) {
+  std::vector<ensemble::BenchResult> results;
+  for (const ensemble::BenchCase& c : cases) {
     if (stop.received() != 0) break;
     line.tell("bench", static_cast<double>(results.size()) / static_cast<double>(cases.size()));
-    results.push_back(time_case(c, options.runs, options.seconds));
+    results.push_back(ensemble::time_case(c, options.runs, options.seconds));
   }
   line.clear();
   return results;
 }
 
-const char* precision_name(Precision p) { return p == Precision::single_precision ? "single" : "double"; }
+const char* precision_name(scene::Precision p) {
+  return p == scene::Precision::single_precision ? "single" : "double";
+}
 
-double share_of_arithmetic(const BenchResult& r, const MachinePeaks& peaks) {
-  const double peak = r.of.precision == Precision::single_precision ? peaks.flops_single : peaks.flops_double;
+double share_of_arithmetic(const ensemble::BenchResult& r, const ensemble::MachinePeaks& peaks) {
+  const double peak =
+      r.of.precision == scene::Precision::single_precision ? peaks.flops_single : peaks.flops_double;
   return r.median() * r.flops_per_beam / peak;
 }
 
-Json json_of(const BenchResult& r, const BenchResult& base, const MachinePeaks& peaks) {
+Json json_of(const ensemble::BenchResult& r, const ensemble::BenchResult& base,
+             const ensemble::MachinePeaks& peaks) {
   return {{"kernel", r.of.name},
-          {"kinematics", r.of.kinematics == Kinematics::linear ? "linear" : "corotational"},
+          {"kinematics", r.of.kinematics == scene::Kinematics::linear ? "linear" : "corotational"},
           {"precision", precision_name(r.of.precision)},
           {"scenarios", r.of.scenarios},
           {"threads", r.of.threads},
           {"elements", r.of.elements},
           {"beams", r.beams},
-          {"simd", r.of.plain ? "none" : name_of(r.of.instructions)},
+          {"simd", r.of.plain ? "none" : ensemble::name_of(r.of.instructions)},
           {"beam_steps_per_s", r.median()},
           {"beam_steps_per_s_least", r.beam_steps_per_s.front()},
           {"beam_steps_per_s_most", r.beam_steps_per_s.back()},
@@ -130,13 +136,14 @@ Json json_of(const BenchResult& r, const BenchResult& base, const MachinePeaks& 
           {"share_of_arithmetic", share_of_arithmetic(r, peaks)}};
 }
 
-void print_peaks(const MachinePeaks& peaks, int threads) {
+void print_peaks(const ensemble::MachinePeaks& peaks, int threads) {
   base::print("  {} thread{}: memory {:.1f} GB/s, arithmetic {:.0f} GFlop/s double, {:.0f} single\n", threads,
               threads > 1 ? "s" : "", 1e-9 * peaks.memory_bytes_per_s, 1e-9 * peaks.flops_double,
               1e-9 * peaks.flops_single);
 }
 
-void print_row(const BenchResult& r, const BenchResult& base, const MachinePeaks& peaks) {
+void print_row(const ensemble::BenchResult& r, const ensemble::BenchResult& base,
+               const ensemble::MachinePeaks& peaks) {
   base::print(
       "  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>7.1f} ({:.0f}-{:.0f}){:>9.1f}{:>8.2f} x{:>7.0f} B{:>5.0f} %{:>5.0f} "
       "%\n",
@@ -148,8 +155,9 @@ void print_row(const BenchResult& r, const BenchResult& base, const MachinePeaks
 
 /// What a row's ratio is against: the plain path on the same lattice, or the bare kernel of as many
 /// scenarios.
-const BenchResult& base_of(const std::vector<BenchResult>& all, const BenchResult& r, bool needs) {
-  return *std::find_if(all.begin(), all.end(), [&](const BenchResult& b) {
+const ensemble::BenchResult& base_of(const std::vector<ensemble::BenchResult>& all,
+                                     const ensemble::BenchResult& r, bool needs) {
+  return *std::find_if(all.begin(), all.end(), [&](const ensemble::BenchResult& b) {
     return needs ? b.of.name == "bare" && b.of.scenarios == r.of.scenarios
                  : b.of.plain && b.of.elements == r.of.elements;
   });
@@ -164,17 +172,19 @@ struct PrecisionError {
 PrecisionError precision_error(const std::string& kinematics, int threads, const StopSignal& stop) {
   PrecisionError error{.kinematics = kinematics};
   for (const std::string precision : {"double", "single"}) {
-    const Preset preset = read_preset_text(
+    const scene::Preset preset = scene::read_preset_text(
         "", "bench",
         {"specimen.elements=5000", "specimen.length=0.1", "specimen.height=0.04", "output.frames=0",
          "output.samples=100", "solver.kinematics=" + kinematics, "solver.precision=" + precision});
     Cache cache = user_cache();
-    const Prepared prepared = prepare(preset, cache);
-    const RunResult result = march(prepared, {.go_on = [&](const Progress&) { return stop.received() == 0; }},
-                                   {.threads = threads});
-    if (result.outcome == Outcome::stopped) return error;
+    const simulation::Prepared prepared = simulation::prepare(preset, cache);
+    const simulation::RunResult result = simulation::march(
+        prepared, {.go_on = [&](const simulation::Progress&) { return stop.received() == 0; }},
+        {.threads = threads});
+    if (result.outcome == simulation::Outcome::stopped) return error;
     const bool single = precision == "single";
-    (single ? error.ratio_single : error.ratio_double) = rates_of(prepared, result).plateau.mean.ratio;
+    (single ? error.ratio_single : error.ratio_double) =
+        simulation::rates_of(prepared, result).plateau.mean.ratio;
     (single ? error.residual_single : error.residual_double) = result.lane[0].worst_residual;
   }
   return error;
@@ -199,10 +209,10 @@ void print_precision(const PrecisionError& e) {
 ExitCode bench(const BenchOptions& options) {
   const int threads = threads_or_all_cpus(options.threads);
   const StopSignal stop;
-  const MachinePeaks alone = machine_peaks(instruction_set(), 1),
-                     together = machine_peaks(instruction_set(), threads);
-  const auto peaks_of = [&](const BenchResult& r) { return r.of.threads == 1 ? alone : together; };
-  const std::vector<BenchResult> results =
+  const ensemble::MachinePeaks alone = ensemble::machine_peaks(ensemble::instruction_set(), 1),
+                               together = ensemble::machine_peaks(ensemble::instruction_set(), threads);
+  const auto peaks_of = [&](const ensemble::BenchResult& r) { return r.of.threads == 1 ? alone : together; };
+  const std::vector<ensemble::BenchResult> results =
       time_all(options.needs ? needs_cases(options, threads) : kernel_cases(options, threads), options, stop);
   std::vector<PrecisionError> errors;
   if (!options.needs)
@@ -216,13 +226,13 @@ ExitCode bench(const BenchOptions& options) {
     Json precision = Json::array();
     for (const PrecisionError& e : errors) precision.push_back(json_of(e));
     Json rows = Json::array();
-    for (const BenchResult& r : results)
+    for (const ensemble::BenchResult& r : results)
       rows.push_back(json_of(r, base_of(results, r, options.needs), peaks_of(r)));
     const Json machine{{"threads", threads},
                        {"memory_bytes_per_s", together.memory_bytes_per_s},
                        {"flops_double", together.flops_double},
                        {"flops_single", together.flops_single},
-                       {"simd", name_of(instruction_set())}};
+                       {"simd", ensemble::name_of(ensemble::instruction_set())}};
     base::print_text(
         base::json_text(Json{{"machine", machine}, {"rows", rows}, {"precision", precision}}, 2) + "\n");
     return ExitCode::done;
@@ -233,7 +243,8 @@ ExitCode bench(const BenchOptions& options) {
   base::print("  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>21}{:>7}{:>9}{:>9}{:>7}{:>7}\n", "kernel", "state", "L", "T",
               "N", "M beam-steps/s (least-most)", "M el.-", options.needs ? "of bare" : "of plain", "a beam",
               "mem.", "flops");
-  for (const BenchResult& r : results) print_row(r, base_of(results, r, options.needs), peaks_of(r));
+  for (const ensemble::BenchResult& r : results)
+    print_row(r, base_of(results, r, options.needs), peaks_of(r));
   base::print(
       "  L scenarios side by side, T threads, N elements; medians of {} runs of {:g} s; whole steps.\n"
       "  A beam: compulsory traffic a beam and scenario; mem., flops: share of what this machine was "

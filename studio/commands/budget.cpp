@@ -18,7 +18,7 @@ std::optional<double> read_budget(const std::string& command, const std::string&
   unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
   const double seconds = unit == "s" ? 1.0 : unit == "min" ? 60.0 : unit == "h" ? 3600.0 : 0.0;
   if (error != std::errc() || seconds == 0.0 || !(value > 0.0) || !(value * seconds < 1e9))
-    throw InputError({Issue{
+    throw scene::InputError({scene::Issue{
         .file = command,
         .key = {},
         .text = fmt::format(

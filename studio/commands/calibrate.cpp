@@ -23,14 +23,14 @@ struct CalibrateOptions : ReportOptions {
   std::string young, poisson;
 };
 
-Issue issue(const std::string& key, std::string text) {
+scene::Issue issue(const std::string& key, std::string text) {
   return {.file = "rift calibrate", .key = key, .text = std::move(text)};
 }
 
 /// The preset, or without one cylinders of the defaults; the material as the options say.
-Preset preset_for(const CalibrateOptions& options) {
+scene::Preset preset_for(const CalibrateOptions& options) {
   if (options.scene.preset.empty() && (options.young.empty() || options.poisson.empty()))
-    throw InputError(
+    throw scene::InputError(
         {issue(options.young.empty() ? "--young" : "--poisson",
                "is needed where no preset names the material: rift calibrate --young \"3.2 GPa\" "
                "--poisson 0.31")});
@@ -39,34 +39,36 @@ Preset preset_for(const CalibrateOptions& options) {
   if (!options.poisson.empty()) overrides.push_back("material.poisson_ratio=" + options.poisson);
   constexpr const char* cylinders =
       "[specimen]\nshape = \"cylinder\"\nlength = \"20 mm\"\nheight = \"40 mm\"\n";
-  Preset preset = options.scene.preset.empty() ? read_preset_text(cylinders, "rift calibrate", overrides)
-                                               : read_preset(resolve_preset(options.scene.preset), overrides);
-  if (!preset.issues.empty()) throw InputError(preset.issues);
-  if (preset.scene.specimen.shape != Shape::cylinder)
-    throw InputError({issue_at(preset, "specimen.shape", "must be \"cylinder\": that is what is pressed")});
+  scene::Preset preset = options.scene.preset.empty()
+                             ? scene::read_preset_text(cylinders, "rift calibrate", overrides)
+                             : scene::read_preset(resolve_preset(options.scene.preset), overrides);
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
+  if (preset.scene.specimen.shape != scene::Shape::cylinder)
+    throw scene::InputError(
+        {scene::issue_at(preset, "specimen.shape", "must be \"cylinder\": that is what is pressed")});
   return preset;
 }
 
-Calibration compute(const CalibrateOptions& options, const Preset& preset, Cache& cache, ProgressLine& line,
-                    const StopSignal& stop) {
+Calibration compute(const CalibrateOptions& options, const scene::Preset& preset, Cache& cache,
+                    ProgressLine& line, const StopSignal& stop) {
   Calibration calibration{.scene = preset.scene, .build = build_info(), .beams = {}, .study = {}};
   const auto tell = [&](const char* stage, double done) {
     line.tell(stage, done);
     return stop.received() == 0;
   };
-  const Scene::Material& m = preset.scene.material;
+  const scene::Scene::Material& m = preset.scene.material;
   if (!options.out.empty())
-    calibration.study = study_calibration(preset.scene, cache, tell, options.scene.threads);
-  calibration.beams = calibrate(
+    calibration.study = calibration::study_calibration(preset.scene, cache, tell, options.scene.threads);
+  calibration.beams = calibration::calibrate(
       preset.scene, m.young_modulus, m.poisson_ratio, cache, [&](double done) { return tell("beams", done); },
       options.scene.threads);
   return calibration;
 }
 
 ExitCode calibrate_material(const CalibrateOptions& options) {
-  const Preset preset = preset_for(options);
+  const scene::Preset preset = preset_for(options);
   if (options.scene.print_config) {
-    base::print_text(preset_text(preset));
+    base::print_text(scene::preset_text(preset));
     return ExitCode::done;
   }
   const bool report = !options.out.empty();
@@ -94,10 +96,10 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
     line.clear();
     base::message("rift calibrate: {}; what was computed is in the cache\n", interrupted.what());
     return static_cast<ExitCode>(128 + stop.received());
-  } catch (const OutOfReach& error) {
-    throw InputError({issue_at(preset, "material.poisson_ratio", error.what())});
-  } catch (const PackingError& error) {
-    throw InputError({issue_at(preset, "specimen.coordination", error.what())});
+  } catch (const calibration::OutOfReach& error) {
+    throw scene::InputError({scene::issue_at(preset, "material.poisson_ratio", error.what())});
+  } catch (const lattice::PackingError& error) {
+    throw scene::InputError({scene::issue_at(preset, "specimen.coordination", error.what())});
   }
   return ExitCode::done;
 }

@@ -59,12 +59,12 @@ struct CheckOptions {
 
 ExitCode check(const CheckOptions& check_options) {
   const SceneOptions& options = check_options.scene;
-  const Preset preset = read_scene(options);
+  const scene::Preset preset = read_scene(options);
   if (options.print_config) {
-    base::print_text(preset_text(preset));
+    base::print_text(scene::preset_text(preset));
     return ExitCode::done;
   }
-  const std::vector<Scene> lanes = scenes_of_run(preset);
+  const std::vector<scene::Scene> lanes = scenes_of_run(preset);
   const StopSignal stop;
   ProgressLine line(progress_style(options.quiet, options.json));
   Cache cache = cache_for(options);
@@ -73,12 +73,13 @@ ExitCode check(const CheckOptions& check_options) {
       line.tell(stage, done);
       return stop.received() == 0;
     };
-    const Prepared prepared = prepare(preset, lanes, cache, tell);
+    const simulation::Prepared prepared = simulation::prepare(preset, lanes, cache, tell);
     Json j = dry_run(prepared, options.threads);
     if (check_options.measure) {
       j["measured"] =
-          json_of(measure_own_numbers(prepared, cache, tell, options.threads), prepared.lattice.mean_radius);
-      j["measured"]["ratio_quasi_static"] = quasi_static_ratio(
+          simulation::json_of(simulation::measure_own_numbers(prepared, cache, tell, options.threads),
+                              prepared.lattice.mean_radius);
+      j["measured"]["ratio_quasi_static"] = simulation::quasi_static_ratio(
           prepared, prepared.lane.front().window, [&](double done) { return tell("quasi-static", done); });
     }
     line.clear();

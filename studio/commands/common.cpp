@@ -49,14 +49,14 @@ std::vector<std::string> preset_names() {
   std::error_code ignored;
   std::string text;
   if (fs::is_directory(preset, ignored)) {
-    text = fmt::format("'{}' is a folder, not a preset", printable(preset));
+    text = fmt::format("'{}' is a folder, not a preset", scene::printable(preset));
   } else {
-    const std::string nearest = nearest_name(fs::path(preset).stem().string(), preset_names());
-    text = fmt::format("no such preset '{}'", printable(preset));
+    const std::string nearest = scene::nearest_name(fs::path(preset).stem().string(), preset_names());
+    text = fmt::format("no such preset '{}'", scene::printable(preset));
     if (!nearest.empty()) text += fmt::format(", did you mean '{}'?", nearest);
   }
   text += fmt::format(" ('rift list' shows those in {})", presets_folder().string());
-  throw InputError({Issue{.file = "rift", .key = {}, .text = text}});
+  throw scene::InputError({scene::Issue{.file = "rift", .key = {}, .text = text}});
 }
 
 /// Files of all kinds of reports, beside their charts.
@@ -89,10 +89,11 @@ bool is_cut_off(const fs::path& folder, ReportKind kind) {
 
 }  // namespace
 
-BuildInfo build_info() { return {RIFT_VERSION, std::string(compiler)}; }
+simulation::BuildInfo build_info() { return {RIFT_VERSION, std::string(compiler)}; }
 
 std::string version_text() {
-  return fmt::format("rift {} ({}; {}; {})", RIFT_VERSION, build, compiler, name_of(instruction_set()));
+  return fmt::format("rift {} ({}; {}; {})", RIFT_VERSION, build, compiler,
+                     ensemble::name_of(ensemble::instruction_set()));
 }
 
 fs::path presets_folder() {
@@ -157,6 +158,10 @@ void add_color_option(CLI::App& command, std::string& when) {
 bool wants_color(std::string_view when, std::FILE* stream) {
   if (when != "auto") return when == "always";
   return environment("NO_COLOR").empty() && isatty(fileno(stream)) != 0;
+}
+
+void refuse(const std::string& file, const std::string& text) {
+  throw scene::InputError({scene::Issue{.file = file, .key = {}, .text = text}});
 }
 
 }  // namespace rift::studio

@@ -17,7 +17,7 @@ namespace rift::studio {
 enum class ExitCode { done = 0, world_failed = 1, bad_input = 2, diverged = 3, budget_ran_out = 4 };
 
 /// Version, compiler and instruction set of this program, as every result records them.
-BuildInfo build_info();
+simulation::BuildInfo build_info();
 
 /// "rift 0.1.0 (optimised, asserts off; GCC 12.2.0; AVX2)"
 std::string version_text();
@@ -65,5 +65,8 @@ void add_color_option(CLI::App& command, std::string& when);
 /// Whether to write colours to `stream`: "always" and "never" decide; "auto" wants a terminal and no
 /// $NO_COLOR.
 bool wants_color(std::string_view when, std::FILE* stream);
+
+/// Throws InputError with one text. @param file  what it is about: a preset's name, a command
+[[noreturn]] void refuse(const std::string& file, const std::string& text);
 
 }  // namespace rift::studio

@@ -24,36 +24,37 @@ namespace {
 
 using Telling = std::function<bool(std::string_view stage, double done)>;
 
-Preset preset_for(const std::string& name, int elements) {
-  Preset preset = read_preset(resolve_preset(name));
-  if (!preset.issues.empty()) throw InputError(preset.issues);
+scene::Preset preset_for(const std::string& name, int elements) {
+  scene::Preset preset = scene::read_preset(resolve_preset(name));
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   preset.scene.specimen.elements = std::min(preset.scene.specimen.elements, elements);
   return preset;
 }
 
 /// The finished run of the preset in this folder, found or made.
-void run_if_need_be(const Claim& claim, const Preset& preset, const fs::path& run, Cache& cache, int threads,
-                    const Telling& go_on) {
+void run_if_need_be(const study::Claim& claim, const scene::Preset& preset, const fs::path& run, Cache& cache,
+                    int threads, const Telling& go_on) {
   if (results::inspect_run(run).condition == results::RunCondition::finished) return;
   results::ClaimedFolder folder(run, true);
   if (claim.calibration) {
     folder.keep();
-    record_cylinders(preset, run, build_info(), cache, [&](double done) { return go_on("cylinders", done); });
+    simulation::record_cylinders(preset, run, build_info(), cache,
+                                 [&](double done) { return go_on("cylinders", done); });
     return;
   }
-  const Prepared prepared = prepare(preset, scenes_of_run(preset), cache, go_on);
+  const simulation::Prepared prepared = simulation::prepare(preset, scenes_of_run(preset), cache, go_on);
   folder.keep();
-  const Recorded ran =
-      record_run(prepared, run, build_info(),
-                 {.go_on =
-                      [&](const Progress& p) {
-                        return go_on("crack", static_cast<double>(p.step) / static_cast<double>(p.total));
-                      }},
-                 {.threads = threads});
-  if (ran.result.outcome == Outcome::stopped) throw Interrupted("a crack was running");
+  const simulation::Recorded ran = simulation::record_run(
+      prepared, run, build_info(),
+      {.go_on =
+           [&](const simulation::Progress& p) {
+             return go_on("crack", static_cast<double>(p.step) / static_cast<double>(p.total));
+           }},
+      {.threads = threads});
+  if (ran.result.outcome == simulation::Outcome::stopped) throw Interrupted("a crack was running");
 }
 
-Picture draw(const viz::Plan& plan, const Claim& claim, double at, const fs::path& charts) {
+Picture draw(const viz::Plan& plan, const study::Claim& claim, double at, const fs::path& charts) {
   const auto k = static_cast<std::size_t>(std::lround(at * static_cast<double>(plan.times_s.size() - 1)));
   const fs::path png = charts / fmt::format("{}_at_{:.2f}.png", claim.name, at);
   viz::make_picture(plan.job, plan.times_s[k], png, {});

@@ -10,6 +10,7 @@
 #include "engine/scene/rows_file.hpp"
 #include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/common.hpp"
 #include "studio/commands/film_of_run.hpp"
 #include "studio/commands/run_ending.hpp"
 #include "studio/commands/scene_options.hpp"
@@ -31,17 +32,13 @@ using Clock = std::chrono::steady_clock;
 
 struct ExperimentCommand {
   SceneOptions scene;
-  ExperimentWishes wishes;
+  experiment::ExperimentWishes wishes;
   std::string out, truth, budget;
   bool force = false, no_application = false;
   std::unique_ptr<FilmOfRun> film;
 };
 
-[[noreturn]] void refuse(const std::string& file, const std::string& text) {
-  throw InputError({Issue{.file = file, .key = {}, .text = text}});
-}
-
-void check_one_history(const Preset& preset) {
+void check_one_history(const scene::Preset& preset) {
   if (!preset.study.empty() || !preset.lanes.empty())
     refuse(preset.name, "holds lanes or a study: 'rift experiment' is of one measured crack");
   if (preset.scene.crack.history.empty())
@@ -52,18 +49,18 @@ void check_one_history(const Preset& preset) {
 }
 
 /// The critical rate to lay over the charts, read as crack.toughness is.
-CriticalRate read_truth(const std::string& file) {
+scene::CriticalRate read_truth(const std::string& file) {
   if (file.empty()) return {};
-  Preset preset = read_preset_text("", file, {"crack.toughness=" + file});
-  for (Issue& issue : preset.issues)
+  scene::Preset preset = scene::read_preset_text("", file, {"crack.toughness=" + file});
+  for (scene::Issue& issue : preset.issues)
     if (issue.file == "--set")
       issue.file = "rift experiment --against", issue.key.clear(), issue.value.clear();
-  if (!preset.issues.empty()) throw InputError(preset.issues);
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   return preset.scene.crack.toughness;
 }
 
-std::string smoothing_text(const Scene& scene, const Course& course) {
-  if (scene.crack.smoothing == Smoothing::none) return "straight lines from row to row";
+std::string smoothing_text(const scene::Scene& scene, const history::Course& course) {
+  if (scene.crack.smoothing == history::Smoothing::none) return "straight lines from row to row";
   return fmt::format("monotone penalised spline, {:.0f} degrees of freedom for {} rows", course.freedoms,
                      scene.crack.history.size());
 }
@@ -79,9 +76,9 @@ std::string command_text(const ExperimentCommand& command) {
 /// Stopped before its report: what was computed stays for the next call, and where that is nothing, no folder
 /// does.
 ExitCode stopped(const std::string& what, const fs::path& folder, const StopSignal& stop) {
-  const bool anything = holds_parts(folder);
+  const bool anything = experiment::holds_parts(folder);
   if (!anything) {
-    forget_parts(folder);
+    experiment::forget_parts(folder);
     std::error_code ignored;
     for (const fs::path& empty : {folder / "run", folder})
       if (fs::is_empty(empty, ignored)) fs::remove(empty, ignored);
@@ -95,11 +92,12 @@ ExitCode stopped(const std::string& what, const fs::path& folder, const StopSign
 
 ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report, const fs::path& folder,
                 ProgressLine& line) {
-  ExitCode code = report.experiment.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+  ExitCode code =
+      report.experiment.outcome == simulation::Outcome::diverged ? ExitCode::diverged : ExitCode::done;
   try {
     line.tell("report", 0.0);
     write_experiment_report(report, folder);
-    forget_parts(folder);
+    experiment::forget_parts(folder);
   } catch (const results::WorldError& error) {
     base::message("rift experiment: {}\n", error.what());
     code = ExitCode::world_failed;
@@ -116,17 +114,18 @@ ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report
 
 ExitCode experiment(ExperimentCommand& command) {
   const std::optional<double> budget = read_budget("rift experiment", command.budget);
-  const Preset preset = read_scene(command.scene);
+  const scene::Preset preset = read_scene(command.scene);
   check_one_history(preset);
-  const CriticalRate truth = read_truth(command.truth);
+  const scene::CriticalRate truth = read_truth(command.truth);
   if (command.scene.print_config) {
-    base::print_text(preset_text(preset));
+    base::print_text(scene::preset_text(preset));
     return ExitCode::done;
   }
   const fs::path folder = command.out.empty()
                               ? fs::path(fs::path(command.scene.preset).stem().string() + "_experiment")
                               : fs::path(command.out);
-  const bool going_on = is_under_way(folder, experiment_identity(preset, command.wishes, build_info()));
+  const bool going_on =
+      experiment::is_under_way(folder, experiment::experiment_identity(preset, command.wishes, build_info()));
   if (const std::string trouble = command.film->trouble_with(preset, true); !trouble.empty())
     refuse("rift experiment", trouble);
   ReportFolder owned(folder, command.force || going_on, {.own = "toughness_velocity.csv", .has_run = true});
@@ -147,11 +146,11 @@ ExitCode experiment(ExperimentCommand& command) {
                           .wall_s = 0};
   command.film->begin(folder / "run", false);
   try {
-    report.experiment = run_experiment(preset, command.wishes, folder, cache, report.build,
-                                       [&](std::string_view stage, double done) {
-                                         line.tell(stage, done);
-                                         return stop.received() == 0;
-                                       });
+    report.experiment = experiment::run_experiment(preset, command.wishes, folder, cache, report.build,
+                                                   [&](std::string_view stage, double done) {
+                                                     line.tell(stage, done);
+                                                     return stop.received() == 0;
+                                                   });
   } catch (const Interrupted& interrupted) {
     (void)command.film->finish(line, [] { return false; });
     line.clear();

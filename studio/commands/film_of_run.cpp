@@ -110,9 +110,9 @@ FilmOfRun::~FilmOfRun() { maker_->given_up = true; }
 
 bool FilmOfRun::wanted() const { return maker_->wanted(); }
 
-std::string FilmOfRun::trouble_with(const Preset& preset, bool force) {
+std::string FilmOfRun::trouble_with(const scene::Preset& preset, bool force) {
   if (!maker_->wanted()) return "";
-  const Scene& scene = preset.scene;
+  const scene::Scene& scene = preset.scene;
   const viz::Field* field = viz::find_field(maker_->options.wish.field.value_or(scene.film.field));
   const std::string beams = maker_->options.wish.beams.value_or(scene.film.beams);
   const auto stored = [&](std::string_view name) {

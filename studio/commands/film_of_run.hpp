@@ -26,7 +26,7 @@ class FilmOfRun {
   /// Reads the options. @return what is wrong with them for this preset, before anything was computed; empty:
   /// nothing
   /// @param force  a film that is there already may be replaced
-  [[nodiscard]] std::string trouble_with(const Preset& preset, bool force);
+  [[nodiscard]] std::string trouble_with(const scene::Preset& preset, bool force);
   /// The run's journal is there, or will be, and grows. @param core_free  whether the run leaves a core; else
   /// its film waits for its end, for threads that wait for one another bear no disturbance
   void begin(const std::filesystem::path& run, bool core_free);

@@ -32,7 +32,7 @@ constexpr std::size_t fields_kept = 12;  // of the way, for the maps
 struct MeasureCommand {
   std::string run, out, color;
   std::vector<std::string> against;
-  InstrumentWishes wishes;
+  experiment::InstrumentWishes wishes;
   bool force = false, json = false, quiet = false;
 };
 
@@ -50,16 +50,17 @@ fs::path folder_of(const MeasureCommand& command) {
                                                           : std::string("measure"));
 }
 
-void check(const InstrumentWishes& w) {
+void check(const experiment::InstrumentWishes& w) {
   for (const auto& [option, value] :
        {std::pair{"--grid", w.grid}, {"--subset", w.subset}, {"--inner", w.inner}, {"--outer", w.outer}})
     if (!std::isfinite(value))
-      throw InputError({Issue{.file = "rift measure", .key = option, .text = "must be a finite number"}});
+      throw scene::InputError(
+          {scene::Issue{.file = "rift measure", .key = option, .text = "must be a finite number"}});
   if (w.inner >= w.outer)
-    throw InputError({Issue{.file = "rift measure",
-                            .key = "--inner",
-                            .text = fmt::format("must lie below --outer = {:g}", w.outer),
-                            .value = fmt::format("{:g}", w.inner)}});
+    throw scene::InputError({scene::Issue{.file = "rift measure",
+                                          .key = "--inner",
+                                          .text = fmt::format("must lie below --outer = {:g}", w.outer),
+                                          .value = fmt::format("{:g}", w.inner)}});
 }
 
 /// field.csv, which is there only when all of it is; nothing is left of one that was given up.
@@ -91,13 +92,13 @@ class FieldFile {
 void read_run(const MeasureCommand& command, InstrumentsReport& report, FieldFile& file, ProgressLine& line,
               const StopSignal& stop) {
   double next_tip = 0.0;
-  report.seen = read_instruments(
+  report.seen = experiment::read_instruments(
       command.run, command.wishes,
       [&](double done) {
         line.tell("frames", done);
         return stop.received() == 0;
       },
-      [&](const Grid& grid, const SeenField& field) {
+      [&](const measurement::Grid& grid, const experiment::SeenField& field) {
         file.append(field_csv_rows(grid, field));
         if (field.tip < next_tip) return;
         report.field.push_back(field);
@@ -108,11 +109,11 @@ void read_run(const MeasureCommand& command, InstrumentsReport& report, FieldFil
 
 void lay_over(InstrumentsReport& report, const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    for (Trace& trace : read_traces(file, report.trace)) {
-      for (const Trace& other : report.measured)
+    for (experiment::Trace& trace : experiment::read_traces(file, report.trace)) {
+      for (const experiment::Trace& other : report.measured)
         if (other.name == trace.name)
-          throw InputError(
-              {Issue{.file = file, .key = {}, .text = trace.name + " is in an earlier file too"}});
+          throw scene::InputError(
+              {scene::Issue{.file = file, .key = {}, .text = trace.name + " is in an earlier file too"}});
       report.measured.push_back(std::move(trace));
     }
 }
@@ -141,9 +142,9 @@ ExitCode finish(const MeasureCommand& command, const InstrumentsReport& report, 
 void check_run(const std::string& run) {
   const fs::path below = fs::path(run) / "run";
   if (!fs::exists(fs::path(run) / results::journal_name) && fs::exists(below / results::journal_name))
-    throw InputError(
-        {Issue{.file = run, .key = {}, .text = "holds no run: did you mean " + below.string() + "?"}});
-  if (!fs::exists(fs::path(run) / results::journal_name)) (void)preset_of_run(run);  // says why
+    throw scene::InputError(
+        {scene::Issue{.file = run, .key = {}, .text = "holds no run: did you mean " + below.string() + "?"}});
+  if (!fs::exists(fs::path(run) / results::journal_name)) (void)simulation::preset_of_run(run);  // says why
 }
 
 ExitCode measure(const MeasureCommand& command) {
@@ -161,7 +162,7 @@ ExitCode measure(const MeasureCommand& command) {
   try {
     FieldFile file(owned);
     read_run(command, report, file, line, stop);
-    report.trace = traces_of(report.seen);
+    report.trace = experiment::traces_of(report.seen);
     lay_over(report, command.against);
     file.keep();
   } catch (const Interrupted& interrupted) {
@@ -179,7 +180,7 @@ void add_measure(CLI::App& app, ExitCode& exit_code) {
       "measure",
       "What a test's instruments would have shown of a run: grip force, gauges, a camera's fields, K");
   const auto options = std::make_shared<MeasureCommand>();
-  InstrumentWishes& wishes = options->wishes;
+  experiment::InstrumentWishes& wishes = options->wishes;
   command.add_option("run", options->run, "Folder of the run, unfinished ones too")->required();
   command.add_option(
       "--against", options->against,

@@ -19,7 +19,7 @@ FilmOfRun::Result FilmOfRun::finish(ProgressLine&, const std::function<bool()>&)
 
 bool FilmOfRun::wanted() const { return maker_->wanted; }
 
-std::string FilmOfRun::trouble_with(const Preset&, bool) {
+std::string FilmOfRun::trouble_with(const scene::Preset&, bool) {
   if (!maker_->wanted) return "";
   return "--render: this rift was built without its renderer; build it with -DRIFT_VIZ=ON (it needs VTK)";
 }

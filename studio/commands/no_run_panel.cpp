@@ -5,6 +5,6 @@ namespace rift::studio {
 
 bool panel_there() { return false; }
 
-std::optional<Recorded> run_in_panel(RunWish, bool, const StopSignal&) { return std::nullopt; }
+std::optional<simulation::Recorded> run_in_panel(RunWish, bool, const StopSignal&) { return std::nullopt; }
 
 }  // namespace rift::studio

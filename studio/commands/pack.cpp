@@ -20,38 +20,38 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Preset preset_for(const SceneOptions& options) {
+scene::Preset preset_for(const SceneOptions& options) {
   if (!options.preset.empty()) return read_scene(options);
-  Preset preset = read_preset_text("", "rift pack", options.overrides);
-  if (!preset.issues.empty()) throw InputError(preset.issues);
+  scene::Preset preset = scene::read_preset_text("", "rift pack", options.overrides);
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   return preset;
 }
 
-PackedSpecimen packed(const ReportOptions& options, const Preset& preset, Cache& cache,
-                      const PackingProgress& progress) {
+PackedSpecimen packed(const ReportOptions& options, const scene::Preset& preset, Cache& cache,
+                      const lattice::PackingProgress& progress) {
   const auto start = Clock::now();
-  const Scene& scene = preset.scene;
-  PackedSpecimen specimen{.scene = scene, .build = build_info(), .box = box_of(scene), .packing = {}};
+  const scene::Scene& scene = preset.scene;
+  PackedSpecimen specimen{.scene = scene, .build = build_info(), .box = scene::box_of(scene), .packing = {}};
   try {
-    specimen.packing =
-        cached_packing(request_of(scene), cache, specimen.from_cache, progress, options.scene.threads);
+    specimen.packing = lattice::cached_packing(scene::request_of(scene), cache, specimen.from_cache, progress,
+                                               options.scene.threads);
     specimen.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-    const Specimen whole =
-        make_free_specimen(specimen.packing, specimen.box, scene.specimen.contact_tolerance);
+    const lattice::Specimen whole =
+        lattice::make_free_specimen(specimen.packing, specimen.box, scene.specimen.contact_tolerance);
     specimen.rattlers = whole.rattlers;
     specimen.beams = whole.beam.size();
-  } catch (const PackingError& error) {
-    throw InputError(
-        {issue_at(preset, scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination",
-                  error.what())});
+  } catch (const lattice::PackingError& error) {
+    throw scene::InputError({scene::issue_at(
+        preset, scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination",
+        error.what())});
   }
   return specimen;
 }
 
 ExitCode pack_specimen(const ReportOptions& options) {
-  const Preset preset = preset_for(options.scene);
+  const scene::Preset preset = preset_for(options.scene);
   if (options.scene.print_config) {
-    base::print_text(preset_text(preset));
+    base::print_text(scene::preset_text(preset));
     return ExitCode::done;
   }
   const bool report = !options.out.empty();

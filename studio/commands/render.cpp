@@ -31,7 +31,7 @@ struct RenderOptions {
 };
 
 double time_of(const char* option, const std::string& text) {
-  const Parsed<double> time = read_quantity(text, Dimension::time);
+  const scene::Parsed<double> time = scene::read_quantity(text, scene::Dimension::time);
   if (!time.value) throw viz::BadWish(fmt::format("{} {}: {}", option, text, time.problem));
   return *time.value;
 }
@@ -45,9 +45,10 @@ std::vector<double> times_of(const RenderOptions& options, const viz::Plan& plan
                [&](double t) { return t >= from && t <= to; });
   if (times.empty())
     throw viz::BadWish(fmt::format("no moment is stored from {} to {}: there are those from {} to {}",
-                                   quantity_text(from, Dimension::time), quantity_text(to, Dimension::time),
-                                   rounded_text(plan.times_s.front(), Dimension::time),
-                                   rounded_text(plan.times_s.back(), Dimension::time)));
+                                   scene::quantity_text(from, scene::Dimension::time),
+                                   scene::quantity_text(to, scene::Dimension::time),
+                                   scene::rounded_text(plan.times_s.front(), scene::Dimension::time),
+                                   scene::rounded_text(plan.times_s.back(), scene::Dimension::time)));
   return options.frames > 0 ? viz::evenly_chosen(times, options.frames) : times;
 }
 

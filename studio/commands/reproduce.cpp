@@ -43,27 +43,29 @@ struct ReproduceOptions {
   std::string color;
 };
 
-Issue issue(std::string text) { return {.file = "rift reproduce", .key = {}, .text = std::move(text)}; }
+scene::Issue issue(std::string text) {
+  return {.file = "rift reproduce", .key = {}, .text = std::move(text)};
+}
 
 /// The claims of the names, in the table's order; for none or "all" all of the paper's, for "beyond" the
 /// others.
-std::vector<const Claim*> chosen_claims(const std::vector<std::string>& names) {
+std::vector<const study::Claim*> chosen_claims(const std::vector<std::string>& names) {
   std::set<std::string> wanted(names.begin(), names.end());
   std::vector<std::string> known{"all", "beyond"};
-  for (const Claim& claim : claims()) known.push_back(claim.name);
-  std::vector<Issue> issues;
+  for (const study::Claim& claim : study::claims()) known.push_back(claim.name);
+  std::vector<scene::Issue> issues;
   for (const std::string& name : wanted) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string nearest = nearest_name(name, known);
-    issues.push_back(
-        issue(nearest.empty()
-                  ? fmt::format("unknown name '{}': the names are {}", printable(name), listed(known, "and"))
-                  : fmt::format("unknown name '{}', did you mean '{}'?", printable(name), nearest)));
+    const std::string nearest = scene::nearest_name(name, known);
+    issues.push_back(issue(nearest.empty() ? fmt::format("unknown name '{}': the names are {}",
+                                                         scene::printable(name), scene::listed(known, "and"))
+                                           : fmt::format("unknown name '{}', did you mean '{}'?",
+                                                         scene::printable(name), nearest)));
   }
-  if (!issues.empty()) throw InputError(issues);
-  std::vector<const Claim*> chosen;
+  if (!issues.empty()) throw scene::InputError(issues);
+  std::vector<const study::Claim*> chosen;
   if (wanted.empty()) wanted.insert("all");
-  for (const Claim& claim : claims())
+  for (const study::Claim& claim : study::claims())
     if (wanted.contains(claim.beyond ? "beyond" : "all") || wanted.contains(claim.name))
       chosen.push_back(&claim);
   return chosen;
@@ -75,57 +77,58 @@ void check_folder(const fs::path& folder) {
   if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored) ||
       fs::is_directory(folder / "runs", ignored) || fs::exists(folder / "reproduction.md", ignored))
     return;
-  throw InputError({issue(fmt::format("'{}' is there and holds something else: choose another --out",
-                                      printable(folder.string())))});
+  throw scene::InputError({issue(fmt::format("'{}' is there and holds something else: choose another --out",
+                                             scene::printable(folder.string())))});
 }
 
-PaperStudy study_of(const std::vector<const Claim*>& chosen, Effort effort) {
+study::PaperStudy study_of(const std::vector<const study::Claim*>& chosen, study::Effort effort) {
   std::vector<std::string> names;
-  for (const Claim* claim : chosen)
+  for (const study::Claim* claim : chosen)
     for (const std::string& name : claim->needs)
       if (claim->judge && !claim->calibration && std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
-  std::vector<std::pair<std::string, Preset>> presets;
-  std::vector<Issue> issues;
+  std::vector<std::pair<std::string, scene::Preset>> presets;
+  std::vector<scene::Issue> issues;
   for (const std::string& name : names) {
-    presets.emplace_back(name, read_preset(resolve_preset(name)));
-    const std::vector<Issue>& found = presets.back().second.issues;
+    presets.emplace_back(name, scene::read_preset(resolve_preset(name)));
+    const std::vector<scene::Issue>& found = presets.back().second.issues;
     issues.insert(issues.end(), found.begin(), found.end());
   }
-  if (!issues.empty()) throw InputError(issues);
-  return merge_presets(presets, effort);
+  if (!issues.empty()) throw scene::InputError(issues);
+  return study::merge_presets(presets, effort);
 }
 
 /// The rows a claim looks at, of any stiffness.
-std::vector<SummaryRow> rows_for(const Claim& claim, const PaperStudy& study, const StudyResult& result) {
+std::vector<study::SummaryRow> rows_for(const study::Claim& claim, const study::PaperStudy& study,
+                                        const study::StudyResult& result) {
   std::set<int> places;
   for (const std::string& name : claim.needs)
     if (const auto rows = study.of.find(name); rows != study.of.end())
       places.insert(rows->second.begin(), rows->second.end());
-  std::vector<SummaryRow> rows;
+  std::vector<study::SummaryRow> rows;
   for (int place : places)
     if (result.rows.at(place).is_object()) rows.push_back(result.rows[place]);
   return rows;
 }
 
-double computing_time(const SummaryRow& row) {
-  const bool ramp = text_in(row, "prestress_method") == "ramp";
-  return number_in(row, "wall_fracture_s") + (ramp ? number_in(row, "wall_prestress_s") : 0.0);
+double computing_time(const study::SummaryRow& row) {
+  const bool ramp = study::text_in(row, "prestress_method") == "ramp";
+  return study::number_in(row, "wall_fracture_s") + (ramp ? study::number_in(row, "wall_prestress_s") : 0.0);
 }
 
-JudgedClaim judged(const Claim& claim, const PaperStudy& study, const StudyResult& result, int elements,
-                   const fs::path& folder) {
+JudgedClaim judged(const study::Claim& claim, const study::PaperStudy& study,
+                   const study::StudyResult& result, int elements, const fs::path& folder) {
   JudgedClaim out;
   out.claim = &claim;
   if (!claim.judge) return out;
-  Evidence bulk{.rows = {}, .elements = elements, .series = [&](const SummaryRow& row) {
-                  return read_series(folder / text_in(row, "series"));
-                }};
-  Evidence in_situ = bulk;
-  for (SummaryRow& row : rows_for(claim, study, result)) {
+  study::Evidence bulk{.rows = {}, .elements = elements, .series = [&](const study::SummaryRow& row) {
+                         return study::read_series(folder / study::text_in(row, "series"));
+                       }};
+  study::Evidence in_situ = bulk;
+  for (study::SummaryRow& row : rows_for(claim, study, result)) {
     ++out.scenarios;
     out.wall_s += computing_time(row);
-    (text_in(row, "stiffness") == "bulk" ? bulk : in_situ).rows.push_back(std::move(row));
+    (study::text_in(row, "stiffness") == "bulk" ? bulk : in_situ).rows.push_back(std::move(row));
   }
   const fs::path charts = folder / "charts";
   if (claim.beyond) {
@@ -142,10 +145,10 @@ JudgedClaim judged(const Claim& claim, const PaperStudy& study, const StudyResul
 }
 
 /// What --quick leaves of a calibration: two packings of the cylinders below the size of the quick plate.
-Scene calibration_scene(Scene scene, Effort effort) {
-  if (effort == Effort::full) return scene;
-  Scene::Calibration& c = scene.calibration;
-  const double most = plate_elements(effort);
+scene::Scene calibration_scene(scene::Scene scene, study::Effort effort) {
+  if (effort == study::Effort::full) return scene;
+  scene::Scene::Calibration& c = scene.calibration;
+  const double most = study::plate_elements(effort);
   std::erase_if(c.sizes, [&](double elements) { return elements > most; });
   if (c.sizes.empty()) c.sizes = {most};
   c.elements = std::min(c.elements, static_cast<int>(most) / 2);
@@ -154,14 +157,14 @@ Scene calibration_scene(Scene scene, Effort effort) {
 }
 
 /// Judges a claim about cylinders.
-JudgedClaim calibrated(const Claim& claim, const ReproduceOptions& options, Effort effort,
+JudgedClaim calibrated(const study::Claim& claim, const ReproduceOptions& options, study::Effort effort,
                        const StopSignal& stop) {
   const auto start = Clock::now();
   ProgressLine line(progress_style(options.quiet, options.json));
   Cache cache = options.no_cache ? Cache{} : user_cache();
-  const Preset preset = read_preset(resolve_preset(claim.needs.front()));
-  if (!preset.issues.empty()) throw InputError(preset.issues);
-  const CalibrationStudy study = study_calibration(
+  const scene::Preset preset = scene::read_preset(resolve_preset(claim.needs.front()));
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
+  const calibration::CalibrationStudy study = calibration::study_calibration(
       calibration_scene(preset.scene, effort), cache,
       [&](const char* stage, double done) {
         line.tell(stage, done);
@@ -170,10 +173,12 @@ JudgedClaim calibrated(const Claim& claim, const ReproduceOptions& options, Effo
       options.threads);
   JudgedClaim out;
   out.claim = &claim;
-  const Evidence evidence{.rows = rows_of(study), .elements = plate_elements(effort)};
+  const study::Evidence evidence{.rows = calibration::rows_of(study),
+                                 .elements = study::plate_elements(effort)};
   out.bulk = claim.judge(evidence);
   out.scenarios = static_cast<int>(evidence.rows.size());
-  std::vector<NamedChart> charts = calibration_charts(evidence.rows, bulk_micro_material.young_modulus);
+  std::vector<NamedChart> charts =
+      calibration_charts(evidence.rows, lattice::bulk_micro_material.young_modulus);
   if (claim.name == "table2") charts.resize(1);  // the others are Fig. 17's
   for (const NamedChart& named : charts)
     out.figures.push_back(
@@ -196,22 +201,23 @@ OwnSpeed measure_speed(const ReproduceOptions& options, int elements, const Stop
     line.tell(stage, done);
     return stop.received() == 0;
   };
-  const Prepared plate =
-      prepare(read_preset(resolve_preset("plate_pnrt"), {fmt::format("specimen.elements={}", elements)}),
-              cache, tell);
-  const OwnNumbers own = measure_own_numbers(plate, cache, tell, options.threads);
-  const double in_situ = own.nominal.rayleigh / own.speed(WaveKind::rayleigh);
-  return {in_situ * std::sqrt(plate.micro.young_modulus / bulk_micro_material.young_modulus), in_situ};
+  const simulation::Prepared plate = simulation::prepare(
+      scene::read_preset(resolve_preset("plate_pnrt"), {fmt::format("specimen.elements={}", elements)}),
+      cache, tell);
+  const simulation::OwnNumbers own = simulation::measure_own_numbers(plate, cache, tell, options.threads);
+  const double in_situ = own.nominal.rayleigh / own.speed(calibration::WaveKind::rayleigh);
+  return {in_situ * std::sqrt(plate.micro.young_modulus / lattice::bulk_micro_material.young_modulus),
+          in_situ};
 }
 
 /// Fig. 15 once more, over the plate's own Rayleigh speed.
-void add_own_speed(JudgedClaim& claim, const PaperStudy& study, const StudyResult& result,
+void add_own_speed(JudgedClaim& claim, const study::PaperStudy& study, const study::StudyResult& result,
                    const ReproduceOptions& options, int elements, const StopSignal& stop) {
   const OwnSpeed own = measure_speed(options, elements, stop);
   for (const char* stiffness : {"bulk", "in-situ"}) {
-    Evidence evidence{.rows = {}, .elements = elements};
-    for (SummaryRow& row : rows_for(*claim.claim, study, result))
-      if (text_in(row, "stiffness") == stiffness) evidence.rows.push_back(std::move(row));
+    study::Evidence evidence{.rows = {}, .elements = elements};
+    for (study::SummaryRow& row : rows_for(*claim.claim, study, result))
+      if (study::text_in(row, "stiffness") == stiffness) evidence.rows.push_back(std::move(row));
     const bool bulk = std::string_view(stiffness) == "bulk";
     for (Figure& figure : draw_against_own_speed(evidence, stiffness, bulk ? own.bulk : own.in_situ,
                                                  fs::path(options.out) / "charts"))
@@ -240,19 +246,20 @@ std::string command_text(const ReproduceOptions& options) {
   return text + (options.names.empty() ? " all" : "") + (options.quick ? " --quick" : "");
 }
 
-StudyResult compute(const ReproduceOptions& options, const PaperStudy& study, const StopSignal& stop) {
+study::StudyResult compute(const ReproduceOptions& options, const study::PaperStudy& study,
+                           const StopSignal& stop) {
   if (study.preset.study.empty()) return {};
   ProgressLine line(progress_style(options.quiet, options.json));
   Cache cache = options.no_cache ? Cache{} : user_cache();
-  const StudyObserver observer{.progress =
-                                   [&](std::string_view stage, double done) {
-                                     line.tell(stage, done);
-                                     return stop.received() == 0;
-                                   },
-                               .finished = {}};
-  StudyResult result =
-      run_study(study.preset, {.folder = options.out, .threads = options.threads, .shared = true}, cache,
-                build_info(), observer);
+  const study::StudyObserver observer{.progress =
+                                          [&](std::string_view stage, double done) {
+                                            line.tell(stage, done);
+                                            return stop.received() == 0;
+                                          },
+                                      .finished = {}};
+  study::StudyResult result =
+      study::run_study(study.preset, {.folder = options.out, .threads = options.threads, .shared = true},
+                       cache, build_info(), observer);
   line.clear();
   print_notes(cache);
   return result;
@@ -273,29 +280,29 @@ void write_report(const Reproduction& report, const ReproduceOptions& options) {
 
 ExitCode reproduce(const ReproduceOptions& options) {
   const auto start = Clock::now();
-  const std::vector<const Claim*> chosen = chosen_claims(options.names);
-  const Effort effort = options.quick ? Effort::quick : Effort::full;
-  const PaperStudy study = study_of(chosen, effort);
+  const std::vector<const study::Claim*> chosen = chosen_claims(options.names);
+  const study::Effort effort = options.quick ? study::Effort::quick : study::Effort::full;
+  const study::PaperStudy study = study_of(chosen, effort);
   check_folder(options.out);
-  open_shared(options.out);
+  study::open_shared(options.out);
   results::check_target(fs::path(options.out) / "report.html");
   const StopSignal stop;
-  const StudyResult result = compute(options, study, stop);
-  if (result.outcome == Outcome::stopped) {
+  const study::StudyResult result = compute(options, study, stop);
+  if (result.outcome == simulation::Outcome::stopped) {
     base::message("rift reproduce: stopped; {} of {} scenarios are kept in {}: the same call goes on\n",
                   result.computed + result.found, study.preset.study.size(), options.out);
     return static_cast<ExitCode>(128 + stop.received());
   }
   Reproduction report{.build = build_info(),
                       .command = command_text(options),
-                      .elements = plate_elements(effort),
+                      .elements = study::plate_elements(effort),
                       .scenarios = static_cast<int>(study.preset.study.size()),
                       .computed = result.computed,
                       .found = result.found,
                       .wall_s = 0,
                       .claims = {}};
   try {
-    for (const Claim* claim : chosen) {
+    for (const study::Claim* claim : chosen) {
       if (claim->calibration && claim->judge) {
         report.claims.push_back(calibrated(*claim, options, effort, stop));
         continue;
@@ -313,7 +320,7 @@ ExitCode reproduce(const ReproduceOptions& options) {
   }
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   write_report(report, options);
-  return result.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+  return result.outcome == simulation::Outcome::diverged ? ExitCode::diverged : ExitCode::done;
 }
 
 }  // namespace

@@ -23,20 +23,21 @@
 namespace rift::studio {
 namespace {
 
-std::optional<Recorded> go_on_plainly(const ResumeOptions& options, const Preset& preset, Cache& cache,
-                                      const StopSignal& stop, ProgressLine& line) try {
+std::optional<simulation::Recorded> go_on_plainly(const ResumeOptions& options, const scene::Preset& preset,
+                                                  Cache& cache, const StopSignal& stop,
+                                                  ProgressLine& line) try {
   const auto start = std::chrono::steady_clock::now();
-  const Prepared prepared =
-      prepare(preset, scenes_of_run(preset), cache, [&](std::string_view stage, double done) {
+  const simulation::Prepared prepared =
+      simulation::prepare(preset, scenes_of_run(preset), cache, [&](std::string_view stage, double done) {
         line.tell(stage, done);
         return stop.received() == 0;
       });
   const double preparation = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::string note;
-  auto ran = resume_run(prepared, options.run, build_info(),
-                        {.go_on = telling(line, stop, prepared.lattice.centre.size()),
-                         .stage = [&](const char* stage) { line.tell(stage, 0.0); }},
-                        note, {.threads = options.threads}, preparation);
+  auto ran = simulation::resume_run(prepared, options.run, build_info(),
+                                    {.go_on = telling(line, stop, prepared.lattice.centre.size()),
+                                     .stage = [&](const char* stage) { line.tell(stage, 0.0); }},
+                                    note, {.threads = options.threads}, preparation);
   line.clear();
   if (!note.empty()) base::message("rift resume: {}\n", note);
   return ran;
@@ -47,8 +48,8 @@ std::optional<Recorded> go_on_plainly(const ResumeOptions& options, const Preset
   return std::nullopt;
 }
 
-std::optional<Recorded> go_on_live(const ResumeOptions& options, const Preset& preset, const Cache& cache,
-                                   const StopSignal& stop) {
+std::optional<simulation::Recorded> go_on_live(const ResumeOptions& options, const scene::Preset& preset,
+                                               const Cache& cache, const StopSignal& stop) {
   RunWish wish{.preset = preset, .folder = options.run};
   wish.resume = true;
   wish.threads = options.threads;
@@ -63,21 +64,21 @@ ExitCode resume(const ResumeOptions& options) {
   const std::optional<double> budget = read_budget("rift resume", options.budget);
   if (results::is_folder_being_written(options.run))
     throw results::WorldError("resume", options.run, "another process is writing it");
-  if (complete_end(options.run)) {
+  if (simulation::complete_end(options.run)) {
     base::message("rift resume: {} had come to its end; the files of its end are made from its journal\n",
                   options.run);
     return ExitCode::done;
   }
-  if (has_ended(options.run)) {
+  if (simulation::has_ended(options.run)) {
     base::message("rift resume: {} has come to its end: nothing is left of it\n", options.run);
     return ExitCode::done;
   }
-  const Preset preset = preset_of_run(options.run);
+  const scene::Preset preset = simulation::preset_of_run(options.run);
   const StopSignal stop(budget);
   ProgressLine line(progress_style(options.quiet, options.json));
   Cache cache = options.no_cache ? Cache{} : user_cache();
   const bool panel = !options.plain && !options.quiet && !options.json && panel_there();
-  std::optional<Recorded> ran;
+  std::optional<simulation::Recorded> ran;
   try {
     ran =
         panel ? go_on_live(options, preset, cache, stop) : go_on_plainly(options, preset, cache, stop, line);

@@ -41,14 +41,14 @@ struct RunOptions {
 
 /// Whether the folder holds a run that the same command has begun under a budget: a command with one goes on
 /// with it.
-bool goes_on(const RunOptions& options, const Preset& preset, const fs::path& folder) {
+bool goes_on(const RunOptions& options, const scene::Preset& preset, const fs::path& folder) {
   return !options.budget.empty() && !options.film->wanted() &&
-         is_unfinished_run_of(folder, preset, build_info());
+         simulation::is_unfinished_run_of(folder, preset, build_info());
 }
 
 /// Where the user said, else the first of runs/NAME, runs/NAME-2, ... that does not exist yet, or that this
 /// command goes on with.
-fs::path folder_for(const RunOptions& options, const Preset& preset) {
+fs::path folder_for(const RunOptions& options, const scene::Preset& preset) {
   if (!options.out.empty()) return options.out;
   const std::string name = options.replay.empty() ? fs::path(options.scene.preset).stem().string() : "replay";
   fs::path folder = fs::path("runs") / name;
@@ -60,7 +60,7 @@ fs::path folder_for(const RunOptions& options, const Preset& preset) {
 /// What both ways to run have in common.
 struct Way {
   const RunOptions& options;
-  const Preset& preset;
+  const scene::Preset& preset;
   const StopSignal& stop;
   ProgressLine& line;
   double checkpoint_s;
@@ -72,21 +72,22 @@ struct Way {
 };
 
 /// With lines of progress. Nothing where the user stopped it before its first step.
-std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache& cache) try {
+std::optional<simulation::Recorded> run_plainly(const Way& way, const fs::path& path, Cache& cache) try {
   results::ClaimedFolder folder(path, way.options.force);
-  if (!folder.has_locks()) base::message("rift run: {}\n", no_locks_note(path));
-  const Prepared prepared =
-      prepare(way.preset, scenes_of_run(way.preset), cache, [&](std::string_view stage, double done) {
-        way.line.tell(stage, done);
-        return way.stop.received() == 0;
-      });
-  check_grip(prepared);
+  if (!folder.has_locks()) base::message("rift run: {}\n", simulation::no_locks_note(path));
+  const simulation::Prepared prepared = simulation::prepare(way.preset, scenes_of_run(way.preset), cache,
+                                                            [&](std::string_view stage, double done) {
+                                                              way.line.tell(stage, done);
+                                                              return way.stop.received() == 0;
+                                                            });
+  simulation::check_grip(prepared);
   way.begin_film(folder.keep());
   const double preparation = std::chrono::duration<double>(Clock::now() - way.start).count();
-  return record_run(prepared, path, build_info(),
-                    {.go_on = telling(way.line, way.stop, prepared.lattice.centre.size()),
-                     .stage = [&](const char* stage) { way.line.tell(stage, 0.0); }},
-                    {.threads = way.options.scene.threads, .checkpoint_s = way.checkpoint_s}, preparation);
+  return simulation::record_run(prepared, path, build_info(),
+                                {.go_on = telling(way.line, way.stop, prepared.lattice.centre.size()),
+                                 .stage = [&](const char* stage) { way.line.tell(stage, 0.0); }},
+                                {.threads = way.options.scene.threads, .checkpoint_s = way.checkpoint_s},
+                                preparation);
 } catch (const Interrupted& interrupted) {
   way.line.clear();
   base::message("rift run: {}\n", nothing_kept_text(interrupted.what(), way.stop, nothing_written));
@@ -94,7 +95,7 @@ std::optional<Recorded> run_plainly(const Way& way, const fs::path& path, Cache&
 }
 
 /// In the live panel.
-std::optional<Recorded> run_live(const Way& way, const fs::path& path, const Cache& cache) {
+std::optional<simulation::Recorded> run_live(const Way& way, const fs::path& path, const Cache& cache) {
   RunWish wish{.preset = way.preset, .folder = path, .force = way.options.force};
   wish.threads = way.options.scene.threads;
   wish.checkpoint_s = way.checkpoint_s;
@@ -113,31 +114,33 @@ bool wants_panel(const RunOptions& options) {
 }
 
 /// A preset, or with --replay the one that a steered run has left.
-Preset read_wish(const RunOptions& options) {
-  const Preset preset = read_scene(options.scene);
+scene::Preset read_wish(const RunOptions& options) {
+  const scene::Preset preset = read_scene(options.scene);
   if (!options.replay.empty() && preset.steering.empty())
-    throw InputError({Issue{.file = options.replay,
-                            .key = {},
-                            .text = fmt::format("holds no [[steering]]: a run that was steered leaves a {}",
-                                                results::steering_name)}});
+    throw scene::InputError(
+        {scene::Issue{.file = options.replay,
+                      .key = {},
+                      .text = fmt::format("holds no [[steering]]: a run that was steered leaves a {}",
+                                          results::steering_name)}});
   return preset;
 }
 
 double checkpoint_seconds(const RunOptions& options) {
-  const Parsed<double> time = read_quantity(options.checkpoint, Dimension::time);
+  const scene::Parsed<double> time = scene::read_quantity(options.checkpoint, scene::Dimension::time);
   if (time.value && *time.value > 0) return *time.value;
-  throw InputError({Issue{.file = "rift run",
-                          .key = {},
-                          .text = fmt::format("--checkpoint {}: {}", options.checkpoint,
-                                              time.value ? "must be above 0 s" : time.problem)}});
+  throw scene::InputError(
+      {scene::Issue{.file = "rift run",
+                    .key = {},
+                    .text = fmt::format("--checkpoint {}: {}", options.checkpoint,
+                                        time.value ? "must be above 0 s" : time.problem)}});
 }
 
 ExitCode run(const RunOptions& options) {
-  const Preset preset = read_wish(options);
+  const scene::Preset preset = read_wish(options);
   const double checkpoint_s = checkpoint_seconds(options);
   const std::optional<double> budget = read_budget("rift run", options.budget);
   if (options.scene.print_config) {
-    base::print_text(preset_text(preset));
+    base::print_text(scene::preset_text(preset));
     return ExitCode::done;
   }
   (void)scenes_of_run(preset);  // a study is refused before a folder is claimed
@@ -159,7 +162,7 @@ ExitCode run(const RunOptions& options) {
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
   Cache cache = cache_for(options.scene);
   const Way way{options, preset, stop, line, checkpoint_s};
-  const std::optional<Recorded> ran =
+  const std::optional<simulation::Recorded> ran =
       wants_panel(options) ? run_live(way, path, cache) : run_plainly(way, path, cache);
   if (!ran) return stopped_by(stop);
   const FilmOfRun::Result film = options.film->finish(line, [&] { return stop.received() == 0; });

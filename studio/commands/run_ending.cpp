@@ -20,9 +20,9 @@ std::string stage_name(results::Phase phase) {
 
 }  // namespace
 
-std::function<bool(const Progress&)> telling(ProgressLine& line, const StopSignal& stop,
-                                             std::size_t elements) {
-  return [&line, &stop, elements](const Progress& p) {
+std::function<bool(const simulation::Progress&)> telling(ProgressLine& line, const StopSignal& stop,
+                                                         std::size_t elements) {
+  return [&line, &stop, elements](const simulation::Progress& p) {
     const double speed = static_cast<double>(p.step) * static_cast<double>(elements) / p.seconds;
     line.tell(stage_name(p.phase), static_cast<double>(p.step) / static_cast<double>(p.total),
               magnitude_text(speed) + " element-steps/s");
@@ -41,7 +41,7 @@ void print_run(const nlohmann::ordered_json& summary, const std::filesystem::pat
               folder.string());
   if (!film.empty()) base::print("  {:<22}{}\n", "film", film);
   for (const auto& scenario : summary.at("scenarios"))
-    if (scenario.value("outcome", std::string()) == name_of(Outcome::stopped)) {
+    if (scenario.value("outcome", std::string()) == simulation::name_of(simulation::Outcome::stopped)) {
       base::print("  {:<22}rift resume {}\n", "to go on", folder.string());
       break;
     }
@@ -57,9 +57,9 @@ std::string nothing_kept_text(const std::string& what, const StopSignal& stop, c
                      stop.received() == StopSignal::time_is_up ? " as the budget ran out" : "", then);
 }
 
-ExitCode exit_code_of(Outcome outcome, const StopSignal& stop) {
-  if (outcome == Outcome::diverged) return ExitCode::diverged;
-  if (outcome == Outcome::stopped) return stopped_by(stop);
+ExitCode exit_code_of(simulation::Outcome outcome, const StopSignal& stop) {
+  if (outcome == simulation::Outcome::diverged) return ExitCode::diverged;
+  if (outcome == simulation::Outcome::stopped) return stopped_by(stop);
   return ExitCode::done;
 }
 

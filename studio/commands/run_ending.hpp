@@ -15,8 +15,8 @@
 namespace rift::studio {
 
 /// Told a few times a second; Ctrl-C is heard here.
-std::function<bool(const Progress&)> telling(ProgressLine& line, const StopSignal& stop,
-                                             std::size_t elements);
+std::function<bool(const simulation::Progress&)> telling(ProgressLine& line, const StopSignal& stop,
+                                                         std::size_t elements);
 
 /// The table of every scenario and where the files are, or with `json` the summary.
 void print_run(const nlohmann::ordered_json& summary, const std::filesystem::path& folder, bool json,
@@ -29,6 +29,6 @@ ExitCode stopped_by(const StopSignal& stop);
 /// then.
 /// @param what  "stopped while packing";  @param then  what the folder is like now
 std::string nothing_kept_text(const std::string& what, const StopSignal& stop, const std::string& then);
-ExitCode exit_code_of(Outcome outcome, const StopSignal& stop);
+ExitCode exit_code_of(simulation::Outcome outcome, const StopSignal& stop);
 
 }  // namespace rift::studio

@@ -33,20 +33,21 @@ void add_report_options(CLI::App& command, ReportOptions& options, const std::st
   command.add_flag("--force", options.force, "Replace what a former run left in the folder");
 }
 
-Preset read_scene(const SceneOptions& options) {
-  Preset preset = read_preset(resolve_preset(options.preset), options.overrides);
-  if (!preset.issues.empty()) throw InputError(preset.issues);
+scene::Preset read_scene(const SceneOptions& options) {
+  scene::Preset preset = scene::read_preset(resolve_preset(options.preset), options.overrides);
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   for (const std::string& note : preset.notes) base::message("note: {}\n", note);
   return preset;
 }
 
-std::vector<Scene> scenes_of_run(const Preset& preset) {
+std::vector<scene::Scene> scenes_of_run(const scene::Preset& preset) {
   if (!preset.study.empty())
-    throw InputError({Issue{.file = preset.name,
-                            .key = {},
-                            .text = fmt::format("holds a study of {} scenarios: 'rift study {}' computes it",
-                                                preset.study.size(), preset.name)}});
-  return preset.lanes.empty() ? std::vector<Scene>{preset.scene} : preset.lanes;
+    throw scene::InputError(
+        {scene::Issue{.file = preset.name,
+                      .key = {},
+                      .text = fmt::format("holds a study of {} scenarios: 'rift study {}' computes it",
+                                          preset.study.size(), preset.name)}});
+  return preset.lanes.empty() ? std::vector<scene::Scene>{preset.scene} : preset.lanes;
 }
 
 Cache cache_for(const SceneOptions& options) { return options.no_cache ? Cache{} : user_cache(); }

@@ -34,10 +34,10 @@ struct ReportOptions {
 void add_report_options(CLI::App& command, ReportOptions& options, const std::string& holds);
 
 /// Reads and checks the preset, and prints its notes on stderr; throws InputError with every mistake.
-Preset read_scene(const SceneOptions& options);
+scene::Preset read_scene(const SceneOptions& options);
 
 /// What `rift run` and `rift check` take: one scene, or one ensemble of lanes. Throws InputError for a study.
-std::vector<Scene> scenes_of_run(const Preset& preset);
+std::vector<scene::Scene> scenes_of_run(const scene::Preset& preset);
 
 /// The user's cache, or none with --no-cache.
 Cache cache_for(const SceneOptions& options);

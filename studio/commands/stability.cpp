@@ -20,31 +20,31 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct StabilityOptions {
-  SuiteOptions suite;
+  stability::SuiteOptions suite;
   std::string out, color;
   bool force = false, quiet = false, json = false;
 };
 
 ExitCode stability(const StabilityOptions& options) {
-  const std::vector<StabilityCase> cases = stability_cases(options.suite);
+  const std::vector<stability::StabilityCase> cases = stability::stability_cases(options.suite);
   if (cases.empty())
-    throw InputError(
-        {Issue{.file = "rift stability",
-               .key = {},
-               .text = fmt::format("no family of cases has '{}' in its name", options.suite.only)}});
+    throw scene::InputError(
+        {scene::Issue{.file = "rift stability",
+                      .key = {},
+                      .text = fmt::format("no family of cases has '{}' in its name", options.suite.only)}});
   std::optional<ReportFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out, options.force);
   const auto start = Clock::now();
   const StopSignal stop;
   ProgressLine line(progress_style(options.quiet, options.json));
   StabilityReport report{.rows = {}, .growth = {}, .build = build_info(), .wall_s = 0};
-  for (const StabilityCase& one : cases) {
+  for (const stability::StabilityCase& one : cases) {
     line.tell(one.family, static_cast<double>(report.rows.size()) / static_cast<double>(cases.size()),
               one.name);
-    report.rows.push_back(try_case(one));
+    report.rows.push_back(stability::try_case(one));
     if (stop.received() != 0) break;
   }
-  if (!options.out.empty() && stop.received() == 0) report.growth = growth_around_the_limit();
+  if (!options.out.empty() && stop.received() == 0) report.growth = stability::growth_around_the_limit();
   line.clear();
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   if (options.json)
@@ -60,7 +60,7 @@ ExitCode stability(const StabilityOptions& options) {
       base::print("{}/  report.html, table.csv, claims.csv, summary.json, charts\n", options.out);
   }
   const bool all = std::all_of(report.rows.begin(), report.rows.end(),
-                               [](const StabilityRow& row) { return row.as_expected; });
+                               [](const stability::StabilityRow& row) { return row.as_expected; });
   return all ? ExitCode::done : ExitCode::diverged;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/study/store.hpp"
 #include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/common.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/report/study_report.hpp"
 #include "studio/report/study_table.hpp"
@@ -36,10 +37,6 @@ struct StudyCommand {
   bool yes = false;
 };
 
-[[noreturn]] void refuse(const std::string& text) {
-  throw InputError({Issue{.file = "rift study", .key = {}, .text = text}});
-}
-
 struct Shard {
   int index = 1, of = 1;
 };
@@ -54,36 +51,38 @@ Shard read_shard(const std::string& text) {
     const auto last = std::from_chars(slash + 1, end, shard.of);
     sound = last.ec == std::errc() && last.ptr == end;
   }
-  if (!sound) refuse(fmt::format("--shard {}: expected i/n, such as 2/8", text));
-  if (shard.of < 1) refuse(fmt::format("--shard {}: there must be at least 1 part", text));
+  if (!sound) refuse("rift study", fmt::format("--shard {}: expected i/n, such as 2/8", text));
+  if (shard.of < 1) refuse("rift study", fmt::format("--shard {}: there must be at least 1 part", text));
   if (shard.index < 1 || shard.index > shard.of)
-    refuse(fmt::format("--shard {}: the index must lie in 1 to {}", text, shard.of));
+    refuse("rift study", fmt::format("--shard {}: the index must lie in 1 to {}", text, shard.of));
   return shard;
 }
 
-void check_holds_study(const Preset& preset) {
+void check_holds_study(const scene::Preset& preset) {
   if (!preset.study.empty()) return;
   const std::string what =
       preset.lanes.empty()
           ? "no [study] in it: write a table [study] with a list of values per axis, such as "
             "crack_velocity = [\"0.3 c_r\", \"0.5 c_r\"] and seed = [1, 2]; 'rift run' runs one scene"
           : "lanes and no [study] in it: 'rift run' runs them, [[study.rows]] makes a study of them";
-  throw InputError({Issue{.file = preset.name, .key = {}, .text = what}});
+  throw scene::InputError({scene::Issue{.file = preset.name, .key = {}, .text = what}});
 }
 
 /// Seconds that what is missing of this part takes, roughly.
-double estimated_seconds(const Preset& preset, const StudyOptions& options, const BuildInfo& build) {
+double estimated_seconds(const scene::Preset& preset, const study::StudyOptions& options,
+                         const simulation::BuildInfo& build) {
   double beam_steps = 0.0;
   int group = -1;
-  for (const StudyItem& item : part_of(plan_study(preset, build.version), options.shard, options.shards)) {
-    if (fs::exists(result_file(options.folder, item.key))) continue;
-    beam_steps += item.cost + (item.group != group ? estimated_preparation(item.scene) : 0.0);
+  for (const study::StudyItem& item :
+       study::part_of(study::plan_study(preset, build.version), options.shard, options.shards)) {
+    if (fs::exists(study::result_file(options.folder, item.key))) continue;
+    beam_steps += item.cost + (item.group != group ? study::estimated_preparation(item.scene) : 0.0);
     group = item.group;
   }
   return beam_steps / assumed_beam_steps_per_s;
 }
 
-std::string finished_text(const SummaryRow& row, int done, int of) {
+std::string finished_text(const study::SummaryRow& row, int done, int of) {
   const Table table = scenario_table({row});
   std::string text = fmt::format("[{}/{}]", done, of);
   const std::size_t axes = row.at("axes").size();
@@ -96,7 +95,8 @@ std::string finished_text(const SummaryRow& row, int done, int of) {
                                : text + "  " + outcome + ": " + base::json_text(row.at("outcome_where"));
 }
 
-void tell_finished(const StudyCommand& command, ProgressLine& line, const SummaryRow& row, int done, int of) {
+void tell_finished(const StudyCommand& command, ProgressLine& line, const study::SummaryRow& row, int done,
+                   int of) {
   line.clear();
   if (command.scene.quiet) return;
   if (command.scene.json) {
@@ -115,7 +115,7 @@ std::string files_in(const fs::path& folder) {
   return names;
 }
 
-void print_result(const StudyCommand& command, const Preset& preset, const StudyResult& result,
+void print_result(const StudyCommand& command, const scene::Preset& preset, const study::StudyResult& result,
                   const fs::path& folder) {
   if (command.scene.json) {
     base::print_text(base::json_text(Json{{"preset", preset.name}, {"scenarios", result.rows}}, 2) + "\n");
@@ -137,13 +137,13 @@ void print_result(const StudyCommand& command, const Preset& preset, const Study
 
 /// table.csv always; charts and report unless the user wants to be let go. A part of a study leaves all of
 /// them to the call that gathers the parts.
-ExitCode write_files(const StudyCommand& command, const Preset& preset, const StudyResult& result,
-                     const fs::path& folder) {
+ExitCode write_files(const StudyCommand& command, const scene::Preset& preset,
+                     const study::StudyResult& result, const fs::path& folder) {
   if (!command.shard.empty()) return ExitCode::done;
   const std::string csv = study_csv(result.rows);
   if (csv.empty()) return ExitCode::done;
   results::write_whole_file(folder / "table.csv", csv);
-  if (result.outcome == Outcome::stopped) return ExitCode::done;
+  if (result.outcome == simulation::Outcome::stopped) return ExitCode::done;
   try {
     write_study_report(preset, build_info(), result, folder);
   } catch (const results::WorldError& error) {
@@ -153,7 +153,7 @@ ExitCode write_files(const StudyCommand& command, const Preset& preset, const St
   return ExitCode::done;
 }
 
-ExitCode compute(const StudyCommand& command, const Preset& preset, const StudyOptions& options,
+ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const study::StudyOptions& options,
                  std::optional<double> budget) {
   const auto start = Clock::now();
   const StopSignal stop;
@@ -162,41 +162,41 @@ ExitCode compute(const StudyCommand& command, const Preset& preset, const StudyO
   const auto in_time = [&] {
     return !budget || Clock::now() - start < std::chrono::duration<double>(*budget);
   };
-  StudyObserver observer;
+  study::StudyObserver observer;
   observer.progress = [&](std::string_view stage, double done) {
     line.tell("study", done, stage);
     return stop.received() == 0 && in_time();
   };
-  observer.finished = [&](const SummaryRow& row, int done, int of) {
+  observer.finished = [&](const study::SummaryRow& row, int done, int of) {
     tell_finished(command, line, row, done, of);
   };
-  const StudyResult result = run_study(preset, options, cache, build_info(), observer);
+  const study::StudyResult result = study::run_study(preset, options, cache, build_info(), observer);
   line.clear();
   for (const std::string& note : cache.notes) base::message("note: {}\n", note);
   line.tell("report", 0.0);
   const ExitCode files = write_files(command, preset, result, options.folder);
   line.clear();
   print_result(command, preset, result, options.folder);
-  if (result.outcome == Outcome::stopped) {
+  if (result.outcome == simulation::Outcome::stopped) {
     const bool by_signal = stop.received() != 0;
     base::message("rift study: {}; the same command goes on from here\n",
                   by_signal ? "stopped" : "the budget ran out");
     return by_signal ? static_cast<ExitCode>(128 + stop.received()) : ExitCode::budget_ran_out;
   }
   if (files != ExitCode::done) return files;
-  return result.outcome == Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+  return result.outcome == simulation::Outcome::diverged ? ExitCode::diverged : ExitCode::done;
 }
 
 ExitCode study(const StudyCommand& command) {
   const Shard shard = read_shard(command.shard);
   const std::optional<double> budget = read_budget("rift study", command.budget);
-  const Preset preset = read_scene(command.scene);
+  const scene::Preset preset = read_scene(command.scene);
   if (command.scene.print_config) {
-    base::print_text(preset_text(preset));
+    base::print_text(scene::preset_text(preset));
     return ExitCode::done;
   }
   check_holds_study(preset);
-  StudyOptions options;
+  study::StudyOptions options;
   options.folder = command.out.empty() ? fs::path("studies") / fs::path(command.scene.preset).stem()
                                        : fs::path(command.out);
   options.threads = command.scene.threads;
@@ -204,10 +204,10 @@ ExitCode study(const StudyCommand& command) {
   options.shards = shard.of;
   const double seconds = estimated_seconds(preset, options, build_info());
   if (seconds > long_study_s && !command.yes && !budget)
-    refuse(fmt::format(
-        "about {} for what is missing (at 100 M beams/s, lanes side by side): --yes starts it, --budget TIME "
-        "does what fits",
-        duration_text(seconds)));
+    refuse("rift study", fmt::format("about {} for what is missing (at 100 M beams/s, lanes side by side): "
+                                     "--yes starts it, --budget TIME "
+                                     "does what fits",
+                                     duration_text(seconds)));
   return compute(command, preset, options, budget);
 }
 

@@ -28,21 +28,21 @@ struct TheoryOptions {
 };
 
 /// The solid and the factors at one velocity, the row of every form of output.
-struct Row {
+struct TheoryRow {
   double v_over_cr = 0.0;
   theory::Factor broberg, freund, strip;
 };
-struct Table {
+struct TheoryTable {
   double poisson = 0.0;
   std::string plane;
   double cr_over_cs = 0.0, cd_over_cs = 0.0;
-  std::vector<Row> rows;
+  std::vector<TheoryRow> rows;
 };
 
 constexpr int most_steps = 1'000'000;
 
-std::vector<Issue> mistakes(const TheoryOptions& o) {
-  std::vector<Issue> found;
+std::vector<scene::Issue> mistakes(const TheoryOptions& o) {
+  std::vector<scene::Issue> found;
   const auto require = [&](bool holds, const std::string& option, double value, const std::string& text) {
     if (!holds)
       found.push_back(
@@ -73,13 +73,13 @@ std::vector<double> velocities_of(const TheoryOptions& o) {
   return sweep;
 }
 
-Table evaluate(const TheoryOptions& o) {
-  const Plane plane = o.plane == "strain" ? Plane::strain : Plane::stress;
-  Table table{.poisson = o.poisson,
-              .plane = o.plane,
-              .cr_over_cs = theory::rayleigh_over_shear(o.poisson, plane),
-              .cd_over_cs = theory::dilatational_over_shear(o.poisson, plane),
-              .rows = {}};
+TheoryTable evaluate(const TheoryOptions& o) {
+  const theory::Plane plane = o.plane == "strain" ? theory::Plane::strain : theory::Plane::stress;
+  TheoryTable table{.poisson = o.poisson,
+                    .plane = o.plane,
+                    .cr_over_cs = theory::rayleigh_over_shear(o.poisson, plane),
+                    .cd_over_cs = theory::dilatational_over_shear(o.poisson, plane),
+                    .rows = {}};
   for (const double v : velocities_of(o))
     table.rows.push_back({.v_over_cr = v,
                           .broberg = theory::broberg(v, o.poisson, plane),
@@ -88,9 +88,9 @@ Table evaluate(const TheoryOptions& o) {
   return table;
 }
 
-void print_json(const Table& t) {
+void print_json(const TheoryTable& t) {
   nlohmann::ordered_json factors = nlohmann::ordered_json::array();
-  for (const Row& r : t.rows)
+  for (const TheoryRow& r : t.rows)
     factors.push_back({{"v_over_cr", r.v_over_cr},
                        {"broberg_k", r.broberg.k},
                        {"broberg_g", r.broberg.g},
@@ -105,10 +105,10 @@ void print_json(const Table& t) {
   base::print_text(base::json_text(all, 2) + "\n");  // NaN, the strip at c_R, becomes null
 }
 
-void print_csv(const Table& t) {
+void print_csv(const TheoryTable& t) {
   base::print(
       "poisson,plane,v_over_cr,cr_over_cs,cd_over_cs,broberg_k,broberg_g,freund_k,freund_g,strip_g\n");
-  for (const Row& r : t.rows)
+  for (const TheoryRow& r : t.rows)
     base::print("{},{},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g},{:.13g}\n", t.poisson, t.plane,
                 r.v_over_cr, t.cr_over_cs, t.cd_over_cs, r.broberg.k, r.broberg.g, r.freund.k, r.freund.g,
                 r.strip.g);
@@ -116,7 +116,7 @@ void print_csv(const Table& t) {
 
 std::string cell(double factor) { return std::isnan(factor) ? "-" : fmt::format("{:#.12g}", factor); }
 
-void print_table(const Table& t, bool color) {
+void print_table(const TheoryTable& t, bool color) {
   const auto row = [](const std::vector<std::string>& cells) {
     std::string line;
     for (const std::string& text : cells) line += fmt::format("{:<19}", text);
@@ -126,7 +126,7 @@ void print_table(const Table& t, bool color) {
               t.cr_over_cs, t.cd_over_cs);
   const std::string titles = row({"v/c_R", "Broberg k", "Broberg g", "Freund k", "Freund g", "strip g"});
   base::print_text(heading(titles, color) + "\n");
-  for (const Row& r : t.rows)
+  for (const TheoryRow& r : t.rows)
     base::print("{}\n", row({fmt::format("{:.10g}", r.v_over_cr), cell(r.broberg.k), cell(r.broberg.g),
                              cell(r.freund.k), cell(r.freund.g), cell(r.strip.g)}));
   base::print("\n{}\n{}\n",
@@ -135,9 +135,9 @@ void print_table(const Table& t, bool color) {
 }
 
 void theory_factors(const TheoryOptions& options) {
-  const std::vector<Issue> found = mistakes(options);
-  if (!found.empty()) throw InputError(found);
-  const Table table = evaluate(options);
+  const std::vector<scene::Issue> found = mistakes(options);
+  if (!found.empty()) throw scene::InputError(found);
+  const TheoryTable table = evaluate(options);
   if (options.json) {
     print_json(table);
   } else if (options.csv) {

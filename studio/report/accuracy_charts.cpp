@@ -35,19 +35,19 @@ std::string left_out_text(int count) {
                      smallest_drawn);
 }
 
-const char* series_label(Knob knob) {
+const char* series_label(study::Knob knob) {
   switch (knob) {
-    case Knob::scene:
+    case study::Knob::scene:
       return "the scene as it is";
-    case Knob::time_step:
+    case study::Knob::time_step:
       return "time step, double";
-    case Knob::precision:
+    case study::Knob::precision:
       return "time step, single";
-    case Knob::together:
+    case study::Knob::together:
       return "single, few samples";
-    case Knob::prestress:
+    case study::Knob::prestress:
       return "ramp instead of statics";
-    case Knob::samples:
+    case study::Knob::samples:
       return "number of samples";
     default:
       return "elements, to the finest";
@@ -55,8 +55,9 @@ const char* series_label(Knob knob) {
 }
 
 /// A line leads from step to step; elements scatter too much to be joined.
-ChartSeries::Style style_of(Knob knob) {
-  const bool steps = knob == Knob::time_step || knob == Knob::precision || knob == Knob::together;
+ChartSeries::Style style_of(study::Knob knob) {
+  const bool steps =
+      knob == study::Knob::time_step || knob == study::Knob::precision || knob == study::Knob::together;
   return steps ? ChartSeries::Style::line_points : ChartSeries::Style::points;
 }
 
@@ -67,7 +68,7 @@ ChartSeries level(const std::string& label, double y, double from, double to) {
   return series;
 }
 
-NamedChart work_precision(const Accuracy& accuracy, double goal) {
+NamedChart work_precision(const study::Accuracy& accuracy, double goal) {
   NamedChart named{"work_precision", {}, {}};
   Chart& chart = named.chart;
   chart.title = "What accuracy costs";
@@ -77,16 +78,17 @@ NamedChart work_precision(const Accuracy& accuracy, double goal) {
   chart.key_outside = true;
   int left_out = 0;
   double from = INFINITY, to = 0.0;
-  constexpr Knob knobs[] = {Knob::time_step, Knob::precision, Knob::together, Knob::elements,
-                            Knob::samples,   Knob::prestress, Knob::scene};
-  for (const Knob knob : knobs) {
+  constexpr study::Knob knobs[] = {study::Knob::time_step, study::Knob::precision, study::Knob::together,
+                                   study::Knob::elements,  study::Knob::samples,   study::Knob::prestress,
+                                   study::Knob::scene};
+  for (const study::Knob knob : knobs) {
     Points points;
     points.series.label = series_label(knob);
     points.series.style = style_of(knob);
     points.series.colour = static_cast<int>(chart.series.size());
-    for (const AccuracyLine& line : accuracy.lines)
+    for (const study::AccuracyLine& line : accuracy.lines)
       if (line.knob == knob && line.cannot_be.empty() && line.wall_s > 0.0)
-        points.add(line.wall_s, knob == Knob::elements ? line.error : line.step_error);
+        points.add(line.wall_s, knob == study::Knob::elements ? line.error : line.step_error);
     left_out += points.left_out;
     if (points.series.x.empty()) continue;
     from = std::min(from, *std::min_element(points.series.x.begin(), points.series.x.end()));
@@ -98,7 +100,7 @@ NamedChart work_precision(const Accuracy& accuracy, double goal) {
   if (accuracy.specimen_scatter > smallest_drawn)
     chart.series.push_back(level("scatter of specimens", accuracy.specimen_scatter, from, to));
   if (accuracy.recommended >= 0) {
-    const AccuracyLine& best = accuracy.lines[static_cast<std::size_t>(accuracy.recommended)];
+    const study::AccuracyLine& best = accuracy.lines[static_cast<std::size_t>(accuracy.recommended)];
     chart.marks.push_back({best.wall_s, best.wall_s, "recommended: " + escape_label(best.label)});
   }
   named.caption =
@@ -124,7 +126,7 @@ ChartSeries order_line(const ChartSeries& steps, double order, const std::string
   return series;
 }
 
-NamedChart error_step(const Accuracy& accuracy) {
+NamedChart error_step(const study::Accuracy& accuracy) {
   NamedChart named{"error_step", {}, {}};
   Chart& chart = named.chart;
   chart.title = "Error of the time step, on one and the same specimen";
@@ -132,21 +134,21 @@ NamedChart error_step(const Accuracy& accuracy) {
   chart.y_label = "|error of G_{ID}/G_{I0}| against the converged step [-]";
   chart.log_x = chart.log_y = true;
   int left_out = 0;
-  for (const Knob knob : {Knob::time_step, Knob::precision}) {
+  for (const study::Knob knob : {study::Knob::time_step, study::Knob::precision}) {
     Points points;
-    const bool in_double = knob == Knob::time_step;
+    const bool in_double = knob == study::Knob::time_step;
     points.series.style = in_double ? ChartSeries::Style::line_points : ChartSeries::Style::points;
     points.series.colour = in_double ? 0 : 1;
     points.series.label = in_double ? "double" : "single";
-    for (const AccuracyLine& line : accuracy.lines)
+    for (const study::AccuracyLine& line : accuracy.lines)
       if (line.knob == knob && line.cannot_be.empty()) points.add(line.value, line.step_error);
     left_out += points.left_out;
     if (!points.series.x.empty()) chart.series.push_back(std::move(points.series));
   }
   named.caption = "Error of the release rate over the step in parts of the critical one.";
-  for (const KnobReference& r : accuracy.reference) {
-    if (r.knob != Knob::time_step || chart.series.empty()) continue;
-    const Convergence& c = r.convergence;
+  for (const study::KnobReference& r : accuracy.reference) {
+    if (r.knob != study::Knob::time_step || chart.series.empty()) continue;
+    const study::Convergence& c = r.convergence;
     named.caption += " In double: " + c.text + ".";
     ChartSeries& in_double = chart.series.front();
     if (c.clean) in_double.label = fmt::format("double, observed order {:.2f}", c.order);
@@ -158,7 +160,7 @@ NamedChart error_step(const Accuracy& accuracy) {
   return named;
 }
 
-NamedChart ratio_elements(const std::vector<Tried>& tried, const Accuracy& accuracy) {
+NamedChart ratio_elements(const std::vector<study::Tried>& tried, const study::Accuracy& accuracy) {
   NamedChart named{"ratio_elements",
                    "Ratio over the number of elements, mean of the specimens at each; bars: their standard "
                    "deviation, each specimen being packed at random.",
@@ -171,17 +173,17 @@ NamedChart ratio_elements(const std::vector<Tried>& tried, const Accuracy& accur
   ChartSeries mean, each;
   mean.label = "mean of the specimens", mean.style = ChartSeries::Style::line_points;
   each.label = "each specimen", each.style = ChartSeries::Style::points, each.colour = 1;
-  for (const AccuracyLine& line : accuracy.lines) {
-    if (line.knob != Knob::elements || !std::isfinite(line.ratio)) continue;
+  for (const study::AccuracyLine& line : accuracy.lines) {
+    if (line.knob != study::Knob::elements || !std::isfinite(line.ratio)) continue;
     mean.x.push_back(line.value), mean.y.push_back(line.ratio), mean.error.push_back(line.scatter);
     for (const int k : line.tried) {
-      const SummaryRow& row = tried[static_cast<std::size_t>(k)].row;
+      const study::SummaryRow& row = tried[static_cast<std::size_t>(k)].row;
       if (row.is_object())
-        each.x.push_back(line.value), each.y.push_back(number_in(row, "ratio_with_damping"));
+        each.x.push_back(line.value), each.y.push_back(study::number_in(row, "ratio_with_damping"));
     }
   }
   if (mean.x.size() < 2) return named;
-  const double broberg = number_in(tried.front().row, "broberg");
+  const double broberg = study::number_in(tried.front().row, "broberg");
   const double first = mean.x.front(), last = mean.x.back();
   chart.series = {std::move(mean), std::move(each)};
   if (std::isfinite(broberg)) chart.series.push_back(level("Broberg", broberg, first, last));
@@ -190,8 +192,8 @@ NamedChart ratio_elements(const std::vector<Tried>& tried, const Accuracy& accur
 
 }  // namespace
 
-std::vector<NamedChart> accuracy_charts(const std::vector<Tried>& tried, const Accuracy& accuracy,
-                                        double goal) {
+std::vector<NamedChart> accuracy_charts(const std::vector<study::Tried>& tried,
+                                        const study::Accuracy& accuracy, double goal) {
   std::vector<NamedChart> charts{work_precision(accuracy, goal), error_step(accuracy),
                                  ratio_elements(tried, accuracy)};
   std::erase_if(charts, [](const NamedChart& named) { return named.chart.series.empty(); });

@@ -14,7 +14,7 @@ namespace rift::studio {
 ///   error_step        error of the step over the step, double and single, with the observed order
 ///   ratio_elements    ratio over elements, mean and scatter of the specimens, beside Broberg's
 /// Logarithmic axes have no place for an error of 0: such points are left out, which the caption says.
-std::vector<NamedChart> accuracy_charts(const std::vector<Tried>& tried, const Accuracy& accuracy,
-                                        double goal);
+std::vector<NamedChart> accuracy_charts(const std::vector<study::Tried>& tried,
+                                        const study::Accuracy& accuracy, double goal);
 
 }  // namespace rift::studio

@@ -29,12 +29,13 @@ std::string error_text(double error) {
   return std::abs(error) < 9.5e-4 ? fmt::format("{:+.1e}", error) : fmt::format("{:+.4f}", error);
 }
 
-std::string remark(const Accuracy& accuracy, const AccuracyLine& line, int position) {
+std::string remark(const study::Accuracy& accuracy, const study::AccuracyLine& line, int position) {
   std::vector<std::string> remarks;
-  if (line.knob == Knob::elements && std::isfinite(line.error) && !line.resolved() && line.uncertainty > 0.0)
+  if (line.knob == study::Knob::elements && std::isfinite(line.error) && !line.resolved() &&
+      line.uncertainty > 0.0)
     remarks.emplace_back("below the scatter");
   if (line.reference) remarks.emplace_back("reference");
-  if (line.knob == Knob::kinematics && !line.reference) remarks.emplace_back("another model");
+  if (line.knob == study::Knob::kinematics && !line.reference) remarks.emplace_back("another model");
   if (position == accuracy.recommended)
     remarks.emplace_back("recommended");
   else if (std::find(accuracy.front.begin(), accuracy.front.end(), position) != accuracy.front.end())
@@ -46,19 +47,19 @@ std::string remark(const Accuracy& accuracy, const AccuracyLine& line, int posit
 
 double lane_wall(const AccuracyReport& report) {
   double sum = 0.0;
-  for (const SummaryRow& row : report.lanes) sum += number_in(row, "wall_fracture_s");
+  for (const study::SummaryRow& row : report.lanes) sum += study::number_in(row, "wall_fracture_s");
   return sum / static_cast<double>(report.lanes.size());
 }
 
-std::string scatter_text(const Accuracy& accuracy) {
+std::string scatter_text(const study::Accuracy& accuracy) {
   if (!std::isfinite(accuracy.specimen_scatter)) return {};
   return fmt::format("; specimens of the finest lattice scatter by {:.3f} (standard deviation)",
                      accuracy.specimen_scatter);
 }
 
-Json line_json(const AccuracyLine& line) {
+Json line_json(const study::AccuracyLine& line) {
   const auto number = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
-  return {{"knob", name_of(line.knob)},
+  return {{"knob", study::name_of(line.knob)},
           {"variant", line.label},
           {"specimens", line.specimens},
           {"ratio", number(line.ratio)},
@@ -75,20 +76,20 @@ Json line_json(const AccuracyLine& line) {
 
 }  // namespace
 
-Table accuracy_table(const Accuracy& accuracy) {
+Table accuracy_table(const study::Accuracy& accuracy) {
   Table table{.head = {"knob", "variant", "ratio", "error", "±", "converged", "to Broberg", "wall [s]", ""},
               .rows = {}};
-  Knob last = Knob::scene;
+  study::Knob last = study::Knob::scene;
   for (std::size_t k = 0; k < accuracy.lines.size(); ++k) {
-    const AccuracyLine& line = accuracy.lines[k];
-    const std::string knob = k > 0 && line.knob == last ? "" : name_of(line.knob);
+    const study::AccuracyLine& line = accuracy.lines[k];
+    const std::string knob = k > 0 && line.knob == last ? "" : study::name_of(line.knob);
     last = line.knob;
     if (!line.cannot_be.empty()) {
       table.rows.push_back({knob, line.label, "-", "-", "-", "-", "-", "-", "cannot be: " + line.cannot_be});
       continue;
     }
     table.rows.push_back({knob, line.label, fixed(line.ratio, "{:.5f}"), error_text(line.error),
-                          line.knob == Knob::elements ? fixed(line.uncertainty, "{:.4f}") : "-",
+                          line.knob == study::Knob::elements ? fixed(line.uncertainty, "{:.4f}") : "-",
                           error_text(line.converged), fixed(line.error_broberg, "{:+.3f}"),
                           fixed(line.wall_s, "{:.3f}"), remark(accuracy, line, static_cast<int>(k))});
   }
@@ -96,11 +97,11 @@ Table accuracy_table(const Accuracy& accuracy) {
 }
 
 std::string recommendation_text(const AccuracyReport& report) {
-  const Accuracy& a = report.accuracy;
+  const study::Accuracy& a = report.accuracy;
   if (a.recommended < 0)
     return fmt::format("no variant is within the goal of {:g}; the most accurate one is {}", report.goal,
                        a.front.empty() ? std::string("not known") : a.lines[a.front.back()].label);
-  const AccuracyLine& line = a.lines[a.recommended];
+  const study::AccuracyLine& line = a.lines[a.recommended];
   std::string text =
       fmt::format("{}: error {} in {:.2f} s", line.label, error_text(line.step_error), line.wall_s);
   if (!report.lanes.empty())
@@ -109,7 +110,7 @@ std::string recommendation_text(const AccuracyReport& report) {
 }
 
 std::string lattice_text(const AccuracyReport& report) {
-  const Accuracy& a = report.accuracy;
+  const study::Accuracy& a = report.accuracy;
   std::string text = "the finest one that was tried, so that its own error is not known";
   if (std::isfinite(a.lattice_error)) {
     const bool resolved = std::abs(a.lattice_error) > 2.0 * a.lattice_uncertainty;
@@ -119,7 +120,7 @@ std::string lattice_text(const AccuracyReport& report) {
   text += scatter_text(a);
   if (!std::isfinite(a.lattice_error)) return text;
   if (a.recommended_whole < 0) return text + "; no variant is known to keep to the goal with it";
-  const AccuracyLine& line = a.lines[a.recommended_whole];
+  const study::AccuracyLine& line = a.lines[a.recommended_whole];
   text += fmt::format("; with it, the cheapest within the goal is {}: {} in {:.2f} s", line.label,
                       error_text(line.converged), line.wall_s);
   return text +
@@ -131,22 +132,22 @@ std::string accuracy_text(const AccuracyReport& report, bool color) {
   text +=
       "error: against what the knob is compared with; converged: against the converged reference, all parts "
       "together\n";
-  for (const std::string& line : reference_texts(report.accuracy)) text += "  " + line + "\n";
+  for (const std::string& line : study::reference_texts(report.accuracy)) text += "  " + line + "\n";
   for (const std::string& note : report.notes) text += "  note: " + note + "\n";
   text += "recommended on this lattice: " + recommendation_text(report) + "\n";
   return text + "the lattice itself: " + lattice_text(report) + "\n";
 }
 
-std::vector<SummaryRow> accuracy_rows(const AccuracyReport& report) {
+std::vector<study::SummaryRow> accuracy_rows(const AccuracyReport& report) {
   const auto number = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
-  std::vector<SummaryRow> rows;
-  for (const AccuracyLine& line : report.accuracy.lines)
+  std::vector<study::SummaryRow> rows;
+  for (const study::AccuracyLine& line : report.accuracy.lines)
     for (const int k : line.tried) {
-      SummaryRow row = report.tried[static_cast<std::size_t>(k)].row;
+      study::SummaryRow row = report.tried[static_cast<std::size_t>(k)].row;
       if (!row.is_object()) continue;
       row["row"] = k;
       row["error_converged"] = number(line.converged);
-      row["knob"] = name_of(line.knob);
+      row["knob"] = study::name_of(line.knob);
       row["variant"] = line.label;
       row["error_knob"] = number(line.error);
       row["uncertainty"] = number(line.uncertainty);
@@ -158,7 +159,7 @@ std::vector<SummaryRow> accuracy_rows(const AccuracyReport& report) {
 
 Json accuracy_json(const AccuracyReport& report) {
   Json lines = Json::array();
-  for (const AccuracyLine& line : report.accuracy.lines) lines.push_back(line_json(line));
+  for (const study::AccuracyLine& line : report.accuracy.lines) lines.push_back(line_json(line));
   Json recommended = nullptr;
   if (report.accuracy.recommended >= 0) {
     recommended = line_json(report.accuracy.lines[report.accuracy.recommended]);
@@ -169,7 +170,7 @@ Json accuracy_json(const AccuracyReport& report) {
           {"version", report.build.version},
           {"goal", report.goal},
           {"notes", report.notes},
-          {"compared", reference_texts(report.accuracy)},
+          {"compared", study::reference_texts(report.accuracy)},
           {"specimen_scatter", std::isfinite(report.accuracy.specimen_scatter)
                                    ? Json(report.accuracy.specimen_scatter)
                                    : Json(nullptr)},
@@ -198,7 +199,7 @@ void write_accuracy_report(const AccuracyReport& report, const std::filesystem::
       "kept "
       "apart. Wall times are those of the march alone, each variant by itself: packing and static solve are "
       "cached.");
-  for (const std::string& line : reference_texts(report.accuracy)) compared += html_paragraph(line);
+  for (const std::string& line : study::reference_texts(report.accuracy)) compared += html_paragraph(line);
   for (const std::string& note : report.notes) compared += html_paragraph("Note: " + note);
   std::string body =
       html_paragraph(fmt::format("Made by `{}`, rift {} ({}), in {}.", report.command, report.build.version,

@@ -14,17 +14,18 @@ namespace rift::studio {
 /// All that `rift accuracy` has to tell.
 struct AccuracyReport {
   std::string preset, command;
-  BuildInfo build;
+  simulation::BuildInfo build;
   std::vector<std::string> notes;
-  std::vector<Tried> tried;
-  Accuracy accuracy;
+  std::vector<study::Tried> tried;
+  study::Accuracy accuracy;
   double goal = 0.01;
-  std::vector<SummaryRow> lanes;  // of the recommended variant, side by side; empty where there is none
+  std::vector<study::SummaryRow>
+      lanes;  // of the recommended variant, side by side; empty where there is none
   double wall_s = 0;
 };
 
 /// A line per variant: both errors and the wall time side by side.
-Table accuracy_table(const Accuracy& accuracy);
+Table accuracy_table(const study::Accuracy& accuracy);
 
 /// "0.6 of critical, single, 25 samples: error 0.0012 in 0.14 s; ...", or that nothing reaches the goal.
 std::string recommendation_text(const AccuracyReport& report);
@@ -37,7 +38,7 @@ std::string accuracy_text(const AccuracyReport& report, bool color);
 
 /// The rows of table.csv: those that were computed, with knob, variant, error of the knob, its uncertainty
 /// and error_converged, of the mean over a line's specimens.
-std::vector<SummaryRow> accuracy_rows(const AccuracyReport& report);
+std::vector<study::SummaryRow> accuracy_rows(const AccuracyReport& report);
 
 /// The same for programs: lines, what they are compared with, recommendation, scenarios.
 nlohmann::ordered_json accuracy_json(const AccuracyReport& report);

@@ -21,13 +21,13 @@ using Style = ChartSeries::Style;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The cells' values over r_l (columns) and p (rows).
-HeatMap map_chart(const std::vector<MapCell>& cells, const std::string& title,
-                  const std::function<double(const MapCell&)>& value) {
+HeatMap map_chart(const std::vector<study::MapCell>& cells, const std::string& title,
+                  const std::function<double(const study::MapCell&)>& value) {
   double farthest = 0.0;  // of any cell and velocity, so that all maps have the same colours
-  for (const MapCell& cell : cells)
+  for (const study::MapCell& cell : cells)
     farthest = std::max(farthest, *std::max_element(cell.distance.begin(), cell.distance.end()));
   std::set<double> zones, powers;
-  for (const MapCell& cell : cells) zones.insert(cell.zone), powers.insert(cell.relaxation);
+  for (const study::MapCell& cell : cells) zones.insert(cell.zone), powers.insert(cell.relaxation);
   HeatMap map{.title = title,
               .x_label = "length of the damage zone r_l [mean radii]",
               .y_label = "power p of the relaxation [-]",
@@ -37,7 +37,7 @@ HeatMap map_chart(const std::vector<MapCell>& cells, const std::string& title,
               .value = std::vector<double>(zones.size() * powers.size(), nothing),
               .text = std::vector<std::string>(zones.size() * powers.size()),
               .value_range = {0.0, farthest}};
-  for (const MapCell& cell : cells) {
+  for (const study::MapCell& cell : cells) {
     const auto column = std::distance(zones.begin(), zones.find(cell.zone));
     const auto row = std::distance(powers.begin(), powers.find(cell.relaxation));
     const std::size_t at = static_cast<std::size_t>(row) * zones.size() + static_cast<std::size_t>(column);
@@ -47,37 +47,38 @@ HeatMap map_chart(const std::vector<MapCell>& cells, const std::string& title,
   return map;
 }
 
-double distance_at(const MapCell& cell, double v) {
+double distance_at(const study::MapCell& cell, double v) {
   for (std::size_t k = 0; k < cell.v.size(); ++k)
     if (std::abs(cell.v[k] - v) < 1e-9) return cell.distance[k];
   return nothing;
 }
 
-std::vector<Figure> maps(const Evidence& evidence, const fs::path& folder) {
-  const std::vector<MapCell> cells = map_of(evidence);
+std::vector<Figure> maps(const study::Evidence& evidence, const fs::path& folder) {
+  const std::vector<study::MapCell> cells = study::map_of(evidence);
   if (cells.empty()) return {};
   std::vector<Figure> figures;
   const std::string title = "Distance to Broberg";
-  figures.push_back({draw_chart(map_chart(cells, title + ", mean over the velocities",
-                                          [](const MapCell& cell) { return mean_of(cell.distance); }),
-                                folder, "beyond_map"),
-                     "Distance to Broberg over relaxation and damage zone, mean over the velocities."});
+  figures.push_back(
+      {draw_chart(map_chart(cells, title + ", mean over the velocities",
+                            [](const study::MapCell& cell) { return study::mean_of(cell.distance); }),
+                  folder, "beyond_map"),
+       "Distance to Broberg over relaxation and damage zone, mean over the velocities."});
   for (const double v : cells.front().v) {
     const HeatMap map = map_chart(cells, fmt::format("{} at {:g} c_r", title, v),
-                                  [v](const MapCell& cell) { return distance_at(cell, v); });
+                                  [v](const study::MapCell& cell) { return distance_at(cell, v); });
     figures.push_back({draw_chart(map, folder, fmt::format("beyond_map_{:02.0f}", 10.0 * v)),
                        fmt::format("At {:g} c_r.", v)});
   }
   return figures;
 }
 
-ChartSeries efficiency_series(const std::string& label, const std::vector<EfficiencyPoint>& points,
+ChartSeries efficiency_series(const std::string& label, const std::vector<study::EfficiencyPoint>& points,
                               int colour) {
   ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
-  for (const EfficiencyPoint& p : points) {
+  for (const study::EfficiencyPoint& p : points) {
     series.x.push_back(p.v);
-    series.y.push_back(mean_of(p.ratio));
-    series.error.push_back(p.ratio.size() > 1 ? deviation_of(p.ratio) : nothing);
+    series.y.push_back(study::mean_of(p.ratio));
+    series.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio) : nothing);
   }
   return series;
 }
@@ -89,7 +90,7 @@ Chart efficiency_against_velocity(const std::string& title) {
 }
 
 /// The efficiency over r_l, a curve per velocity.
-Chart efficiency_against_zone(const Evidence& evidence) {
+Chart efficiency_against_zone(const study::Evidence& evidence) {
   Chart chart;
   chart.title = "Lattice efficiency of a steady strip";
   chart.x_label = "length of the damage zone r_l [mean radii]";
@@ -98,13 +99,13 @@ Chart efficiency_against_zone(const Evidence& evidence) {
   chart.log_x = true;
   chart.key_outside = true;
   std::map<double, ChartSeries> curves;
-  const std::vector<double> zones = zones_of(evidence);
+  const std::vector<double> zones = study::zones_of(evidence);
   for (const double zone : zones)
-    for (const EfficiencyPoint& p : efficiency(evidence, 1.0, zone)) {
+    for (const study::EfficiencyPoint& p : study::efficiency(evidence, 1.0, zone)) {
       ChartSeries& curve = curves[p.v];
       curve.x.push_back(zone);
-      curve.y.push_back(mean_of(p.ratio));
-      curve.error.push_back(p.ratio.size() > 1 ? deviation_of(p.ratio) : nothing);
+      curve.y.push_back(study::mean_of(p.ratio));
+      curve.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio) : nothing);
     }
   int colour = 0;
   for (auto& [v, curve] : curves) {
@@ -120,7 +121,8 @@ Chart efficiency_against_zone(const Evidence& evidence) {
 }
 
 /// Shares of the wake's kinetic energy by size, a curve per row.
-Chart wake_chart(const std::string& title, const std::vector<std::pair<std::string, SummaryRow>>& rows) {
+Chart wake_chart(const std::string& title,
+                 const std::vector<std::pair<std::string, study::SummaryRow>>& rows) {
   Chart chart;
   chart.title = title;
   chart.x_label = "size of what moves together [mean radii]";
@@ -131,23 +133,25 @@ Chart wake_chart(const std::string& title, const std::vector<std::pair<std::stri
   int colour = 0;
   for (const auto& [label, row] : rows) {
     ChartSeries curve{label, {}, {}, {}, Style::line_points, colour++};
-    for (const WakeBand& band : wake_bands(row)) curve.x.push_back(band.cell), curve.y.push_back(band.share);
+    for (const study::WakeBand& band : study::wake_bands(row))
+      curve.x.push_back(band.cell), curve.y.push_back(band.share);
     if (!curve.x.empty()) chart.series.push_back(std::move(curve));
   }
   return chart;
 }
 
 /// The first specimen's rows with linear relaxation, by velocity and zone.
-std::map<std::pair<double, double>, SummaryRow> strip_rows(const Evidence& evidence) {
-  std::map<std::pair<double, double>, SummaryRow> rows;
-  for (const SummaryRow& row : evidence.rows)
-    if (row.is_object() && number_in(row, "relaxation") == 1.0 && row.at("seed") == 1)
-      rows[{number_in(row, "crack_velocity_over_cr"), number_in(row, "damage_zone_ratio")}] = row;
+std::map<std::pair<double, double>, study::SummaryRow> strip_rows(const study::Evidence& evidence) {
+  std::map<std::pair<double, double>, study::SummaryRow> rows;
+  for (const study::SummaryRow& row : evidence.rows)
+    if (row.is_object() && study::number_in(row, "relaxation") == 1.0 && row.at("seed") == 1)
+      rows[{study::number_in(row, "crack_velocity_over_cr"), study::number_in(row, "damage_zone_ratio")}] =
+          row;
   return rows;
 }
 
-void add_wakes(std::vector<Figure>& figures, const Evidence& evidence, const fs::path& folder) {
-  std::vector<std::pair<std::string, SummaryRow>> zones, velocities;
+void add_wakes(std::vector<Figure>& figures, const study::Evidence& evidence, const fs::path& folder) {
+  std::vector<std::pair<std::string, study::SummaryRow>> zones, velocities;
   for (const auto& [place, row] : strip_rows(evidence)) {
     if (place.first == 0.5) zones.emplace_back(fmt::format("r_l = {:g}", place.second), row);
     if (place.second == 1.0) velocities.emplace_back(fmt::format("{:g} c_r", place.first), row);
@@ -161,7 +165,7 @@ void add_wakes(std::vector<Figure>& figures, const Evidence& evidence, const fs:
   add("beyond_wake_velocity", "Kinetic energy behind the tip by size, r_l = 1", velocities);
 }
 
-std::vector<Figure> efficiencies(const Evidence& evidence, const fs::path& folder) {
+std::vector<Figure> efficiencies(const study::Evidence& evidence, const fs::path& folder) {
   std::vector<Figure> figures;
   const Chart zones = efficiency_against_zone(evidence);
   if (zones.series.size() < 2) return figures;
@@ -169,16 +173,16 @@ std::vector<Figure> efficiencies(const Evidence& evidence, const fs::path& folde
                      "The efficiency against the length of the damage zone; bars: three specimens."});
   Chart velocity = efficiency_against_velocity("Lattice efficiency of a steady strip, linear relaxation");
   int colour = 0;
-  for (const double zone : zones_of(evidence))
+  for (const double zone : study::zones_of(evidence))
     velocity.series.push_back(
-        efficiency_series(fmt::format("r_l = {:g}", zone), efficiency(evidence, 1.0, zone), colour++));
+        efficiency_series(fmt::format("r_l = {:g}", zone), study::efficiency(evidence, 1.0, zone), colour++));
   figures.push_back(
       {draw_chart(velocity, folder, "beyond_efficiency_velocity"), "The same against velocity."});
   for (const double zone : {1.0, 4.0, 16.0}) {
     Chart chart = efficiency_against_velocity(fmt::format("Lattice efficiency at r_l = {:g}", zone));
     colour = 0;
     for (const auto& [label, p] : {std::pair{"square root", 0.5}, {"linear", 1.0}, {"quadratic", 2.0}}) {
-      const std::vector<EfficiencyPoint> points = efficiency(evidence, p, zone);
+      const std::vector<study::EfficiencyPoint> points = study::efficiency(evidence, p, zone);
       if (!points.empty()) chart.series.push_back(efficiency_series(label, points, colour));
       ++colour;
     }
@@ -191,7 +195,7 @@ std::vector<Figure> efficiencies(const Evidence& evidence, const fs::path& folde
 }
 
 /// Measured ratios and efficiency times Broberg, of the smallest elements; and ratio over efficiency.
-Chart own_problem_chart(const std::vector<OwnProblem>& points, bool over_efficiency) {
+Chart own_problem_chart(const std::vector<study::OwnProblem>& points, bool over_efficiency) {
   Chart chart =
       chart_of_references(over_efficiency ? "Broberg's own problem: G_{ID} over the lattice efficiency"
                                           : "Broberg's own problem");
@@ -199,11 +203,12 @@ Chart own_problem_chart(const std::vector<OwnProblem>& points, bool over_efficie
   if (over_efficiency) chart.y_label = "G_{ID} / (G_{I0} {/Symbol h}) [-]";
   std::map<double, std::pair<ChartSeries, ChartSeries>> curves;
   double most = 0.0;
-  for (const OwnProblem& p : points) most = std::max(most, p.elements);
-  for (const OwnProblem& p : points) {
+  for (const study::OwnProblem& p : points) most = std::max(most, p.elements);
+  for (const study::OwnProblem& p : points) {
     if (p.elements < most) continue;
     auto& [measured, expected] = curves[p.zone];
-    measured.x.push_back(p.v), measured.y.push_back(over_efficiency ? p.over_efficiency() : mean_of(p.ratio));
+    measured.x.push_back(p.v),
+        measured.y.push_back(over_efficiency ? p.over_efficiency() : study::mean_of(p.ratio));
     expected.x.push_back(p.v), expected.y.push_back(p.efficiency * p.broberg);
   }
   int colour = 0;
@@ -222,7 +227,7 @@ Chart own_problem_chart(const std::vector<OwnProblem>& points, bool over_efficie
 }
 
 /// Ratio over efficiency and Broberg, against the size of the elements, with the straight line on to 0.
-Chart size_chart(const std::vector<OwnProblem>& points) {
+Chart size_chart(const std::vector<study::OwnProblem>& points) {
   Chart chart;
   chart.title = "Broberg's own problem, as the elements grow small";
   chart.x_label = "mean radius over half length R / a [-]";
@@ -230,13 +235,14 @@ Chart size_chart(const std::vector<OwnProblem>& points) {
   chart.x_range = {0.0, {}};
   chart.key_outside = true;
   std::map<std::pair<double, double>, ChartSeries> curves;
-  for (const OwnProblem& p : points) {
+  for (const study::OwnProblem& p : points) {
     ChartSeries& curve = curves[{p.v, p.zone}];
     curve.x.push_back(p.radius_m / p.half_length_m);
     curve.y.push_back(p.over_efficiency() / p.broberg);
-    curve.error.push_back(p.ratio.size() > 1 ? deviation_of(p.ratio) / p.efficiency / p.broberg : nothing);
+    curve.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio) / p.efficiency / p.broberg
+                                             : nothing);
   }
-  for (const Extrapolated& e : extrapolated(points)) {
+  for (const study::Extrapolated& e : study::extrapolated(points)) {
     curves[{e.v, e.zone}].x.push_back(0.0);
     curves[{e.v, e.zone}].y.push_back(e.limit / e.broberg);
     curves[{e.v, e.zone}].error.push_back(nothing);
@@ -255,8 +261,8 @@ Chart size_chart(const std::vector<OwnProblem>& points) {
   return chart;
 }
 
-std::vector<Figure> own_problems(const Evidence& evidence, const fs::path& folder) {
-  const std::vector<OwnProblem> points = own_problem(evidence);
+std::vector<Figure> own_problems(const study::Evidence& evidence, const fs::path& folder) {
+  const std::vector<study::OwnProblem> points = study::own_problem(evidence);
   std::vector<Figure> figures;
   if (points.empty()) return figures;
   figures.push_back(
@@ -273,7 +279,8 @@ std::vector<Figure> own_problems(const Evidence& evidence, const fs::path& folde
 
 }  // namespace
 
-std::vector<Figure> draw_beyond(const Claim& claim, const Evidence& evidence, const fs::path& folder) {
+std::vector<Figure> draw_beyond(const study::Claim& claim, const study::Evidence& evidence,
+                                const fs::path& folder) {
   if (claim.name == "beyond_map") return maps(evidence, folder);
   if (claim.name == "beyond_efficiency") return efficiencies(evidence, folder);
   return own_problems(evidence, folder);

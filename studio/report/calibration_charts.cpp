@@ -13,27 +13,30 @@ namespace {
 using Style = ChartSeries::Style;
 
 /// Mean and deviation of one number over the rows that share another.
-ChartSeries series_of(const std::vector<SummaryRow>& rows, const std::string& of, const std::string& label,
-                      const std::string& x, const std::string& y, double scale, int colour) {
+ChartSeries series_of(const std::vector<study::SummaryRow>& rows, const std::string& of,
+                      const std::string& label, const std::string& x, const std::string& y, double scale,
+                      int colour) {
   std::map<double, std::vector<double>> values;
-  for (const SummaryRow& row : rows)
+  for (const study::SummaryRow& row : rows)
     if (row.at("series") == of && row.at(y).is_number())
-      values[number_in(row, x.c_str())].push_back(scale * number_in(row, y.c_str()));
+      values[study::number_in(row, x.c_str())].push_back(scale * study::number_in(row, y.c_str()));
   ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
   for (const auto& [at, all] : values) {
-    const Scattered s = scattered(all);
+    const calibration::Scattered s = calibration::scattered(all);
     series.x.push_back(at), series.y.push_back(s.mean), series.error.push_back(s.deviation);
   }
   return series;
 }
 
 /// One point a packing, for what has no two packings of the same abscissa.
-ChartSeries cloud_of(const std::vector<SummaryRow>& rows, const std::string& of, const std::string& label,
-                     const std::string& x, const std::string& y, double scale, int colour) {
+ChartSeries cloud_of(const std::vector<study::SummaryRow>& rows, const std::string& of,
+                     const std::string& label, const std::string& x, const std::string& y, double scale,
+                     int colour) {
   ChartSeries series{label, {}, {}, {}, Style::points, colour};
-  for (const SummaryRow& row : rows)
+  for (const study::SummaryRow& row : rows)
     if (row.at("series") == of)
-      series.x.push_back(number_in(row, x.c_str())), series.y.push_back(scale * number_in(row, y.c_str()));
+      series.x.push_back(study::number_in(row, x.c_str())),
+          series.y.push_back(scale * study::number_in(row, y.c_str()));
   return series;
 }
 
@@ -41,20 +44,21 @@ ChartSeries level(const std::string& label, double value, const AxisRange& x) {
   return {label, {*x.min, *x.max}, {value, value}, {}, Style::dashed, -1};
 }
 
-Chart against_size(const std::vector<SummaryRow>& rows, const std::string& y_label) {
+Chart against_size(const std::vector<study::SummaryRow>& rows, const std::string& y_label) {
   Chart chart;
   chart.x_label = "elements N [-]";
   chart.y_label = y_label;
   chart.log_x = true;
   double low = 1e300, high = 0.0;
-  for (const SummaryRow& row : rows)
+  for (const study::SummaryRow& row : rows)
     if (row.at("series") == "size")
-      low = std::min(low, number_in(row, "elements")), high = std::max(high, number_in(row, "elements"));
+      low = std::min(low, study::number_in(row, "elements")),
+      high = std::max(high, study::number_in(row, "elements"));
   chart.x_range = {0.8 * low, 1.25 * high};
   return chart;
 }
 
-NamedChart young_against_size(const std::vector<SummaryRow>& rows, double micro) {
+NamedChart young_against_size(const std::vector<study::SummaryRow>& rows, double micro) {
   Chart chart = against_size(rows, "E_M [GPa]");
   chart.title = fmt::format(
       "Young's modulus of cylinders, E_{{/Symbol m}} = {:.0f} GPa, r_{{/Symbol m}} = 0.3", micro / 1e9);
@@ -69,7 +73,7 @@ NamedChart young_against_size(const std::vector<SummaryRow>& rows, double micro)
           chart};
 }
 
-NamedChart poisson_against_size(const std::vector<SummaryRow>& rows) {
+NamedChart poisson_against_size(const std::vector<study::SummaryRow>& rows) {
   Chart chart = against_size(rows, "{/Symbol n}_M [-]");
   chart.title = "Poisson's ratio of cylinders, r_{/Symbol m} = 0.3";
   chart.series = {series_of(rows, "size", "cylinders", "elements", "poisson_ratio", 1.0, 0),
@@ -80,7 +84,7 @@ NamedChart poisson_against_size(const std::vector<SummaryRow>& rows) {
           chart};
 }
 
-NamedChart young_against_core(const std::vector<SummaryRow>& rows, double micro) {
+NamedChart young_against_core(const std::vector<study::SummaryRow>& rows, double micro) {
   Chart chart;
   chart.title = "Young's modulus against the coordination of the core";
   chart.x_label = "coordination away from the walls [-]";
@@ -95,7 +99,7 @@ NamedChart young_against_core(const std::vector<SummaryRow>& rows, double micro)
           chart};
 }
 
-NamedChart young_of_scan(const std::vector<SummaryRow>& rows) {
+NamedChart young_of_scan(const std::vector<study::SummaryRow>& rows) {
   Chart chart;
   chart.title = "Scan of the beams' radius: modulus";
   chart.x_label = "radius ratio r_{/Symbol m} [-]";
@@ -108,7 +112,7 @@ NamedChart young_of_scan(const std::vector<SummaryRow>& rows) {
           chart};
 }
 
-NamedChart poisson_of_scan(const std::vector<SummaryRow>& rows) {
+NamedChart poisson_of_scan(const std::vector<study::SummaryRow>& rows) {
   Chart chart;
   chart.title = "Scan of the beams' radius: Poisson's ratio";
   chart.x_label = "radius ratio r_{/Symbol m} [-]";
@@ -124,7 +128,8 @@ NamedChart poisson_of_scan(const std::vector<SummaryRow>& rows) {
 
 }  // namespace
 
-std::vector<NamedChart> calibration_charts(const std::vector<SummaryRow>& rows, double micro_young_modulus) {
+std::vector<NamedChart> calibration_charts(const std::vector<study::SummaryRow>& rows,
+                                           double micro_young_modulus) {
   return {young_against_size(rows, micro_young_modulus), poisson_against_size(rows),
           young_against_core(rows, micro_young_modulus), young_of_scan(rows), poisson_of_scan(rows)};
 }

@@ -9,6 +9,7 @@ namespace rift::studio {
 /// number of elements and against the coordination of the core, with beams of this modulus; E_M / E_mu and nu
 /// against r_mu. Means over the packings with their standard deviation.
 /// @param[in] micro_young_modulus  [Pa]
-std::vector<NamedChart> calibration_charts(const std::vector<SummaryRow>& rows, double micro_young_modulus);
+std::vector<NamedChart> calibration_charts(const std::vector<study::SummaryRow>& rows,
+                                           double micro_young_modulus);
 
 }  // namespace rift::studio

@@ -29,20 +29,20 @@ constexpr const char* left_out =
     "nu "
     "by less than 0.5 %.";
 
-Json json_of(const Scattered& s) { return {{"mean", s.mean}, {"deviation", s.deviation}}; }
+Json json_of(const calibration::Scattered& s) { return {{"mean", s.mean}, {"deviation", s.deviation}}; }
 
 /// Means over the packings of each size, and the boxes, in GPa with the paper's beams.
-Table table_of(const CalibrationStudy& study) {
-  constexpr double micro = bulk_micro_material.young_modulus / 1e9;
+Table table_of(const calibration::CalibrationStudy& study) {
+  constexpr double micro = lattice::bulk_micro_material.young_modulus / 1e9;
   Table table{{"specimens", "elements", "packings", "core coordination", "solid fraction", "E [GPa]",
                "E, ends [GPa]", "nu", "anisotropy"},
               {}};
   const auto mean_of = [](const auto& all, const auto& of) {
     std::vector<double> values;
     for (const auto& one : all) values.push_back(of(one));
-    return scattered(values);
+    return calibration::scattered(values);
   };
-  const auto text = [](const Scattered& s, int digits) {
+  const auto text = [](const calibration::Scattered& s, int digits) {
     return with_deviation(s.mean, s.deviation, digits);
   };
   for (const auto& packings : study.by_size)
@@ -55,9 +55,9 @@ Table table_of(const CalibrationStudy& study) {
          text(mean_of(packings, [](const auto& c) { return micro * c.responses[0].ends_over_micro; }), 2),
          text(mean_of(packings, [](const auto& c) { return c.responses[0].poisson_ratio; }), 3), "-"});
   const std::size_t half = study.boxes.size() / 2;
-  for (const std::vector<BoxResult>& boxes :
-       {std::vector<BoxResult>(study.boxes.begin(), study.boxes.begin() + half),
-        std::vector<BoxResult>(study.boxes.begin() + half, study.boxes.end())})
+  for (const std::vector<calibration::BoxResult>& boxes :
+       {std::vector<calibration::BoxResult>(study.boxes.begin(), study.boxes.begin() + half),
+        std::vector<calibration::BoxResult>(study.boxes.begin() + half, study.boxes.end())})
     table.rows.push_back(
         {"periodic boxes", fmt::format("{}", boxes.front().packing.elements), fmt::format("{}", boxes.size()),
          text(mean_of(boxes, [](const auto& b) { return b.coordination; }), 3),
@@ -68,10 +68,10 @@ Table table_of(const CalibrationStudy& study) {
   return table;
 }
 
-Table scan_table(const CalibrationStudy& study) {
+Table scan_table(const calibration::CalibrationStudy& study) {
   Table table{{"r_mu", "nu_mu", "E_M / E_mu", "nu"}, {}};
-  const auto add = [&](const std::vector<CylinderResult>& cylinders) {
-    const auto young = young_of(cylinders), nu = poisson_of(cylinders);
+  const auto add = [&](const std::vector<calibration::CylinderResult>& cylinders) {
+    const auto young = calibration::young_of(cylinders), nu = calibration::poisson_of(cylinders);
     for (std::size_t k = 0; k < young.size(); ++k)
       table.rows.push_back({fmt::format("{:g}", cylinders.front().beams[k].radius_ratio),
                             fmt::format("{:g}", cylinders.front().beams[k].poisson_ratio),
@@ -84,23 +84,23 @@ Table scan_table(const CalibrationStudy& study) {
 }
 
 /// The tensor of the largest core coordination's first box, in GPa.
-Table tensor_table(const CalibrationStudy& study) {
+Table tensor_table(const calibration::CalibrationStudy& study) {
   Table table{{"[GPa]", "xx", "yy", "zz", "yz", "xz", "xy"}, {}};
-  const BoxResult& box = study.boxes.back();
+  const calibration::BoxResult& box = study.boxes.back();
   for (int r = 0; r < 6; ++r) {
     table.rows.push_back({table.head[r + 1]});
     for (int c = 0; c < 6; ++c)
       table.rows.back().push_back(
-          fmt::format("{:.3f}", bulk_micro_material.young_modulus / 1e9 * box.stiffness(r, c)));
+          fmt::format("{:.3f}", lattice::bulk_micro_material.young_modulus / 1e9 * box.stiffness(r, c)));
   }
   return table;
 }
 
-std::string csv_of(const std::vector<SummaryRow>& rows) {
+std::string csv_of(const std::vector<study::SummaryRow>& rows) {
   std::string csv;
   for (const auto& [name, value] : rows.front().items()) csv += (csv.empty() ? "" : ",") + name;
   csv += '\n';
-  for (const SummaryRow& row : rows) {
+  for (const study::SummaryRow& row : rows) {
     std::string line;
     for (const auto& [name, value] : row.items())
       line += (line.empty() ? "" : ",") + (value.is_null()     ? ""
@@ -114,7 +114,7 @@ std::string csv_of(const std::vector<SummaryRow>& rows) {
 }  // namespace
 
 std::string material_block(const Calibration& c) {
-  const MicroMaterial& m = c.beams.micro;
+  const lattice::MicroMaterial& m = c.beams.micro;
   return fmt::format(
       "# Calibrated by {} cylinders of {} elements at a coordination of {:g}: E = {:.4g} GPa, nu = {:.4f}\n"
       "[material]\nyoung_modulus = \"{:.10g} GPa\"\npoisson_ratio = {:.10g}\nstiffness = \"explicit\"\n"
@@ -125,7 +125,7 @@ std::string material_block(const Calibration& c) {
 }
 
 std::string calibration_text(const Calibration& c, bool color) {
-  const Calibrated& b = c.beams;
+  const calibration::Calibrated& b = c.beams;
   std::string text = heading(fmt::format("E = {:.4g} GPa, nu = {:g}", c.scene.material.young_modulus / 1e9,
                                          c.scene.material.poisson_ratio),
                              color) +
@@ -146,7 +146,7 @@ std::string calibration_text(const Calibration& c, bool color) {
 }
 
 Json calibration_json(const Calibration& c) {
-  const Calibrated& b = c.beams;
+  const calibration::Calibrated& b = c.beams;
   Json j{{"version", c.build.version},
          {"young_modulus_pa", c.scene.material.young_modulus},
          {"poisson_ratio", c.scene.material.poisson_ratio},
@@ -162,18 +162,18 @@ Json calibration_json(const Calibration& c) {
          {"packings", c.scene.calibration.packings},
          {"left_out", left_out},
          {"material", material_block(c)}};
-  if (c.study) j["rows"] = rows_of(*c.study);
+  if (c.study) j["rows"] = calibration::rows_of(*c.study);
   return j;
 }
 
 void write_calibration_report(const Calibration& c, const fs::path& folder) {
-  const std::vector<SummaryRow> rows = rows_of(*c.study);
+  const std::vector<study::SummaryRow> rows = calibration::rows_of(*c.study);
   results::make_folder(folder);
   results::write_whole_file(folder / "table.csv", csv_of(rows));
   results::write_whole_file(folder / "material.toml", material_block(c));
   results::write_whole_file(folder / "summary.json", base::json_text(calibration_json(c), 2) + "\n");
   std::string figures;
-  for (const NamedChart& named : calibration_charts(rows, bulk_micro_material.young_modulus))
+  for (const NamedChart& named : calibration_charts(rows, lattice::bulk_micro_material.young_modulus))
     figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
   std::string body = html_section("Answer", "<pre>" + html_escape(calibration_text(c, false)) + "</pre>");
   body += html_section("Specimens, with the paper's beams (E_mu = 356 GPa, nu_mu = 0.3, r_mu = 0.3)",

@@ -10,10 +10,10 @@ namespace rift::studio {
 
 /// What `rift calibrate` tells.
 struct Calibration {
-  Scene scene;
-  BuildInfo build;
-  Calibrated beams;
-  std::optional<CalibrationStudy> study;  // with a report only
+  scene::Scene scene;
+  simulation::BuildInfo build;
+  calibration::Calibrated beams;
+  std::optional<calibration::CalibrationStudy> study;  // with a report only
 };
 
 /// The [material] table of a preset that has these beams.

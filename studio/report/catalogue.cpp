@@ -37,7 +37,7 @@ PresetEntry read_entry(const fs::path& path) {
   return entry;
 }
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// What summary.json says of a run that has ended.
 void read_outcome(RunEntry& entry, const Json& summary) {
@@ -56,7 +56,8 @@ void read_outcome(RunEntry& entry, const Json& summary) {
 /// "12 of 30" scenarios, by their files alone.
 std::string computed_of_study(const fs::path& folder) {
   try {
-    const Json manifest = results::read_json(results::read_whole_file(folder / study_name), folder / study_name);
+    const Json manifest =
+        results::read_json(results::read_whole_file(folder / study::study_name), folder / study::study_name);
     const Json& scenarios = manifest.at("scenarios");
     const auto there = std::count_if(scenarios.begin(), scenarios.end(), [&](const Json& scenario) {
       return fs::exists(folder / scenario.at("file").get<std::string>());
@@ -71,7 +72,7 @@ std::optional<RunEntry> entry_of(const fs::path& folder) {
   std::error_code error;
   RunEntry entry{folder.filename().string(), folder, "unfinished", "", fs::last_write_time(folder, error)};
   if (error) return std::nullopt;
-  if (fs::exists(folder / study_name, error)) {
+  if (fs::exists(folder / study::study_name, error)) {
     entry.outcome = "study";
     entry.result = computed_of_study(folder);
     return entry;

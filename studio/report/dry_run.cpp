@@ -22,22 +22,22 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 /// Seconds per step on this machine, now: the run itself, for a moment.
-double measured_seconds_per_step(const Prepared& p, int threads) {
+double measured_seconds_per_step(const simulation::Prepared& p, int threads) {
   constexpr double enough_s = 0.3;
   double seconds = 0.0;
   std::int64_t steps = 0;
-  Observer observer;
-  observer.go_on = [&](const Progress& progress) {
+  simulation::Observer observer;
+  observer.go_on = [&](const simulation::Progress& progress) {
     seconds = progress.seconds, steps = progress.step;
     return seconds < enough_s;
   };
-  const RunResult result = march(p, observer, {.threads = threads});
-  if (result.outcome == Outcome::stopped) return seconds / static_cast<double>(steps);
+  const simulation::RunResult result = simulation::march(p, observer, {.threads = threads});
+  if (result.outcome == simulation::Outcome::stopped) return seconds / static_cast<double>(steps);
   return (result.wall_prestress_s + result.wall_fracture_s) / static_cast<double>(result.lane_steps);
 }
 
 /// Bytes that a frame of one field or another takes in the archive, before compression.
-double frame_bytes(const Prepared& p) {
+double frame_bytes(const simulation::Prepared& p) {
   double bytes = 0.0;
   for (const std::string& field : p.preset.scene.output.fields)
     bytes += field == "damage" ? 5.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size())
@@ -46,9 +46,9 @@ double frame_bytes(const Prepared& p) {
 }
 
 /// Journal and archive each hold the frames once; the geometry is small beside them.
-double disk_bytes(const Prepared& p) {
+double disk_bytes(const simulation::Prepared& p) {
   double bytes = 24.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size());
-  for (const LanePlan& lane : p.lane)
+  for (const simulation::LanePlan& lane : p.lane)
     bytes += static_cast<double>(lane.schedule.frames.size()) * frame_bytes(p) +
              200.0 * static_cast<double>(lane.schedule.samples.size());
   return 2.0 * bytes;
@@ -61,25 +61,25 @@ double peak_memory_bytes() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-std::int64_t steps_of_all(const Prepared& p) {
+std::int64_t steps_of_all(const simulation::Prepared& p) {
   std::int64_t steps = 0;
-  for (const LanePlan& lane : p.lane) steps += lane.schedule.total();
+  for (const simulation::LanePlan& lane : p.lane) steps += lane.schedule.total();
   return steps;
 }
 
-Json derived(const Prepared& p, double seconds_per_step) {
-  const Scene& scene = p.preset.scene;
-  const Scene::Material& m = scene.material;
+Json derived(const simulation::Prepared& p, double seconds_per_step) {
+  const scene::Scene& scene = p.preset.scene;
+  const scene::Scene::Material& m = scene.material;
   const theory::WaveSpeeds speeds = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
-  const LanePlan& lane = p.lane.front();  // of several the first stands for all but the steps
-  const double fastest = highest_velocity(lane.scene) * p.rayleigh_speed;
+  const simulation::LanePlan& lane = p.lane.front();  // of several the first stands for all but the steps
+  const double fastest = scene::highest_velocity(lane.scene) * p.rayleigh_speed;
   const double zone = lane.scenario.law.zone_length;
   const double dt = p.step.dt * lane.units.time;
   const double fracture_s = static_cast<double>(lane.schedule.fracture) * dt;
   Json j;
   j["elements"] = scene.specimen.elements;
   j["beams"] = p.lattice.beam.size();
-  j["beams_crossed"] = crossings(p.path, p.lattice).size();
+  j["beams_crossed"] = fracture::crossings(p.path, p.lattice).size();
   j["beams_damped"] = p.damped.size();
   j["rattlers"] = p.specimen.rattlers;
   j["mean_radius_m"] = p.lattice.mean_radius;
@@ -90,7 +90,7 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["rayleigh_speed_m_s"] = p.rayleigh_speed;
   j["micro_young_modulus_pa"] = p.micro.young_modulus * lane.units.energy;
   j["tips"] = scene.crack.tips;
-  j["g_i0_j_m2"] = mean_g_i0(scale_of(p, lane), lane.window[0], lane.window[1]);
+  j["g_i0_j_m2"] = fracture::mean_g_i0(simulation::scale_of(p, lane), lane.window[0], lane.window[1]);
   j["displacement_m"] = p.pulled;
   j["grip_force_n"] = p.grip_force * lane.units.energy;
   j["strain"] = p.pulled / p.lattice.box.height;
@@ -98,7 +98,7 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["crack_speed_m_s"] = fastest;
   j["crack_end_m"] = lane.crack_end;
   j["window_m"] = lane.window;
-  j["echo_free_m"] = echo_free_tip_m(lane.scene, wave_speed_ratio(p, lane));
+  j["echo_free_m"] = scene::echo_free_tip_m(lane.scene, simulation::wave_speed_ratio(p, lane));
   j["damage_zone_m"] = zone;
   j["dt_s"] = dt;
   j["dt_critical_s"] = p.step.critical * lane.units.time;
@@ -113,7 +113,7 @@ Json derived(const Prepared& p, double seconds_per_step) {
   j["disk_estimate_bytes"] = disk_bytes(p);
   j["memory_estimate_bytes"] = peak_memory_bytes();
   j["memory_available_bytes"] = available_memory_bytes();
-  j["left_out"] = left_out(lane.scene);
+  j["left_out"] = scene::left_out(lane.scene);
   return j;
 }
 
@@ -130,7 +130,7 @@ std::string window_text(const Json& j) {
 
 }  // namespace
 
-Json dry_run(const Prepared& prepared, int threads) {
+Json dry_run(const simulation::Prepared& prepared, int threads) {
   return derived(prepared, measured_seconds_per_step(prepared, threads));
 }
 

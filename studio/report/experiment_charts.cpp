@@ -13,7 +13,7 @@ namespace rift::studio {
 namespace {
 
 using Style = ChartSeries::Style;
-using Along = std::function<double(const CriticalPoint&)>;
+using Along = std::function<double(const experiment::CriticalPoint&)>;
 
 constexpr double expanded = 2.0;  // standard uncertainties of a band
 
@@ -23,24 +23,24 @@ ChartSeries series(std::string label, Style style, int colour) {
   return s;
 }
 
-double mm(const CriticalPoint& p) { return 1e3 * p.position; }
-double us(const CriticalPoint& p) { return 1e6 * p.time; }
-double over_cr(const CriticalPoint& p) { return p.over_cr; }
+double mm(const experiment::CriticalPoint& p) { return 1e3 * p.position; }
+double us(const experiment::CriticalPoint& p) { return 1e6 * p.time; }
+double over_cr(const experiment::CriticalPoint& p) { return p.over_cr; }
 
 NamedChart history_chart(const ExperimentReport& report) {
   NamedChart named{"history", "", {}};
   named.chart.title = "The measured crack";
   named.chart.x_label = "time [us]", named.chart.y_label = "tip position [mm]";
   ChartSeries rows = series("measured", Style::points, 1), course = series("course", Style::line, 0);
-  for (const HistoryPoint& row : report.rows) {
+  for (const history::HistoryPoint& row : report.rows) {
     rows.x.push_back(1e6 * row.time), rows.y.push_back(1e3 * row.position);
     if (row.uncertainty > 0.0) rows.error.push_back(1e3 * row.uncertainty);
   }
-  const Course& c = report.experiment.course;
+  const history::Course& c = report.experiment.course;
   const double duration = report.rows.back().time - report.rows.front().time;
   for (int k = 0; k <= 200; ++k) {
     const double t = duration * k / 200;
-    course.x.push_back(1e6 * (c.first_time + t)), course.y.push_back(1e3 * tip_at(c.history, t));
+    course.x.push_back(1e6 * (c.first_time + t)), course.y.push_back(1e3 * history::tip_at(c.history, t));
   }
   named.chart.series = {std::move(rows), std::move(course)};
   named.caption = fmt::format(
@@ -51,7 +51,7 @@ NamedChart history_chart(const ExperimentReport& report) {
 }
 
 NamedChart velocity_chart(const ExperimentReport& report) {
-  const Experiment& e = report.experiment;
+  const experiment::Experiment& e = report.experiment;
   NamedChart named{"velocity",
                    "The course's velocity, its band of two standard deviations from the histories "
                    "drawn anew, and the differences of neighbouring rows.",
@@ -61,13 +61,13 @@ NamedChart velocity_chart(const ExperimentReport& report) {
   ChartSeries band = series("band", Style::band, 0), line = series("course", Style::line, 0),
               raw = series("differences of rows", Style::points, 1);
   for (std::size_t k = 0; k < e.along.size(); ++k) {
-    const CriticalPoint& p = e.along[k];
+    const experiment::CriticalPoint& p = e.along[k];
     band.x.push_back(us(p)), band.y.push_back(p.over_cr);
     band.error.push_back(k < e.drawn_speed.size() ? expanded * e.drawn_speed[k] / e.rayleigh_speed : 0.0);
     line.x.push_back(us(p)), line.y.push_back(p.over_cr);
   }
   for (std::size_t k = 1; k < report.rows.size(); ++k) {
-    const HistoryPoint &a = report.rows[k - 1], &b = report.rows[k];
+    const history::HistoryPoint &a = report.rows[k - 1], &b = report.rows[k];
     raw.x.push_back(0.5e6 * (a.time + b.time));
     raw.y.push_back((b.position - a.position) / (b.time - a.time) / e.rayleigh_speed);
   }
@@ -79,36 +79,36 @@ NamedChart velocity_chart(const ExperimentReport& report) {
   return named;
 }
 
-ChartSeries band(const Experiment& e, std::string label, int colour, const Along& x, const Along& y,
-                 const Along& u) {
+ChartSeries band(const experiment::Experiment& e, std::string label, int colour, const Along& x,
+                 const Along& y, const Along& u) {
   ChartSeries s = series(std::move(label), Style::band, colour);
-  for (const CriticalPoint& p : e.along)
+  for (const experiment::CriticalPoint& p : e.along)
     s.x.push_back(x(p)), s.y.push_back(1e-3 * y(p)), s.error.push_back(1e-3 * expanded * u(p));
   return s;
 }
 
-ChartSeries curve(const Experiment& e, std::string label, Style style, int colour, const Along& x,
+ChartSeries curve(const experiment::Experiment& e, std::string label, Style style, int colour, const Along& x,
                   const Along& y) {
   ChartSeries s = series(std::move(label), style, colour);
-  for (const CriticalPoint& p : e.along) s.x.push_back(x(p)), s.y.push_back(1e-3 * y(p));
+  for (const experiment::CriticalPoint& p : e.along) s.x.push_back(x(p)), s.y.push_back(1e-3 * y(p));
   return s;
 }
 
 /// Both readings, the quasi-static one, and the truth where there is one.
 std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x, Style style) {
-  const Experiment& e = report.experiment;
-  const Along paper = [](const CriticalPoint& p) { return p.as_paper; };
-  const Along corrected = [](const CriticalPoint& p) { return p.corrected; };
+  const experiment::Experiment& e = report.experiment;
+  const Along paper = [](const experiment::CriticalPoint& p) { return p.as_paper; };
+  const Along corrected = [](const experiment::CriticalPoint& p) { return p.corrected; };
   std::vector<ChartSeries> all;
   if (style == Style::line) {
-    all.push_back(band(e, "", 0, x, paper, [](const CriticalPoint& p) { return p.uncertainty; }));
-    all.push_back(
-        band(e, "", 1, x, corrected, [](const CriticalPoint& p) { return p.corrected_uncertainty; }));
+    all.push_back(band(e, "", 0, x, paper, [](const experiment::CriticalPoint& p) { return p.uncertainty; }));
+    all.push_back(band(e, "", 1, x, corrected,
+                       [](const experiment::CriticalPoint& p) { return p.corrected_uncertainty; }));
   }
   all.push_back(curve(e, "G_{IDc}, as the paper", style, 0, x, paper));
   all.push_back(curve(e, "G_{IDc}, corrected", style, 1, x, corrected));
   all.push_back(curve(e, "quasi-static G_{I0}", style == Style::line ? Style::dashed : style, 2, x,
-                      [](const CriticalPoint& p) { return p.quasi_static; }));
+                      [](const experiment::CriticalPoint& p) { return p.quasi_static; }));
   if (style == Style::points) {
     ChartSeries law = series("law, made to rise", Style::line, 0);
     for (const auto& [v, rate, u] : e.law) law.x.push_back(v), law.y.push_back(1e-3 * rate);
@@ -116,8 +116,9 @@ std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x
   }
   if (!report.truth.row.empty())
     all.push_back(curve(e, report.truth_name, style == Style::line ? Style::line : Style::points, -1, x,
-                        [&](const CriticalPoint& p) {
-                          return critical_rate(report.truth, p.over_cr, e.rayleigh_speed, p.position);
+                        [&](const experiment::CriticalPoint& p) {
+                          return fracture::critical_rate(report.truth, p.over_cr, e.rayleigh_speed,
+                                                         p.position);
                         }));
   return all;
 }
@@ -138,7 +139,7 @@ NamedChart rate_chart(const ExperimentReport& report, const char* name, const ch
   return named;
 }
 
-NamedChart efficiency_chart(const Experiment& e) {
+NamedChart efficiency_chart(const experiment::Experiment& e) {
   NamedChart named{
       "efficiency",
       "The share of what arrives at the tip that the damage zone takes: a crack that runs steadily "
@@ -148,13 +149,13 @@ NamedChart efficiency_chart(const Experiment& e) {
   named.chart.x_label = "velocity [c_R]", named.chart.y_label = "efficiency [-]";
   named.chart.y_range = {0.0, 1.1};
   ChartSeries s = series("steady strip", Style::line_points, 0);
-  for (const EfficiencyPoint& p : e.efficiency)
+  for (const experiment::EfficiencyPoint& p : e.efficiency)
     s.x.push_back(p.over_cr), s.y.push_back(p.efficiency), s.error.push_back(p.scatter);
   named.chart.series = {std::move(s)};
   return named;
 }
 
-NamedChart application_chart(const Experiment& e) {
+NamedChart application_chart(const experiment::Experiment& e) {
   NamedChart named{"application",
                    fmt::format("A crack that runs by itself, given G_{{IDc}} against the velocity, made to "
                                "rise: its velocity is off by "
@@ -165,7 +166,7 @@ NamedChart application_chart(const Experiment& e) {
   named.chart.title = "Given back: the crack that runs by itself";
   named.chart.x_label = "tip position [mm]", named.chart.y_label = "velocity [c_R]";
   ChartSeries own = series("by itself", Style::line_points, 1), measured = series("measured", Style::line, 0);
-  for (const Application::Point& p : e.application.along) {
+  for (const experiment::Application::Point& p : e.application.along) {
     own.x.push_back(1e3 * p.position), own.y.push_back(p.over_cr);
     measured.x.push_back(1e3 * p.position), measured.y.push_back(p.measured_over_cr);
   }

@@ -33,9 +33,9 @@ struct Means {
   double noise = 0, packing = 0, window = 0, over_static = 0, corrected_over_static = 0;
 };
 
-Means means_of(const Experiment& e) {
+Means means_of(const experiment::Experiment& e) {
   Means m;
-  for (const CriticalPoint& p : e.along) {
+  for (const experiment::CriticalPoint& p : e.along) {
     m.noise += p.of_noise / p.as_paper, m.packing += p.of_packing / p.as_paper,
         m.window += p.of_window / p.as_paper;
     m.over_static += p.quasi_static / p.as_paper, m.corrected_over_static += p.quasi_static / p.corrected;
@@ -47,7 +47,7 @@ Means means_of(const Experiment& e) {
 }
 
 /// Of what was asked for; what was not is no zero.
-std::string uncertainty_text(const Experiment& e, const Means& m) {
+std::string uncertainty_text(const experiment::Experiment& e, const Means& m) {
   std::string text = e.resamples == 0
                          ? std::string("noise not asked for")
                          : fmt::format("noise {:.1f} % ({} histories", 100 * m.noise, e.resamples);
@@ -65,9 +65,9 @@ std::string truth_text(const ExperimentReport& report, bool corrected) {
                      100 * d.mean, 100 * d.largest, 100 * d.within);
 }
 
-std::string application_text(const Experiment& e) {
+std::string application_text(const experiment::Experiment& e) {
   constexpr double hardly = 0.1;  // that the law rises over its velocities
-  const Application& a = e.application;
+  const experiment::Application& a = e.application;
   if (a.along.empty()) return "arrested before its first point";
   std::string text = fmt::format(
       "velocity off by {:.1f} % (rms; {:.1f} % by the band), tip by at most {:.2f} mm, what it releases by "
@@ -82,7 +82,7 @@ std::string application_text(const Experiment& e) {
 }
 
 std::vector<std::pair<std::string, std::string>> conclusions(const ExperimentReport& report) {
-  const Experiment& e = report.experiment;
+  const experiment::Experiment& e = report.experiment;
   const Means m = means_of(e);
   std::vector<std::pair<std::string, std::string>> rows{
       {"course", fmt::format("{}; rows scatter by {:.3g} mm", report.smoothing, 1e3 * e.course.scatter)},
@@ -101,12 +101,12 @@ std::vector<std::pair<std::string, std::string>> conclusions(const ExperimentRep
   return rows;
 }
 
-std::string csv_of(const Experiment& e) {
+std::string csv_of(const experiment::Experiment& e) {
   std::string csv =
       "position_m,time_s,crack_velocity_over_cr,g_i0_quasi_static_j_m2,g_idc_j_m2,u_noise_j_m2,u_packing_j_"
       "m2,"
       "u_window_j_m2,u_j_m2,efficiency,g_idc_corrected_j_m2,u_corrected_j_m2,correction_factor\n";
-  for (const CriticalPoint& p : e.along)
+  for (const experiment::CriticalPoint& p : e.along)
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", p.position, p.time, p.over_cr,
                        p.quasi_static, p.as_paper, p.of_noise, p.of_packing, p.of_window, p.uncertainty,
                        p.efficiency, p.corrected, p.corrected_uncertainty, p.as_paper / p.quasi_static);
@@ -119,7 +119,7 @@ std::string toughness_csv(const ExperimentReport& report, bool by_position) {
                   base::escaped(report.preset), by_position ? "" : ", made to rise",
                   by_position ? "position [m]" : "velocity [c_r]");
   if (by_position)
-    for (const CriticalPoint& p : report.experiment.along)
+    for (const experiment::CriticalPoint& p : report.experiment.along)
       csv += fmt::format("{};{}\n", p.position, p.as_paper);
   else
     for (const auto& [v, rate, u] : report.experiment.law) csv += fmt::format("{};{}\n", v, rate);
@@ -129,10 +129,10 @@ std::string toughness_csv(const ExperimentReport& report, bool by_position) {
 }  // namespace
 
 Distance distance_from_truth(const ExperimentReport& report, bool corrected) {
-  const Experiment& e = report.experiment;
+  const experiment::Experiment& e = report.experiment;
   Distance d;
-  for (const CriticalPoint& p : e.along) {
-    const double truth = critical_rate(report.truth, p.over_cr, e.rayleigh_speed, p.position);
+  for (const experiment::CriticalPoint& p : e.along) {
+    const double truth = fracture::critical_rate(report.truth, p.over_cr, e.rayleigh_speed, p.position);
     const double off = std::abs((corrected ? p.corrected : p.as_paper) - truth);
     d.mean += off / truth, d.largest = std::max(d.largest, off / truth);
     d.within += off <= 2.0 * (corrected ? p.corrected_uncertainty : p.uncertainty) ? 1.0 : 0.0;
@@ -145,10 +145,10 @@ Table experiment_table(const ExperimentReport& report) {
   Table table{{"tip [mm]", "time [us]", "v [c_R]", "G_I0 [kJ/m²]", "G_IDc, as paper", "corrected",
                "efficiency", "G_IDc/G_I0"},
               {}};
-  const std::vector<CriticalPoint>& along = report.experiment.along;
+  const std::vector<experiment::CriticalPoint>& along = report.experiment.along;
   const std::size_t apart = std::max<std::size_t>(1, along.size() / 12);
   for (std::size_t k = 0; k < along.size(); k += apart) {
-    const CriticalPoint& p = along[k];
+    const experiment::CriticalPoint& p = along[k];
     table.rows.push_back(
         {fmt::format("{:.1f}", 1e3 * p.position), fmt::format("{:.1f}", 1e6 * p.time),
          fmt::format("{:.3f}", p.over_cr), fmt::format("{:.3f}", 1e-3 * p.quasi_static),
@@ -165,11 +165,11 @@ std::string experiment_text(const ExperimentReport& report, bool color) {
 }
 
 Json experiment_json(const ExperimentReport& report) {
-  const Experiment& e = report.experiment;
+  const experiment::Experiment& e = report.experiment;
   const Means m = means_of(e);
   const auto number = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
   Json along = Json::array();
-  for (const CriticalPoint& p : e.along)
+  for (const experiment::CriticalPoint& p : e.along)
     along.push_back({{"position_m", p.position},
                      {"time_s", p.time},
                      {"crack_velocity_over_cr", p.over_cr},
@@ -192,7 +192,7 @@ Json experiment_json(const ExperimentReport& report) {
             {"quasi_static_over_g_idc", m.over_static},
             {"quasi_static_over_g_idc_corrected", m.corrected_over_static},
             {"ledger_residual", e.worst_residual},
-            {"outcome", name_of(e.outcome)},
+            {"outcome", simulation::name_of(e.outcome)},
             {"wall_s", report.wall_s},
             {"along", along}};
   if (!e.application.along.empty())

@@ -14,11 +14,11 @@ namespace rift::studio {
 /// All that `rift experiment` has to tell.
 struct ExperimentReport {
   std::string preset, command;
-  BuildInfo build;
-  Experiment experiment;
-  std::vector<HistoryPoint> rows;  // as measured
+  simulation::BuildInfo build;
+  experiment::Experiment experiment;
+  std::vector<history::HistoryPoint> rows;  // as measured
   std::string smoothing;
-  CriticalRate truth;  // to lay over; none without rows
+  scene::CriticalRate truth;  // to lay over; none without rows
   std::string truth_name;
   double wall_s = 0;
 };

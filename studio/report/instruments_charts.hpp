@@ -25,6 +25,6 @@ struct TraceScale {
   double factor = 1;
   std::string unit;
 };
-TraceScale scale_of(Dimension dimension);
+TraceScale scale_of(scene::Dimension dimension);
 
 }  // namespace rift::studio

@@ -16,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Style = ChartSeries::Style;
 
-std::string shape_name(const Scene& scene) {
-  const std::string quoted = toml_value(scene, *find_parameter("specimen.shape"));
+std::string shape_name(const scene::Scene& scene) {
+  const std::string quoted = scene::toml_value(scene, *scene::find_parameter("specimen.shape"));
   return quoted.substr(1, quoted.size() - 2);
 }
 
@@ -53,8 +53,8 @@ Chart pair_chart(const Json& summary) {
 }  // namespace
 
 Json packing_json(const PackedSpecimen& s) {
-  const PackingStatistics statistics = rift::statistics(s.packing, s.box);
-  const PackingStructure structure = structure_of(s.packing, s.box);
+  const lattice::PackingStatistics statistics = rift::lattice::statistics(s.packing, s.box);
+  const lattice::PackingStructure structure = lattice::structure_of(s.packing, s.box);
   Json fabric = Json::array();
   for (int r = 0; r < 3; ++r)
     fabric.push_back({structure.fabric(r, 0), structure.fabric(r, 1), structure.fabric(r, 2)});

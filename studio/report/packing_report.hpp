@@ -12,10 +12,10 @@ namespace rift::studio {
 
 /// What `rift pack` tells.
 struct PackedSpecimen {
-  Scene scene;
-  BuildInfo build;
-  Box box;
-  Packing packing;
+  scene::Scene scene;
+  simulation::BuildInfo build;
+  lattice::Box box;
+  lattice::Packing packing;
   int rattlers = 0;
   std::size_t beams = 0;
   double wall_s = 0;

@@ -16,24 +16,26 @@ using Points = std::vector<std::pair<double, double>>;  // tip position over len
 
 constexpr double half_width = 0.02, between = 0.01;  // of the length
 
-std::map<double, std::vector<SummaryRow>> rows_by_velocity(const Evidence& evidence, Selection selection) {
+std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const study::Evidence& evidence,
+                                                                  study::Selection selection) {
   selection.elements = evidence.elements;
-  std::map<double, std::vector<SummaryRow>> rows;
-  for (const SummaryRow& row : evidence.rows)
-    if (selects(selection, row)) rows[number_in(row, "crack_velocity_over_cr")].push_back(row);
+  std::map<double, std::vector<study::SummaryRow>> rows;
+  for (const study::SummaryRow& row : evidence.rows)
+    if (study::selects(selection, row)) rows[study::number_in(row, "crack_velocity_over_cr")].push_back(row);
   for (auto& [v, of_v] : rows)
-    std::sort(of_v.begin(), of_v.end(),
-              [](const SummaryRow& a, const SummaryRow& b) { return a.at("seed") < b.at("seed"); });
+    std::sort(of_v.begin(), of_v.end(), [](const study::SummaryRow& a, const study::SummaryRow& b) {
+      return a.at("seed") < b.at("seed");
+    });
   return rows;
 }
 
-Points fracture_points(const Evidence& evidence, const SummaryRow& row, const char* column) {
-  const SeriesTable table = evidence.series(row);
+Points fracture_points(const study::Evidence& evidence, const study::SummaryRow& row, const char* column) {
+  const study::SeriesTable table = evidence.series(row);
   Points points;
   for (std::size_t k = 0; k < table.phase.size(); ++k) {
     const double value = table.at(column)[k];
     if (table.phase[k] == "fracture" && !std::isnan(value))
-      points.emplace_back(table.at("tip_m")[k] / number_in(row, "length_m"), value);
+      points.emplace_back(table.at("tip_m")[k] / study::number_in(row, "length_m"), value);
   }
   return points;
 }
@@ -69,7 +71,7 @@ std::string velocity_label(double v) { return fmt::format("{:g} c_r", v); }
 
 }  // namespace
 
-bool draw_ratio_against_position(Chart& chart, const Evidence& evidence, Selection selection) {
+bool draw_ratio_against_position(Chart& chart, const study::Evidence& evidence, study::Selection selection) {
   set_up(chart);
   chart.y_label = "G_{ID} / G_{I0}, mean over 0.04 L [-]";
   chart.y_range = {0.0, {}};
@@ -77,18 +79,19 @@ bool draw_ratio_against_position(Chart& chart, const Evidence& evidence, Selecti
   int colour = 0;
   for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
     std::vector<Points> specimens;
-    for (const SummaryRow& row : rows)
+    for (const study::SummaryRow& row : rows)
       specimens.push_back(fracture_points(evidence, row, "ratio_with_damping"));
     ChartSeries curve = running_mean(velocity_label(v), specimens, colour++);
     if (curve.x.empty()) continue;
-    mark_echo(echo, curve, number_in(rows.front(), "echo_free_over_length"));
+    mark_echo(echo, curve, study::number_in(rows.front(), "echo_free_over_length"));
     chart.series.push_back(std::move(curve));
   }
   if (!echo.x.empty()) chart.series.push_back(std::move(echo));
   return !chart.series.empty();
 }
 
-bool draw_fracture_against_position(Chart& chart, const Evidence& evidence, Selection selection) {
+bool draw_fracture_against_position(Chart& chart, const study::Evidence& evidence,
+                                    study::Selection selection) {
   set_up(chart);
   chart.y_label = "fracture energy [J]";
   int colour = 0;
@@ -98,7 +101,7 @@ bool draw_fracture_against_position(Chart& chart, const Evidence& evidence, Sele
     for (const auto& [x, y] : fracture_points(evidence, rows.front(), "energy_fracture_j"))
       curve.x.push_back(x), curve.y.push_back(y);
     if (curve.x.empty()) continue;
-    mark_echo(echo, curve, number_in(rows.front(), "echo_free_over_length"));
+    mark_echo(echo, curve, study::number_in(rows.front(), "echo_free_over_length"));
     chart.series.push_back(std::move(curve));
   }
   if (!echo.x.empty()) chart.series.push_back(std::move(echo));

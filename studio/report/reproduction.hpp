@@ -25,8 +25,8 @@ struct Picture {
 
 /// A claim with its verdicts; those of a picture mean nothing.
 struct JudgedClaim {
-  const Claim* claim = nullptr;
-  Judgement bulk, in_situ;
+  const study::Claim* claim = nullptr;
+  study::Judgement bulk, in_situ;
   int scenarios = 0;
   double wall_s = 0;  // computing time of its scenarios, shared ones counted for each claim
   std::vector<Figure> figures;
@@ -36,7 +36,7 @@ struct JudgedClaim {
 
 /// All that the report tells.
 struct Reproduction {
-  BuildInfo build;
+  simulation::BuildInfo build;
   std::string command;  // "rift reproduce all --quick"
   int elements = 20000;
   int scenarios = 0, computed = 0, found = 0;

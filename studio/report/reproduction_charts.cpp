@@ -19,38 +19,39 @@ using Style = ChartSeries::Style;
 
 struct NamedSelection {
   std::string label;
-  Selection selection;
+  study::Selection selection;
 };
 
-Selection progressive(double relaxation, double zone) {
-  Selection s;
+study::Selection progressive(double relaxation, double zone) {
+  study::Selection s;
   s.relaxation = relaxation, s.damage_zone_ratio = zone;
   return s;
 }
 
-Selection with_elements(int elements, double length_m = 0.2) {
-  Selection s;
+study::Selection with_elements(int elements, double length_m = 0.2) {
+  study::Selection s;
   s.elements = elements, s.length_m = length_m;
   return s;
 }
 
-Selection with_path(const std::string& path) {
-  Selection s;
+study::Selection with_path(const std::string& path) {
+  study::Selection s;
   s.path = path;
   return s;
 }
 
-Selection with_step(const std::string& fraction) {
-  Selection s;
+study::Selection with_step(const std::string& fraction) {
+  study::Selection s;
   s.dt_fraction = fraction;
   return s;
 }
 
 /// The curves of a chart against velocity, by claim.
 std::vector<NamedSelection> curves_for(const std::string& claim, int elements) {
-  const NamedSelection simple{"simple release", simple_release()},
-      surface{"simple, damped at the surface", simple_release("surface")},
-      total{"simple, damped everywhere", simple_release("all")}, linear{"progressive, linear, r_l = 1", {}};
+  const NamedSelection simple{"simple release", study::simple_release()},
+      surface{"simple, damped at the surface", study::simple_release("surface")},
+      total{"simple, damped everywhere", study::simple_release("all")},
+      linear{"progressive, linear, r_l = 1", {}};
   const std::map<std::string, std::vector<NamedSelection>> table{
       {"fig07", {simple}},
       {"fig08", {simple, surface, total}},
@@ -79,21 +80,21 @@ std::vector<NamedSelection> curves_for(const std::string& claim, int elements) {
   return found == table.end() ? std::vector<NamedSelection>{} : found->second;
 }
 
-ChartSeries series_of(const std::string& label, const Curve& curve, int colour) {
+ChartSeries series_of(const std::string& label, const study::Curve& curve, int colour) {
   ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
-  for (const CurvePoint& p : curve) {
+  for (const study::CurvePoint& p : curve) {
     series.x.push_back(p.v);
-    series.y.push_back(mean_of(p.ratio));
-    series.error.push_back(p.ratio.size() > 1 ? deviation_of(p.ratio)
+    series.y.push_back(study::mean_of(p.ratio));
+    series.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio)
                                               : std::numeric_limits<double>::quiet_NaN());
   }
   return series;
 }
 
-bool against_velocity(Chart& chart, const Claim& claim, const Evidence& evidence) {
+bool against_velocity(Chart& chart, const study::Claim& claim, const study::Evidence& evidence) {
   int colour = 0;
   for (const NamedSelection& named : curves_for(claim.name, evidence.elements)) {
-    const Curve curve = curve_in(evidence, named.selection);
+    const study::Curve curve = study::curve_in(evidence, named.selection);
     if (!curve.empty()) chart.series.push_back(series_of(named.label, curve, colour));
     ++colour;
   }
@@ -101,23 +102,23 @@ bool against_velocity(Chart& chart, const Claim& claim, const Evidence& evidence
 }
 
 /// Rows of a selection and of the first specimen there is, velocities ascending.
-std::vector<SummaryRow> first_specimen(const Evidence& evidence, Selection selection) {
+std::vector<study::SummaryRow> first_specimen(const study::Evidence& evidence, study::Selection selection) {
   selection.elements = evidence.elements;
-  std::map<double, SummaryRow> rows;
-  for (const SummaryRow& row : evidence.rows) {
-    if (!selects(selection, row)) continue;
-    const auto [known, fresh] = rows.emplace(number_in(row, "crack_velocity_over_cr"), row);
+  std::map<double, study::SummaryRow> rows;
+  for (const study::SummaryRow& row : evidence.rows) {
+    if (!study::selects(selection, row)) continue;
+    const auto [known, fresh] = rows.emplace(study::number_in(row, "crack_velocity_over_cr"), row);
     if (!fresh && row.at("seed") < known->second.at("seed")) known->second = row;
   }
-  std::vector<SummaryRow> list;
+  std::vector<study::SummaryRow> list;
   for (const auto& [v, row] : rows) list.push_back(row);
   return list;
 }
 
-bool energies(Chart& chart, const Evidence& evidence) {
-  for (const SummaryRow& row : evidence.rows) {
-    if (!row.is_object() || text_in(row, "prestress_method") != "ramp") continue;
-    const SeriesTable table = evidence.series(row);
+bool energies(Chart& chart, const study::Evidence& evidence) {
+  for (const study::SummaryRow& row : evidence.rows) {
+    if (!row.is_object() || study::text_in(row, "prestress_method") != "ramp") continue;
+    const study::SeriesTable table = evidence.series(row);
     if (table.empty()) continue;
     chart.x_label = "time [ms]";
     chart.y_label = "energy [J]";
@@ -140,18 +141,18 @@ bool energies(Chart& chart, const Evidence& evidence) {
   return false;
 }
 
-bool release_energies(Chart& chart, const Evidence& evidence) {
+bool release_energies(Chart& chart, const study::Evidence& evidence) {
   chart.key_outside = true;
   chart.x_label = "crack velocity v / c_r [-]";
   chart.y_label = "energy at release, per beam [mJ]";
   chart.y_range = {0.0, {}};
   int colour = 0;
-  for (const NamedSelection& named : {NamedSelection{"simple release", simple_release()},
+  for (const NamedSelection& named : {NamedSelection{"simple release", study::simple_release()},
                                       NamedSelection{"progressive, linear, r_l = 1", {}}}) {
     ChartSeries series{named.label, {}, {}, {}, Style::line_points, colour++};
-    for (const SummaryRow& row : first_specimen(evidence, named.selection)) {
-      series.x.push_back(number_in(row, "crack_velocity_over_cr"));
-      series.y.push_back(1e3 * release_energy_per_beam(row));
+    for (const study::SummaryRow& row : first_specimen(evidence, named.selection)) {
+      series.x.push_back(study::number_in(row, "crack_velocity_over_cr"));
+      series.y.push_back(1e3 * study::release_energy_per_beam(row));
     }
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
@@ -168,11 +169,12 @@ bool release_laws(Chart& chart, bool over_distance) {
   int colour = 0;
   for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {
     ChartSeries curve{name, {}, {}, {}, Style::line, colour++};
-    const ReleaseLaw law{Technique::progressive, power, 1.0};
+    const fracture::ReleaseLaw law{scene::Technique::progressive, power, 1.0};
     for (int k = over_distance ? -50 : 0; k <= (over_distance ? 150 : 100); ++k) {
       const double x = 0.01 * k;
       curve.x.push_back(x);
-      curve.y.push_back(over_distance ? stiffness_left(law, 0.0, x) : stiffness_left(law, x, 1.0));
+      curve.y.push_back(over_distance ? fracture::stiffness_left(law, 0.0, x)
+                                      : fracture::stiffness_left(law, x, 1.0));
     }
     chart.series.push_back(std::move(curve));
   }
@@ -181,11 +183,11 @@ bool release_laws(Chart& chart, bool over_distance) {
 }
 
 /// Fills the chart which the claim asks for; false where there is none, or nothing in it.
-bool fill(Chart& chart, const Claim& claim, const Evidence& evidence) {
+bool fill(Chart& chart, const study::Claim& claim, const study::Evidence& evidence) {
   if (claim.name == "fig09" || claim.name == "fig10") return release_laws(chart, claim.name == "fig09");
   if (claim.name == "fig05") return energies(chart, evidence);
   if (claim.name == "sec5_residual") return release_energies(chart, evidence);
-  if (claim.name == "fig06") return draw_ratio_against_position(chart, evidence, simple_release());
+  if (claim.name == "fig06") return draw_ratio_against_position(chart, evidence, study::simple_release());
   if (claim.name == "fig13") return draw_ratio_against_position(chart, evidence, {});
   if (claim.name == "sec2_linear") return draw_fracture_against_position(chart, evidence, {});
   const std::string title = chart.title;
@@ -195,8 +197,8 @@ bool fill(Chart& chart, const Claim& claim, const Evidence& evidence) {
 
 }  // namespace
 
-std::vector<Figure> draw_figures(const Claim& claim, const Evidence& evidence, const std::string& stiffness,
-                                 const fs::path& folder) {
+std::vector<Figure> draw_figures(const study::Claim& claim, const study::Evidence& evidence,
+                                 const std::string& stiffness, const fs::path& folder) {
   const bool of_theory = claim.name == "fig01" || claim.name == "fig09" || claim.name == "fig10";
   if (of_theory && stiffness != "bulk") return {};
   Chart chart;
@@ -207,16 +209,16 @@ std::vector<Figure> draw_figures(const Claim& claim, const Evidence& evidence, c
   return {{draw_chart(chart, folder, name), chart.title}};
 }
 
-std::vector<Figure> draw_against_own_speed(const Evidence& evidence, const std::string& stiffness,
+std::vector<Figure> draw_against_own_speed(const study::Evidence& evidence, const std::string& stiffness,
                                            double nominal_over_own, const fs::path& folder) {
   Chart chart =
       chart_of_references(fmt::format("Fig. 15 over the specimen's own Rayleigh speed, {}", stiffness));
   chart.x_label = "crack velocity over the measured Rayleigh speed v / c_R [-]";
   chart.x_range = {0.0, std::max(1.05, 1.02 * nominal_over_own)};
   int colour = 0;
-  for (const NamedSelection& named : {NamedSelection{"simple release", simple_release()},
+  for (const NamedSelection& named : {NamedSelection{"simple release", study::simple_release()},
                                       NamedSelection{"progressive, linear, r_l = 1", {}}}) {
-    ChartSeries series = series_of(named.label, curve_in(evidence, named.selection), colour++);
+    ChartSeries series = series_of(named.label, study::curve_in(evidence, named.selection), colour++);
     for (double& x : series.x) x *= nominal_over_own;
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }

@@ -7,7 +7,7 @@
 namespace rift::studio {
 namespace {
 
-NamedChart growth_chart(const GrowthCurve& curve) {
+NamedChart growth_chart(const stability::GrowthCurve& curve) {
   NamedChart named{"growth", {}, {}};
   Chart& chart = named.chart;
   chart.title = "Where explicit integration ends";
@@ -35,20 +35,20 @@ NamedChart growth_chart(const GrowthCurve& curve) {
 }
 
 /// Case by case, in the order of the table; zero residuals cannot be drawn.
-ChartSeries residuals(const std::vector<StabilityRow>& rows, const char* label, int colour,
-                      Seen StabilityRow::*seen) {
+ChartSeries residuals(const std::vector<stability::StabilityRow>& rows, const char* label, int colour,
+                      stability::Seen stability::StabilityRow::*seen) {
   ChartSeries series;
   series.label = label, series.style = ChartSeries::Style::points, series.colour = colour;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Seen& s = rows[k].*seen;
-    const bool kept = s.ending == Ending::closes || s.ending == Ending::open;
+    const stability::Seen& s = rows[k].*seen;
+    const bool kept = s.ending == stability::Ending::closes || s.ending == stability::Ending::open;
     if (!kept || !(s.residual > 0.0) || !std::isfinite(s.residual)) continue;
     series.x.push_back(static_cast<double>(k + 1)), series.y.push_back(s.residual);
   }
   return series;
 }
 
-NamedChart residual_chart(const std::vector<StabilityRow>& rows) {
+NamedChart residual_chart(const std::vector<stability::StabilityRow>& rows) {
   NamedChart named{
       "residuals",
       "How far the energy books of each case that ran to its end are open, over the largest energy; the "
@@ -60,8 +60,8 @@ NamedChart residual_chart(const std::vector<StabilityRow>& rows) {
   chart.y_label = "largest residual of the books [-]";
   chart.log_y = true;
   chart.key_outside = true;
-  chart.series = {residuals(rows, "double", 0, &StabilityRow::in_double),
-                  residuals(rows, "single", 1, &StabilityRow::in_single)};
+  chart.series = {residuals(rows, "double", 0, &stability::StabilityRow::in_double),
+                  residuals(rows, "single", 1, &stability::StabilityRow::in_single)};
   std::erase_if(chart.series, [](const ChartSeries& s) { return s.x.empty(); });
   if (chart.series.empty()) return named;
   for (const auto& [limit, label] : {std::pair{1e-10, "limit, double"}, std::pair{1e-3, "limit, single"}}) {

@@ -22,14 +22,14 @@ std::string number(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
-std::string seen_text(const Seen& seen) {
-  if (seen.ending == Ending::diverges && seen.caught_within >= 0)
+std::string seen_text(const stability::Seen& seen) {
+  if (seen.ending == stability::Ending::diverges && seen.caught_within >= 0)
     return fmt::format("diverges, caught in {}", seen.caught_within);
-  return name_of(seen.ending);
+  return stability::name_of(seen.ending);
 }
 
 /// What a row has to say beside its numbers, short enough for a table.
-std::string remark(const StabilityRow& row) {
+std::string remark(const stability::StabilityRow& row) {
   std::string said = row.in_double.said;
   if (const auto line_end = said.find('\n'); line_end != said.npos) said.resize(line_end);
   constexpr std::size_t most = 120;
@@ -44,7 +44,7 @@ std::string csv_text(const std::string& text) {
 }
 
 /// What of a claim a reader wants: a number where one is expected, or the bounds.
-std::string bounds_text(const Claim& claim) {
+std::string bounds_text(const stability::Claim& claim) {
   const double middle = 0.5 * (claim.low + claim.high), slack = 0.5 * (claim.high - claim.low);
   if (!std::isfinite(claim.high)) return fmt::format("at least {:.6g}", claim.low);
   if (slack == 0.0) return fmt::format("{:.6g}", middle);
@@ -53,7 +53,7 @@ std::string bounds_text(const Claim& claim) {
 }
 
 /// A number that is all but another one is shown by what they differ in.
-std::string seen_text(const Claim& claim) {
+std::string seen_text(const stability::Claim& claim) {
   const double middle = 0.5 * (claim.low + claim.high), off = claim.seen - middle;
   const bool close = std::isfinite(middle) && std::abs(off) < 1e-5 * std::abs(middle);
   return (close && off != 0.0 ? fmt::format("{:.6g} {:+.0e}", middle, off)
@@ -63,14 +63,14 @@ std::string seen_text(const Claim& claim) {
 
 /// Each claim of a row with what was seen in either precision; a precision without it has none.
 struct SeenClaim {
-  const Claim *in_double = nullptr, *in_single = nullptr;
-  const Claim& any() const { return in_double ? *in_double : *in_single; }
+  const stability::Claim *in_double = nullptr, *in_single = nullptr;
+  const stability::Claim& any() const { return in_double ? *in_double : *in_single; }
 };
 
-std::vector<SeenClaim> claims_of(const StabilityRow& row) {
+std::vector<SeenClaim> claims_of(const stability::StabilityRow& row) {
   std::vector<SeenClaim> all;
-  for (const Claim& claim : row.in_double.claims) all.push_back({&claim, nullptr});
-  for (const Claim& claim : row.in_single.claims) {
+  for (const stability::Claim& claim : row.in_double.claims) all.push_back({&claim, nullptr});
+  for (const stability::Claim& claim : row.in_single.claims) {
     const auto same = std::find_if(all.begin(), all.end(), [&](const SeenClaim& other) {
       return other.in_double && !other.in_single && other.in_double->what == claim.what;
     });
@@ -83,23 +83,23 @@ std::vector<SeenClaim> claims_of(const StabilityRow& row) {
 }
 
 /// How many of a row's claims hold.
-std::string claims_text(const StabilityRow& row) {
+std::string claims_text(const stability::StabilityRow& row) {
   std::size_t held = 0, all = 0;
-  for (const Seen* seen : {&row.in_double, &row.in_single})
-    for (const Claim& claim : seen->claims) ++all, held += claim.holds() ? 1 : 0;
+  for (const stability::Seen* seen : {&row.in_double, &row.in_single})
+    for (const stability::Claim& claim : seen->claims) ++all, held += claim.holds() ? 1 : 0;
   return all == 0 ? "" : fmt::format("{} of {}", held, all);
 }
 
-Json json_of(const Seen& seen) {
+Json json_of(const stability::Seen& seen) {
   const auto value = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
   Json claims = Json::array();
-  for (const Claim& claim : seen.claims)
+  for (const stability::Claim& claim : seen.claims)
     claims.push_back({{"claim", claim.what},
                       {"low", value(claim.low)},
                       {"high", value(claim.high)},
                       {"seen", value(claim.seen)},
                       {"holds", claim.holds()}});
-  return {{"seen", name_of(seen.ending)},
+  return {{"seen", stability::name_of(seen.ending)},
           {"ledger_residual", value(seen.residual)},
           {"ledger_limit", seen.limit},
           {"growth", value(seen.growth)},
@@ -111,38 +111,38 @@ Json json_of(const Seen& seen) {
           {"wall_s", seen.wall_s}};
 }
 
-std::string csv_of(const std::vector<StabilityRow>& rows) {
+std::string csv_of(const std::vector<stability::StabilityRow>& rows) {
   std::string csv =
       "family,case,expected,growth_expected,precision,seen,ledger_residual,ledger_limit,growth,"
       "ratio_with_damping,steps,caught_within,wall_s,said\n";
   const auto value = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
-  for (const StabilityRow& row : rows)
+  for (const stability::StabilityRow& row : rows)
     for (const bool single : {false, true}) {
-      const Seen& s = single ? row.in_single : row.in_double;
-      csv +=
-          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(row.family), csv_text(row.name),
-                      name_of(row.expected), value(row.growth), single ? "single" : "double",
-                      name_of(s.ending), value(s.residual), s.limit, value(s.growth), value(s.ratio), s.steps,
-                      s.caught_within < 0 ? "" : std::to_string(s.caught_within), s.wall_s, csv_text(s.said));
+      const stability::Seen& s = single ? row.in_single : row.in_double;
+      csv += fmt::format(
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(row.family), csv_text(row.name),
+          stability::name_of(row.expected), value(row.growth), single ? "single" : "double",
+          stability::name_of(s.ending), value(s.residual), s.limit, value(s.growth), value(s.ratio), s.steps,
+          s.caught_within < 0 ? "" : std::to_string(s.caught_within), s.wall_s, csv_text(s.said));
     }
   return csv;
 }
 
-std::string claims_csv(const std::vector<StabilityRow>& rows) {
+std::string claims_csv(const std::vector<stability::StabilityRow>& rows) {
   std::string csv = "family,case,precision,claim,low,high,seen,holds\n";
   const auto value = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
-  for (const StabilityRow& row : rows)
+  for (const stability::StabilityRow& row : rows)
     for (const bool single : {false, true})
-      for (const Claim& claim : (single ? row.in_single : row.in_double).claims)
+      for (const stability::Claim& claim : (single ? row.in_single : row.in_double).claims)
         csv += fmt::format("{},{},{},{},{},{},{},{}\n", csv_text(row.family), csv_text(row.name),
                            single ? "single" : "double", csv_text(claim.what), value(claim.low),
                            value(claim.high), value(claim.seen), claim.holds() ? 1 : 0);
   return csv;
 }
 
-std::size_t as_expected(const std::vector<StabilityRow>& rows) {
-  return static_cast<std::size_t>(
-      std::count_if(rows.begin(), rows.end(), [](const StabilityRow& row) { return row.as_expected; }));
+std::size_t as_expected(const std::vector<stability::StabilityRow>& rows) {
+  return static_cast<std::size_t>(std::count_if(
+      rows.begin(), rows.end(), [](const stability::StabilityRow& row) { return row.as_expected; }));
 }
 
 std::string verdict(const StabilityReport& report) {
@@ -152,15 +152,15 @@ std::string verdict(const StabilityReport& report) {
 
 }  // namespace
 
-Table stability_table(const std::vector<StabilityRow>& rows) {
+Table stability_table(const std::vector<stability::StabilityRow>& rows) {
   Table table{{"case", "", "expected", "seen", "books, double", "single", "growth", "theory", "ratio",
                "single", "shows", "s", ""},
               {}};
   std::string family;
-  for (const StabilityRow& row : rows) {
-    const Seen &a = row.in_double, &b = row.in_single;
+  for (const stability::StabilityRow& row : rows) {
+    const stability::Seen &a = row.in_double, &b = row.in_single;
     const std::string first = seen_text(a), second = seen_text(b);
-    table.rows.push_back({row.family == family ? "" : row.family, row.name, name_of(row.expected),
+    table.rows.push_back({row.family == family ? "" : row.family, row.name, stability::name_of(row.expected),
                           first == second ? first : first + " / " + second, number(a.residual, "{:.0e}"),
                           number(b.residual, "{:.0e}"), number(a.growth, "{:.5f}"),
                           number(row.growth, "{:.5f}"), number(a.ratio, "{:.4f}"),
@@ -171,9 +171,9 @@ Table stability_table(const std::vector<StabilityRow>& rows) {
   return table;
 }
 
-Table claims_table(const std::vector<StabilityRow>& rows) {
+Table claims_table(const std::vector<stability::StabilityRow>& rows) {
   Table table{{"case", "", "must show", "expected", "double", "single"}, {}};
-  for (const StabilityRow& row : rows) {
+  for (const stability::StabilityRow& row : rows) {
     bool first = true;
     for (const SeenClaim& claim : claims_of(row)) {
       table.rows.push_back({first ? row.family : "", first ? row.name : "", claim.any().what,
@@ -190,7 +190,7 @@ std::string stability_text(const StabilityReport& report, bool color) {
   if (const Table claims = claims_table(report.rows); !claims.rows.empty())
     text += "\n" + heading("What each case must show", color) + "\n" + plain_table(claims, color);
   std::string said;
-  for (const StabilityRow& row : report.rows)
+  for (const stability::StabilityRow& row : report.rows)
     if (const std::string words = remark(row); !words.empty())
       said += fmt::format("  {}: {}\n    {}\n", row.family, row.name, words);
   if (!said.empty()) text += "\n" + heading("What was said", color) + "\n" + said;
@@ -199,10 +199,10 @@ std::string stability_text(const StabilityReport& report, bool color) {
 
 Json stability_json(const StabilityReport& report) {
   Json rows = Json::array();
-  for (const StabilityRow& row : report.rows)
+  for (const stability::StabilityRow& row : report.rows)
     rows.push_back({{"family", row.family},
                     {"case", row.name},
-                    {"expected", name_of(row.expected)},
+                    {"expected", stability::name_of(row.expected)},
                     {"growth_expected", std::isfinite(row.growth) ? Json(row.growth) : Json(nullptr)},
                     {"double", json_of(row.in_double)},
                     {"single", json_of(row.in_single)},
@@ -230,7 +230,7 @@ void write_stability_report(const StabilityReport& report, const std::filesystem
     }
   }
   Table said{{"case", "", "said"}, {}};
-  for (const StabilityRow& row : report.rows)
+  for (const stability::StabilityRow& row : report.rows)
     if (!row.in_double.said.empty()) said.rows.push_back({row.family, row.name, row.in_double.said});
   std::string body =
       html_paragraph(fmt::format("{}. Made by `rift stability`, rift {} ({}).", verdict(report),

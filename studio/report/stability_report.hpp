@@ -14,17 +14,17 @@ namespace rift::studio {
 
 /// What `rift stability` tells.
 struct StabilityReport {
-  std::vector<StabilityRow> rows;
-  std::optional<GrowthCurve> growth;  // with a report only
-  BuildInfo build;
+  std::vector<stability::StabilityRow> rows;
+  std::optional<stability::GrowthCurve> growth;  // with a report only
+  simulation::BuildInfo build;
   double wall_s = 0;
 };
 
 /// A line per case: expected, seen in both precisions, how far the books are open, growth, what was said.
-Table stability_table(const std::vector<StabilityRow>& rows);
+Table stability_table(const std::vector<stability::StabilityRow>& rows);
 
 /// A line per claim: what physics expects of it, and what was seen in both precisions.
-Table claims_table(const std::vector<StabilityRow>& rows);
+Table claims_table(const std::vector<stability::StabilityRow>& rows);
 
 /// Both tables, and how many cases are as expected.
 std::string stability_text(const StabilityReport& report, bool color);

@@ -41,12 +41,12 @@ std::string numbered(const std::string& name, std::size_t k) {
   return k == 0 ? name : fmt::format("{}_{}", name, k + 1);
 }
 
-ChartSeries reference(const std::string& label, const SummaryRow& row, double last,
-                      theory::Factor (*of)(double, double, Plane)) {
+ChartSeries reference(const std::string& label, const study::SummaryRow& row, double last,
+                      theory::Factor (*of)(double, double, theory::Plane)) {
   ChartSeries series;
   series.label = label;
   series.colour = -1;
-  const Plane plane = row.at("plane") == "stress" ? Plane::stress : Plane::strain;
+  const theory::Plane plane = row.at("plane") == "stress" ? theory::Plane::stress : theory::Plane::strain;
   constexpr int points = 60;
   for (int k = 1; k <= points; ++k) {
     const double v = last * k / points;
@@ -62,8 +62,8 @@ ChartSeries against_velocity(const RowFamily& family, int colour) {
   series.label = axes_label(family.axes);
   series.style = ChartSeries::Style::line_points;
   series.colour = colour;
-  std::vector<std::pair<double, std::vector<SummaryRow>>> by_velocity;
-  for (const SummaryRow& row : family.rows) {
+  std::vector<std::pair<double, std::vector<study::SummaryRow>>> by_velocity;
+  for (const study::SummaryRow& row : family.rows) {
     if (!row.at("crack_velocity_over_cr").is_number()) continue;
     const double v = row.at("crack_velocity_over_cr").get<double>();
     const auto same = std::find_if(by_velocity.begin(), by_velocity.end(),
@@ -112,7 +112,7 @@ std::vector<std::vector<double>> columns(const std::string& csv, const std::vect
   return found;
 }
 
-ChartSeries against_tip(const SummaryRow& row, const std::filesystem::path& csv, int colour) {
+ChartSeries against_tip(const study::SummaryRow& row, const std::filesystem::path& csv, int colour) {
   const auto numbers = columns(results::read_whole_file(csv), {"tip_m", "ratio_with_damping"});
   ChartSeries series;
   series.label = axes_label(row.at("axes"));
@@ -124,8 +124,8 @@ ChartSeries against_tip(const SummaryRow& row, const std::filesystem::path& csv,
 }
 
 /// Tip position up to which no echo has come back [mm]; NaN where the row does not know.
-double echo_free_mm(const SummaryRow& row) {
-  return 1e3 * number_in(row, "echo_free_over_length") * number_in(row, "length_m");
+double echo_free_mm(const study::SummaryRow& row) {
+  return 1e3 * study::number_in(row, "echo_free_over_length") * study::number_in(row, "length_m");
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ std::string axes_label(const Json& axes) {
   return label.empty() ? "rift" : label;
 }
 
-std::vector<NamedChart> velocity_charts(const std::vector<SummaryRow>& rows) {
+std::vector<NamedChart> velocity_charts(const std::vector<study::SummaryRow>& rows) {
   std::vector<NamedChart> charts;
   std::vector<ChartSeries> measured;
   for (const RowFamily& family : families(rows, {"crack_velocity", "seed"})) {
@@ -171,7 +171,7 @@ std::vector<NamedChart> velocity_charts(const std::vector<SummaryRow>& rows) {
   return charts;
 }
 
-std::vector<NamedChart> tip_charts(const std::vector<SummaryRow>& rows,
+std::vector<NamedChart> tip_charts(const std::vector<study::SummaryRow>& rows,
                                    const std::vector<std::filesystem::path>& series) {
   std::vector<NamedChart> charts;
   std::vector<ChartSeries> echo;  // of each chart

@@ -20,11 +20,11 @@ std::string axes_label(const nlohmann::ordered_json& axes);
 
 /// Ratio against crack velocity beside Broberg, Freund and the strip, mean over seeds with their scatter as
 /// bars; none where the study does not vary the velocity. At most 12 series a chart.
-std::vector<NamedChart> velocity_charts(const std::vector<SummaryRow>& rows);
+std::vector<NamedChart> velocity_charts(const std::vector<study::SummaryRow>& rows);
 
 /// Ratio against tip position of each scenario, from the series under runs/. At most 12 series a chart.
 /// @param series  by row of the study
-std::vector<NamedChart> tip_charts(const std::vector<SummaryRow>& rows,
+std::vector<NamedChart> tip_charts(const std::vector<study::SummaryRow>& rows,
                                    const std::vector<std::filesystem::path>& series);
 
 }  // namespace rift::studio

@@ -16,17 +16,19 @@ namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<fs::path> series_files(const Preset& preset, const BuildInfo& build, const fs::path& folder) {
+std::vector<fs::path> series_files(const scene::Preset& preset, const simulation::BuildInfo& build,
+                                   const fs::path& folder) {
   std::vector<fs::path> files;
-  for (const Scene& scene : scenes_of_study(preset))
-    files.push_back(result_file(folder, result_key(scene, build.version)).replace_extension(".csv"));
+  for (const scene::Scene& scene : study::scenes_of_study(preset))
+    files.push_back(
+        study::result_file(folder, study::result_key(scene, build.version)).replace_extension(".csv"));
   return files;
 }
 
-std::string timings(const StudyResult& result) {
+std::string timings(const study::StudyResult& result) {
   double marching = 0.0;
   std::size_t there = 0;
-  for (const SummaryRow& row : result.rows)
+  for (const study::SummaryRow& row : result.rows)
     if (!row.is_null()) marching += row.at("wall_fracture_s").get<double>(), ++there;
   return html_paragraph(
       fmt::format("{} of {} scenarios; the cracks took {} in all, the last call {} ({} computed, {} found).",
@@ -34,7 +36,7 @@ std::string timings(const StudyResult& result) {
                   result.computed, result.found));
 }
 
-std::string tables(const StudyResult& result) {
+std::string tables(const study::StudyResult& result) {
   std::string body;
   const Table seeds = seed_table(result.rows);
   if (!seeds.rows.empty()) body += html_section("Mean and scatter over seeds", html_table(seeds));
@@ -43,8 +45,8 @@ std::string tables(const StudyResult& result) {
 
 }  // namespace
 
-void write_study_report(const Preset& preset, const BuildInfo& build, const StudyResult& result,
-                        const fs::path& folder) {
+void write_study_report(const scene::Preset& preset, const simulation::BuildInfo& build,
+                        const study::StudyResult& result, const fs::path& folder) {
   std::string figures;
   std::optional<results::WorldError> failure;
   std::vector<NamedChart> charts = velocity_charts(result.rows);

@@ -60,10 +60,10 @@ std::string csv_field(const Json& value) {
 
 }  // namespace
 
-std::vector<RowFamily> families(const std::vector<SummaryRow>& rows,
+std::vector<RowFamily> families(const std::vector<study::SummaryRow>& rows,
                                 const std::vector<std::string>& without) {
   std::vector<RowFamily> found;
-  for (const SummaryRow& row : rows) {
+  for (const study::SummaryRow& row : rows) {
     if (row.is_null()) continue;
     Json axes = row.at("axes");
     for (const std::string& name : without) axes.erase(name);
@@ -77,9 +77,9 @@ std::vector<RowFamily> families(const std::vector<SummaryRow>& rows,
   return found;
 }
 
-MeanScatter mean_of(const std::vector<SummaryRow>& rows, const std::string& name) {
+MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, const std::string& name) {
   std::vector<double> values;
-  for (const SummaryRow& row : rows)
+  for (const study::SummaryRow& row : rows)
     if (row.at(name).is_number()) values.push_back(row.at(name).get<double>());
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (values.empty()) return {nan, nan, 0};
@@ -90,9 +90,9 @@ MeanScatter mean_of(const std::vector<SummaryRow>& rows, const std::string& name
   return {sum / n, n > 1.0 ? std::sqrt(squares / (n - 1.0)) : nan, static_cast<int>(values.size())};
 }
 
-Table scenario_table(const std::vector<SummaryRow>& rows) {
+Table scenario_table(const std::vector<study::SummaryRow>& rows) {
   Table table;
-  for (const SummaryRow& row : rows) {
+  for (const study::SummaryRow& row : rows) {
     if (row.is_null()) continue;
     if (table.head.empty()) {
       table.head = head_of(row.at("axes"));
@@ -112,7 +112,7 @@ Table scenario_table(const std::vector<SummaryRow>& rows) {
   return table;
 }
 
-Table seed_table(const std::vector<SummaryRow>& rows) {
+Table seed_table(const std::vector<study::SummaryRow>& rows) {
   Table table;
   const std::vector<RowFamily> found = families(rows, {"seed"});
   if (std::none_of(found.begin(), found.end(), [](const RowFamily& f) { return f.rows.size() > 1; }))
@@ -134,9 +134,9 @@ Table seed_table(const std::vector<SummaryRow>& rows) {
   return table;
 }
 
-std::string study_csv(const std::vector<SummaryRow>& rows) {
+std::string study_csv(const std::vector<study::SummaryRow>& rows) {
   std::string out;
-  for (const SummaryRow& row : rows) {
+  for (const study::SummaryRow& row : rows) {
     if (row.is_null()) continue;
     std::string head = "row,axes", line = csv_field(row.at("row")) + "," + csv_field(row.at("axes"));
     for (const auto& [name, value] : row.items()) {

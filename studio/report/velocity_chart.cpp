@@ -5,11 +5,11 @@
 namespace rift::studio {
 namespace {
 
-ChartSeries reference(const std::string& label, theory::Factor (*of)(double, double, Plane)) {
+ChartSeries reference(const std::string& label, theory::Factor (*of)(double, double, theory::Plane)) {
   ChartSeries series{label, {}, {}, {}, ChartSeries::Style::dashed, -1};
   for (int k = 0; k <= 100; ++k) {
     series.x.push_back(0.01 * k);
-    series.y.push_back(of(0.01 * k, 0.3, Plane::stress).g);
+    series.y.push_back(of(0.01 * k, 0.3, theory::Plane::stress).g);
   }
   return series;
 }

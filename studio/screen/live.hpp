@@ -15,7 +15,7 @@ namespace rift::studio {
 /// What is known of one lane.
 struct LiveLane {
   std::string title;                                         // "simple release, 0.1 c_r"
-  RateScale scale;                                           // of its release rate
+  fracture::RateScale scale;                                 // of its release rate
   std::vector<results::Sample> books;                        // of the crack, in time
   std::vector<results::RatePoint> rates;                     // against tip position
   std::optional<double> broberg, strip;                      // to compare with

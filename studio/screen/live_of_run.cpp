@@ -15,11 +15,11 @@ namespace {
 
 using Header = nlohmann::ordered_json;
 
-RateScale scale_of(const Header& header, int lane) {
-  RateScale scale{.thickness = header.value("thickness_m", 0.0),
-                  .g_i0 = header.value("g_i0_j_m2", 0.0),
-                  .length = header.value("length_m", 0.0),
-                  .tips = header.value("tips", 1)};
+fracture::RateScale scale_of(const Header& header, int lane) {
+  fracture::RateScale scale{.thickness = header.value("thickness_m", 0.0),
+                            .g_i0 = header.value("g_i0_j_m2", 0.0),
+                            .length = header.value("length_m", 0.0),
+                            .tips = header.value("tips", 1)};
   const Header scales = header.value("rate_scales", Header::array());  // not in runs of before 0.2
   if (lane >= static_cast<int>(scales.size())) return scale;
   scale.g_i0 = scales[lane].value("g_i0_j_m2", 0.0);
@@ -28,7 +28,7 @@ RateScale scale_of(const Header& header, int lane) {
 }
 
 /// Broberg's factor at the lane's velocity, and the strip's.
-void add_references(LiveLane& lane, const Header& scenario, const Scene& scene) {
+void add_references(LiveLane& lane, const Header& scenario, const scene::Scene& scene) {
   const double v = scenario.value("crack_velocity_over_cr", Header(nullptr)).is_number()
                        ? scenario["crack_velocity_over_cr"].get<double>()
                        : 0.0;
@@ -52,8 +52,9 @@ Live live_of_header(const Header& header, const std::filesystem::path& run) {
   const Header all = header.value("scenarios", Header::array());
   const std::vector<Header> scenarios(all.begin(), all.end());
   const std::vector<std::string> titles = results::lane_titles(scenarios);
-  const Scene scene = read_preset_text(header.value("preset", std::string{}), "the run's preset").scene;
-  live.ledger_limit = ledger_limit(scene.solver.kinematics, scene.solver.precision);
+  const scene::Scene scene =
+      scene::read_preset_text(header.value("preset", std::string{}), "the run's preset").scene;
+  live.ledger_limit = simulation::ledger_limit(scene.solver.kinematics, scene.solver.precision);
   for (std::size_t k = 0; k < titles.size(); ++k) {
     LiveLane& lane = live.lanes.emplace_back();
     lane.title = titles[k];
@@ -92,7 +93,7 @@ void LiveOfRun::read_lane(int k) {
   lane.books.clear();
   for (const results::Sample& s : journal_.samples(k))
     if (s.phase == results::Phase::fracture) lane.books.push_back(s);
-  if (lane.books.size() > 2) lane.rates = rate_curve(lane.books, lane.scale);
+  if (lane.books.size() > 2) lane.rates = fracture::rate_curve(lane.books, lane.scale);
   if (journal_.frames(k).empty()) return;
   const results::FrameEntry& last = journal_.frames(k).back();
   results::Frame frame = journal_.frame(last);

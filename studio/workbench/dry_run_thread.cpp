@@ -15,7 +15,7 @@ void DryRunThread::give_up() {
   found_ = {};
 }
 
-void DryRunThread::wish(const Preset& preset) {
+void DryRunThread::wish(const scene::Preset& preset) {
   if (thread_.joinable()) thread_.join();  // it has ended
   stop_ = false;
   busy_ = true;
@@ -30,12 +30,14 @@ void DryRunThread::tell(Found found) {
   if (!stop_) found_ = std::move(found);
 }
 
-void DryRunThread::work(const Preset& preset) try {
-  const std::vector<Scene> lanes = preset.lanes.empty() ? std::vector<Scene>{preset.scene} : preset.lanes;
-  const Prepared prepared = prepare(preset, lanes, cache_, [this](std::string_view stage, double done) {
-    tell({{}, fmt::format("{} {:.0f} %", stage, 100 * done), {}});
-    return !stop_;
-  });
+void DryRunThread::work(const scene::Preset& preset) try {
+  const std::vector<scene::Scene> lanes =
+      preset.lanes.empty() ? std::vector<scene::Scene>{preset.scene} : preset.lanes;
+  const simulation::Prepared prepared =
+      simulation::prepare(preset, lanes, cache_, [this](std::string_view stage, double done) {
+        tell({{}, fmt::format("{} {:.0f} %", stage, 100 * done), {}});
+        return !stop_;
+      });
   if (!stop_) tell({dry_run_rows(dry_run(prepared, threads_)), {}, {}});
 } catch (const Interrupted&) {
   // another one is wished for, or none

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/scene/preset.hpp"
 #include "engine/cache.hpp"
+#include "engine/scene/preset.hpp"
 
 #include <atomic>
 #include <mutex>
@@ -24,7 +24,7 @@ class DryRunThread {
   DryRunThread& operator=(const DryRunThread&) = delete;
 
   /// Begins one; none may be under way. @param preset  without issues
-  void wish(const Preset& preset);
+  void wish(const scene::Preset& preset);
   /// The one under way counts no more; it ends soon, and nobody waits for it: a pre-stress cannot be left
   /// halfway.
   void give_up();
@@ -38,7 +38,7 @@ class DryRunThread {
   [[nodiscard]] Found found() const;
 
  private:
-  void work(const Preset& preset);
+  void work(const scene::Preset& preset);
   void tell(Found found);
 
   Cache cache_;

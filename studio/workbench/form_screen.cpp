@@ -24,12 +24,12 @@ std::string without_quotes(std::string text) {
 }
 
 /// What follows from the scene at once, before any lattice.
-DryRunThread::Rows at_once(const Scene& scene) {
-  return {{"c_R", fmt::format("{:.0f} m/s", rayleigh_speed(scene))},
-          {"density", fmt::format("{:.1f} kg/m³", density(scene))},
-          {"thickness", fmt::format("{:.4g} mm", 1e3 * thickness_m(scene))},
-          {"mean radius", fmt::format("about {:.3g} mm", 1e3 * expected_mean_radius_m(scene))},
-          {"damage zone", fmt::format("about {:.3g} mm", 1e3 * expected_zone_m(scene))}};
+DryRunThread::Rows at_once(const scene::Scene& scene) {
+  return {{"c_R", fmt::format("{:.0f} m/s", scene::rayleigh_speed(scene))},
+          {"density", fmt::format("{:.1f} kg/m³", scene::density(scene))},
+          {"thickness", fmt::format("{:.4g} mm", 1e3 * scene::thickness_m(scene))},
+          {"mean radius", fmt::format("about {:.3g} mm", 1e3 * scene::expected_mean_radius_m(scene))},
+          {"damage zone", fmt::format("about {:.3g} mm", 1e3 * scene::expected_zone_m(scene))}};
 }
 
 /// The rows with those of step and cost before all others: where there is little room, they are seen.
@@ -55,11 +55,11 @@ FormScreen::FormScreen(Workshop& workshop, fs::path preset)
 void FormScreen::list_rows() {
   rows_.clear();
   std::string table;
-  for (const Parameter& row : parameters()) {
+  for (const scene::Parameter& row : scene::parameters()) {
     if (!wanted_.empty() && std::string(row.key).find(wanted_) == std::string::npos &&
         std::string(row.doc).find(wanted_) == std::string::npos)
       continue;
-    if (table_of(row) != table) rows_.push_back({nullptr, table = table_of(row)});
+    if (scene::table_of(row) != table) rows_.push_back({nullptr, table = scene::table_of(row)});
     rows_.push_back({&row, table});
   }
   list_.chosen = 0, list_.top = 0;
@@ -73,7 +73,7 @@ std::vector<std::string> FormScreen::overrides() const {
 }
 
 void FormScreen::check() {
-  preset_ = read_preset(path_, overrides());
+  preset_ = scene::read_preset(path_, overrides());
   changed_ = Clock::now();
   dry_run_due_ = true;
   dry_run_.give_up();
@@ -86,7 +86,7 @@ Turn FormScreen::look() {
   return {};
 }
 
-const Parameter* FormScreen::chosen() const {
+const scene::Parameter* FormScreen::chosen() const {
   return list_.chosen < static_cast<int>(rows_.size()) ? rows_[list_.chosen].parameter : nullptr;
 }
 
@@ -109,14 +109,14 @@ void FormScreen::take_back(const std::string& key) {
   check();
 }
 
-std::string FormScreen::shown_value(const Parameter& row) const {
+std::string FormScreen::shown_value(const scene::Parameter& row) const {
   for (const Change& change : changes_)
     if (change.key == row.key) return change.value;
-  return without_quotes(toml_value(preset_.scene, row));
+  return without_quotes(scene::toml_value(preset_.scene, row));
 }
 
-std::string FormScreen::issue_of(const Parameter& row) const {
-  for (const Issue& issue : preset_.issues)
+std::string FormScreen::issue_of(const scene::Parameter& row) const {
+  for (const scene::Issue& issue : preset_.issues)
     if (issue.key == row.key) return issue.text;
   return {};
 }
@@ -173,14 +173,14 @@ void FormScreen::draw_row(Canvas& canvas, const Area& area, const Row& row, bool
     canvas.text(area.x, area.y, row.table, {Ink::title, true}, area.width);
     return;
   }
-  const Parameter& parameter = *row.parameter;
+  const scene::Parameter& parameter = *row.parameter;
   const bool wrong = !issue_of(parameter).empty(), changed = is_changed(parameter.key);
   const bool typed = is_chosen && value_.typing();
   const Style style{wrong ? Ink::bad : Ink::plain, changed, is_chosen && !typed};
   if (is_chosen && !typed) clear(canvas, area, style);
   constexpr int names = 22;
   canvas.text(area.x + 1, area.y, changed ? "*" : " ", style);
-  canvas.text(area.x + 3, area.y, name_of(parameter), style, names - 1);
+  canvas.text(area.x + 3, area.y, scene::name_of(parameter), style, names - 1);
   const Area value{area.x + 3 + names, area.y, area.width - names - 3, 1};
   if (typed) {
     value_.draw(canvas, value, {wrong ? Ink::bad : Ink::good, true});
@@ -201,10 +201,10 @@ void FormScreen::draw_detail(Canvas& canvas, const Area& area) const {
     draw_paragraph(canvas, area, message_, {Ink::reference});
     return;
   }
-  const Parameter* row = chosen();
+  const scene::Parameter* row = chosen();
   if (row == nullptr) return;
   canvas.text(area.x, area.y, fmt::format("{}  {}", row->key, row->doc), {}, area.width);
-  canvas.text(area.x, area.y + 1, "allowed: " + allowed(*row), {Ink::dim}, area.width);
+  canvas.text(area.x, area.y + 1, "allowed: " + scene::allowed(*row), {Ink::dim}, area.width);
   if (const std::string issue = issue_of(*row); !issue.empty())
     canvas.text(area.x, area.y + 2, issue, {Ink::bad, true}, area.width);
 }
@@ -218,11 +218,11 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
     canvas.text(area.x, y, label, {Ink::reference, true}, labels - 1);
     y += std::max(1, draw_paragraph(canvas, {area.x + labels, y, area.width - labels, end - y}, text, style));
   };
-  for (const Issue& issue : preset_.issues)
-    row(y == area.y ? "mistakes" : "", issue.key.empty() ? to_text(issue) : issue.key + ": " + issue.text,
-        {Ink::bad});
+  for (const scene::Issue& issue : preset_.issues)
+    row(y == area.y ? "mistakes" : "",
+        issue.key.empty() ? scene::to_text(issue) : issue.key + ": " + issue.text, {Ink::bad});
   if (!preset_.issues.empty()) return;
-  const Scene& scene = preset_.lanes.empty() ? preset_.scene : preset_.lanes.front();
+  const scene::Scene& scene = preset_.lanes.empty() ? preset_.scene : preset_.lanes.front();
   if (!preset_.study.empty()) {
     row("study", fmt::format("{} scenarios", preset_.study.size()));
     for (const auto& [label, text] : at_once(preset_.study.front().scene)) row(label, text);
@@ -235,7 +235,7 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
   }
   for (const auto& [label, text] : at_once(scene)) row(label, text);
   const char* label = "left out";
-  for (const std::string& line : left_out(scene)) row(label, line, {Ink::dim}), label = "";
+  for (const std::string& line : scene::left_out(scene)) row(label, line, {Ink::dim}), label = "";
   if (!found.trouble.empty())
     row("trouble", found.trouble, {Ink::bad});
   else
@@ -272,7 +272,8 @@ Turn FormScreen::type(const Press& press) {
         change(key, before_);
       else
         take_back(key);
-    } else if (value_.text() == without_quotes(toml_value(read_preset(path_).scene, *chosen())) &&
+    } else if (value_.text() ==
+                   without_quotes(scene::toml_value(scene::read_preset(path_).scene, *chosen())) &&
                !had_change_) {
       take_back(key);  // as it stands in the file
     } else {
@@ -290,7 +291,7 @@ Turn FormScreen::type(const Press& press) {
 }
 
 Turn FormScreen::act(Action action) {
-  const Parameter* row = chosen();
+  const scene::Parameter* row = chosen();
   switch (action) {
     case Action::open: {
       if (row == nullptr) return {};
@@ -340,9 +341,9 @@ void FormScreen::save() try {
     message_ = file.string() + " is there already: choose another name";
   } else {
     results::make_folder(workshop_.own_presets);
-    results::write_whole_file(
-        file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}",
-                          base::escaped(path_.stem().string()), changes_.size(), preset_text(preset_)));
+    results::write_whole_file(file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}",
+                                                base::escaped(path_.stem().string()), changes_.size(),
+                                                scene::preset_text(preset_)));
     message_ = "saved: " + file.string();
   }
 } catch (const std::exception& error) {

@@ -28,7 +28,7 @@ class FormScreen : public Screen {
 
  private:
   struct Row {
-    const Parameter* parameter = nullptr;  // null: the name of a table
+    const scene::Parameter* parameter = nullptr;  // null: the name of a table
     std::string table;
   };
   struct Change {
@@ -38,9 +38,9 @@ class FormScreen : public Screen {
   void list_rows();
   void check();
   [[nodiscard]] std::vector<std::string> overrides() const;
-  [[nodiscard]] const Parameter* chosen() const;
-  [[nodiscard]] std::string shown_value(const Parameter& row) const;
-  [[nodiscard]] std::string issue_of(const Parameter& row) const;
+  [[nodiscard]] const scene::Parameter* chosen() const;
+  [[nodiscard]] std::string shown_value(const scene::Parameter& row) const;
+  [[nodiscard]] std::string issue_of(const scene::Parameter& row) const;
   [[nodiscard]] bool is_changed(std::string_view key) const;
   void change(const std::string& key, const std::string& value);
   void take_back(const std::string& key);
@@ -59,7 +59,7 @@ class FormScreen : public Screen {
   Workshop& workshop_;
   std::filesystem::path path_;
   std::vector<Change> changes_;
-  Preset preset_;
+  scene::Preset preset_;
   std::vector<Row> rows_;
   ListView list_;
   Prompt value_, name_, search_;

@@ -168,13 +168,13 @@ const Lesson& lesson_of(const std::string& name) {
     if (lesson.name == name) return lesson;
     names.emplace_back(lesson.name);
   }
-  const std::string nearest = nearest_name(name, names);
-  throw InputError(
-      {Issue{.file = "rift studio",
-             .key = {},
-             .text = fmt::format("no lesson '{}'{}: there are {}", printable(name),
-                                 nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest),
-                                 listed(names, "and"))}});
+  const std::string nearest = scene::nearest_name(name, names);
+  throw scene::InputError(
+      {scene::Issue{.file = "rift studio",
+                    .key = {},
+                    .text = fmt::format("no lesson '{}'{}: there are {}", scene::printable(name),
+                                        nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest),
+                                        scene::listed(names, "and"))}});
 }
 
 Table lesson_table(const Json& scenarios) {

@@ -13,9 +13,9 @@ namespace {
 
 /// The lesson's run, without the frames that nobody will look at again.
 RunWish wish_of(Workshop& workshop, const Lesson& lesson) {
-  const Preset preset =
-      read_preset(workshop.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=0"});
-  if (!preset.issues.empty()) throw InputError(preset.issues);
+  const scene::Preset preset =
+      scene::read_preset(workshop.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=0"});
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   RunWish wish{.preset = preset, .folder = free_folder(workshop.runs, fmt::format("lesson_{}", lesson.name))};
   wish.threads = workshop.threads;
   wish.cache = workshop.cache;
@@ -44,7 +44,7 @@ Turn LessonScreen::look() {
   if (run_has_ended() || panel_->run()->stage() != LiveRun::Stage::ended) return {};
   try {
     const auto recorded = panel_->run()->result();
-    if (recorded && recorded->result.outcome == Outcome::finished)
+    if (recorded && recorded->result.outcome == simulation::Outcome::finished)
       scenarios_ = recorded->summary.at("scenarios");
     else
       message_ = "the run did not come to its end: there is no answer in it";

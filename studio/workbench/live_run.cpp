@@ -15,10 +15,11 @@ namespace rift::studio {
 namespace {
 
 /// The scenes of a run, one lane each.
-std::vector<Scene> scenes_of(const Preset& preset) {
+std::vector<scene::Scene> scenes_of(const scene::Preset& preset) {
   if (!preset.study.empty())
-    throw InputError({Issue{.file = preset.name, .key = {}, .text = "holds a study, not a run"}});
-  return preset.lanes.empty() ? std::vector<Scene>{preset.scene} : preset.lanes;
+    throw scene::InputError(
+        {scene::Issue{.file = preset.name, .key = {}, .text = "holds a study, not a run"}});
+  return preset.lanes.empty() ? std::vector<scene::Scene>{preset.scene} : preset.lanes;
 }
 
 constexpr double stored_moments = 120;  // of a film over the whole run
@@ -58,44 +59,45 @@ void LiveRun::work() {
 
 void LiveRun::run() {
   const auto start = Clock::now();
-  Prepared& p = prepared_.emplace(
-      prepare(wish_.preset, scenes_, wish_.cache, [this](std::string_view stage, double done) {
+  simulation::Prepared& p = prepared_.emplace(
+      simulation::prepare(wish_.preset, scenes_, wish_.cache, [this](std::string_view stage, double done) {
         const std::lock_guard lock(mutex_);
         doing_ = stage, doing_done_ = done;
         return !stop_;
       }));
-  check_grip(p);
+  simulation::check_grip(p);
   if (claim_) {
     claim_->keep();
     const std::lock_guard lock(mutex_);
-    if (!claim_->has_locks()) said_.push_back(no_locks_note(wish_.folder));
+    if (!claim_->has_locks()) said_.push_back(simulation::no_locks_note(wish_.folder));
   }
   if (wish_.began) wish_.began(wish_.folder);
-  geometry_ = geometry_of(p);
-  header_ = header_of(p, wish_.build);
-  Observer beside;
+  geometry_ = simulation::geometry_of(p);
+  header_ = simulation::header_of(p, wish_.build);
+  simulation::Observer beside;
   beside.sample = [this](const results::Sample& s) {
     const std::lock_guard lock(mutex_);
     books_[s.lane].push_back(s);
   };
-  beside.ended = [this](int, const RunResult&) {
+  beside.ended = [this](int, const simulation::RunResult&) {
     const std::lock_guard lock(mutex_);
     ++lanes_ended_;
   };
-  beside.steer = [this](const Moment& moment) { return steer(moment); };
-  beside.changed = [this](const Change& change, const std::string& refused) {
+  beside.steer = [this](const simulation::Moment& moment) { return steer(moment); };
+  beside.changed = [this](const scene::Change& change, const std::string& refused) {
     take_changed(change, refused);
   };
   stage_ = Stage::running;
   const double preparation_s = std::chrono::duration<double>(Clock::now() - start).count();
-  const MarchOptions options{.threads = wish_.threads, .checkpoint_s = wish_.checkpoint_s};
+  const simulation::MarchOptions options{.threads = wish_.threads, .checkpoint_s = wish_.checkpoint_s};
   std::string note;
-  recorded_ = wish_.resume ? resume_run(p, wish_.folder, wish_.build, beside, note, options, preparation_s)
-                           : record_run(p, wish_.folder, wish_.build, beside, options, preparation_s);
+  recorded_ = wish_.resume
+                  ? simulation::resume_run(p, wish_.folder, wish_.build, beside, note, options, preparation_s)
+                  : simulation::record_run(p, wish_.folder, wish_.build, beside, options, preparation_s);
 }
 
 /// On the run's thread, between two steps.
-Orders LiveRun::steer(const Moment& moment) {
+simulation::Orders LiveRun::steer(const simulation::Moment& moment) {
   std::unique_lock lock(mutex_);
   progress_ = moment.progress;
   frame_stored_ = frame_stored_ || std::exchange(frame_ordered_, false);
@@ -110,7 +112,7 @@ Orders LiveRun::steer(const Moment& moment) {
     if (!at_rest() || stop_ || !changes_wanted_.empty() || frames_wanted_ > 0) break;
     news_.wait_for(lock, std::chrono::milliseconds(50));
   }
-  Orders orders;
+  simulation::Orders orders;
   orders.stop = stop_;
   orders.changes = std::exchange(changes_wanted_, {});
   const bool due = storing_ && progress_.step >= next_stored_;
@@ -132,7 +134,7 @@ Orders LiveRun::steer(const Moment& moment) {
 }
 
 /// What the panel wants to see of this moment, once for each look.
-void LiveRun::show_plates(const Moment& moment) {
+void LiveRun::show_plates(const simulation::Moment& moment) {
   std::vector<int> wanted;
   bool slow = false, velocity = false;
   {
@@ -150,12 +152,12 @@ void LiveRun::show_plates(const Moment& moment) {
   }
 }
 
-void LiveRun::take_changed(const Change& change, const std::string& refused) {
+void LiveRun::take_changed(const scene::Change& change, const std::string& refused) {
   const std::lock_guard lock(mutex_);
   const std::string what =
       fmt::format("lane {}, step {}: {} = {}", change.lane + 1, change.step, change.axis, change.value);
   said_.push_back(refused.empty() ? what + "; kept in steering.toml" : what + " is refused: " + refused);
-  if (refused.empty()) (void)rift::steer(scene_now_[change.lane], change, 0.0);
+  if (refused.empty()) (void)rift::scene::steer(scene_now_[change.lane], change, 0.0);
 }
 
 void LiveRun::look(Live& live, const std::vector<int>& plates, bool velocity) {
@@ -183,7 +185,7 @@ void LiveRun::look(Live& live, const std::vector<int>& plates, bool velocity) {
         (lane.books.empty() || now_[k]->step > lane.books.back().step))
       lane.books.push_back(*now_[k]), fresh = true;
     now_[k].reset();
-    if (fresh && lane.books.size() > 2) lane.rates = rate_curve(lane.books, lane.scale);
+    if (fresh && lane.books.size() > 2) lane.rates = fracture::rate_curve(lane.books, lane.scale);
     if (!plate_[k]) continue;
     lane.displacement = std::move(plate_[k]->displacement);
     lane.velocity = std::move(plate_[k]->velocity);
@@ -204,7 +206,7 @@ void LiveRun::look(Live& live, const std::vector<int>& plates, bool velocity) {
   live.steps_per_s = going ? steps_per_s_ : 0;
   live.seconds_left =
       going && steps_per_s_ > 0 ? static_cast<double>(live.steps - live.step) / steps_per_s_ : -1;
-  if (stage_ == Stage::ended && recorded_ && recorded_->result.outcome == Outcome::finished)
+  if (stage_ == Stage::ended && recorded_ && recorded_->result.outcome == simulation::Outcome::finished)
     live.done = 1, live.step = live.steps;
 }
 
@@ -212,14 +214,14 @@ std::string LiveRun::state() const {
   if (stage_ == Stage::preparing) return fmt::format("{} {:.0f} %", doing_, 100 * doing_done_);
   if (stage_ == Stage::ended) {
     if (failure_) return "failed";
-    return recorded_ ? name_of(recorded_->result.outcome) : "stopped";
+    return recorded_ ? simulation::name_of(recorded_->result.outcome) : "stopped";
   }
   if (lanes_ended_ == scenes_.size()) return "writing the archive";
   if (paused_) return "paused";
   return speed_ > 0 ? fmt::format("{:g} steps/s", slow_motions()[speed_ - 1]) : "running";
 }
 
-Scene LiveRun::scene(int lane) const {
+scene::Scene LiveRun::scene(int lane) const {
   const std::lock_guard lock(mutex_);
   return scene_now_[lane];
 }
@@ -251,7 +253,7 @@ void LiveRun::go_on_alone() {
   news_.notify_all();
 }
 
-void LiveRun::change(Change wish) {
+void LiveRun::change(scene::Change wish) {
   const std::lock_guard lock(mutex_);
   changes_wanted_.push_back(std::move(wish));
   news_.notify_all();
@@ -282,7 +284,7 @@ void LiveRun::stop() {
   news_.notify_all();
 }
 
-std::optional<Recorded> LiveRun::result() {
+std::optional<simulation::Recorded> LiveRun::result() {
   if (thread_.joinable()) thread_.join();
   if (failure_) std::rethrow_exception(failure_);
   return recorded_;

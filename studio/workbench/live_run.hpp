@@ -23,14 +23,14 @@ namespace rift::studio {
 
 /// What is to run, and where it is kept.
 struct RunWish {
-  Preset preset;  // without issues, no study
+  scene::Preset preset;  // without issues, no study
   std::filesystem::path folder;
   bool force = false;   // replace the run that is in the folder
   bool resume = false;  // go on with the run that is in the folder
   int threads = 0;
   double checkpoint_s = 30;  // between two checkpoints
   Cache cache = {};
-  BuildInfo build = {};
+  simulation::BuildInfo build = {};
   std::function<void(const std::filesystem::path&)> began = {};  // the folder is there; on the run's thread
 };
 
@@ -55,12 +55,12 @@ class LiveRun {
   [[nodiscard]] const std::filesystem::path& folder() const { return wish_.folder; }
   [[nodiscard]] bool paused() const { return paused_; }
   /// The lane's scenario with the changes so far.
-  [[nodiscard]] Scene scene(int lane) const;
+  [[nodiscard]] scene::Scene scene(int lane) const;
 
   void pause(bool wanted);
   void single_step();
   void change_speed(int by);  // one slower is -1, one faster 1
-  void change(Change wish);
+  void change(scene::Change wish);
   void go_on_alone();              // nobody is there to end a pause or slow motion
   void store_frame();              // of all lanes, into the journal
   void store_frames(bool wanted);  // again and again
@@ -70,25 +70,25 @@ class LiveRun {
   void stop();
 
   /// How it ended; rethrows what went wrong. Nothing where it was stopped before its first step.
-  [[nodiscard]] std::optional<Recorded> result();
+  [[nodiscard]] std::optional<simulation::Recorded> result();
 
  private:
   using Clock = std::chrono::steady_clock;
   void work();
   void run();
-  Orders steer(const Moment& moment);
-  void take_changed(const Change& change, const std::string& refused);
-  void show_plates(const Moment& moment);
+  simulation::Orders steer(const simulation::Moment& moment);
+  void take_changed(const scene::Change& change, const std::string& refused);
+  void show_plates(const simulation::Moment& moment);
   [[nodiscard]] bool at_rest() const { return paused_ && steps_wanted_ == 0; }
   [[nodiscard]] std::string state() const;
 
   RunWish wish_;
   std::optional<results::ClaimedFolder> claim_;  // of a new run
-  std::vector<Scene> scenes_;
+  std::vector<scene::Scene> scenes_;
   std::atomic<Stage> stage_ = Stage::preparing;
   std::exception_ptr failure_;
-  std::optional<Recorded> recorded_;
-  std::optional<Prepared> prepared_;
+  std::optional<simulation::Recorded> recorded_;
+  std::optional<simulation::Prepared> prepared_;
   results::Geometry geometry_;
   nlohmann::ordered_json header_;
 
@@ -97,14 +97,14 @@ class LiveRun {
   std::condition_variable_any news_;
   std::string doing_ = "packing";
   double doing_done_ = 0;
-  Progress progress_;
+  simulation::Progress progress_;
   std::vector<std::vector<results::Sample>> books_;   // by lane, not yet looked at
   std::vector<std::optional<results::Sample>> now_;   // by lane, between two samples
   std::vector<std::optional<results::Frame>> plate_;  // by lane
   std::vector<std::string> said_;
   std::vector<int> plates_wanted_;
-  std::vector<Change> changes_wanted_;
-  std::vector<Scene> scene_now_;
+  std::vector<scene::Change> changes_wanted_;
+  std::vector<scene::Scene> scene_now_;
   int frames_wanted_ = 0;
   std::int64_t steps_wanted_ = 0, next_stored_ = 0;
   bool paused_ = false, stop_ = false, storing_ = false, looked_ = true;

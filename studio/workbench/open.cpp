@@ -19,8 +19,8 @@ std::unique_ptr<Screen> form_of_preset(Workshop& workshop, const fs::path& prese
 
 std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const fs::path& path,
                                          const std::vector<std::string>& overrides) {
-  const Preset preset = read_preset(path, overrides);
-  if (!preset.issues.empty()) throw InputError(preset.issues);
+  const scene::Preset preset = scene::read_preset(path, overrides);
+  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   const std::string name = path.stem().string();
   if (!preset.study.empty()) {
     // A folder that holds the same study is continued; a changed one gets a folder of its own.
@@ -35,17 +35,18 @@ std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const fs::path& pat
 }
 
 std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const fs::path& run) {
-  if (fs::exists(run / study_name)) return std::make_unique<StudyScreen>(workshop, read_study(run), run);
+  if (fs::exists(run / study::study_name))
+    return std::make_unique<StudyScreen>(workshop, study::read_study(run), run);
   return std::make_unique<WatchScreen>(workshop, run);
 }
 
 std::unique_ptr<Screen> resumption_of(Workshop& workshop, const fs::path& run) {
-  if (fs::exists(run / study_name))
-    return std::make_unique<StudyScreen>(workshop, read_study(run).preset, run);
-  if (complete_end(run) || has_ended(run))
-    throw InputError(
-        {Issue{.file = run.string(), .key = {}, .text = "has come to its end: nothing is left of it"}});
-  RunWish wish{.preset = preset_of_run(run), .folder = run};
+  if (fs::exists(run / study::study_name))
+    return std::make_unique<StudyScreen>(workshop, study::read_study(run).preset, run);
+  if (simulation::complete_end(run) || simulation::has_ended(run))
+    throw scene::InputError({scene::Issue{
+        .file = run.string(), .key = {}, .text = "has come to its end: nothing is left of it"}});
+  RunWish wish{.preset = simulation::preset_of_run(run), .folder = run};
   wish.resume = true;
   wish.threads = workshop.threads;
   wish.cache = workshop.cache;

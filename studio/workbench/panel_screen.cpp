@@ -113,10 +113,11 @@ Turn RunScreen::look() {
     told_end_ = true;
     try {
       if (const auto recorded = run_->result())
-        say(fmt::format(
-            "{}: {}",
-            recorded->result.outcome == Outcome::stopped ? "stopped; rift resume goes on with it" : "done",
-            run_->folder().string()));
+        say(fmt::format("{}: {}",
+                        recorded->result.outcome == simulation::Outcome::stopped
+                            ? "stopped; rift resume goes on with it"
+                            : "done",
+                        run_->folder().string()));
     } catch (const std::exception& error) {
       say(error.what());
     }
@@ -147,7 +148,7 @@ double RunScreen::time_us() const {
 Turn RunScreen::press(const Press& press) {
   if (value_.typing()) {
     if (value_.press(press) == Prompt::State::entered)
-      run_->change({shown_, 0, std::string(steerable_axes()[axis_]), value_.text()});
+      run_->change({shown_, 0, std::string(scene::steerable_axes()[axis_]), value_.text()});
     return {};
   }
   if (choosing_) {
@@ -208,7 +209,7 @@ void RunScreen::begin_change() {
 }
 
 void RunScreen::choose_change(const Press& press) {
-  const int count = static_cast<int>(steerable_axes().size());
+  const int count = static_cast<int>(scene::steerable_axes().size());
   const Action action = action_of(Where::anywhere, press.key);
   if (action == Action::up) axis_ = (axis_ + count - 1) % count;
   if (action == Action::down) axis_ = (axis_ + 1) % count;
@@ -221,16 +222,16 @@ void RunScreen::choose_change(const Press& press) {
 void RunScreen::ask_value(int axis) {
   axis_ = axis;
   choosing_ = false;
-  value_ = Prompt(fmt::format("{} of lane {}", steerable_axes()[axis], shown_ + 1), value_now(axis));
+  value_ = Prompt(fmt::format("{} of lane {}", scene::steerable_axes()[axis], shown_ + 1), value_now(axis));
 }
 
 std::string RunScreen::value_now(int axis) const {
-  Scene scene = run_->scene(shown_);
+  scene::Scene scene = run_->scene(shown_);
   if (scene.crack.velocity.size() > 1) {  // the last piece is the one that holds
     scene.crack.velocity = {scene.crack.velocity.back()};
     scene.crack.velocity.front().until.reset();
   }
-  return axis_text(scene, *find_axis(steerable_axes()[axis]));
+  return scene::axis_text(scene, *scene::find_axis(scene::steerable_axes()[axis]));
 }
 
 void RunScreen::draw_question(Canvas& canvas, Glyphs glyphs) {
@@ -239,7 +240,7 @@ void RunScreen::draw_question(Canvas& canvas, Glyphs glyphs) {
     return;
   }
   if (!choosing_) return;
-  const auto axes = steerable_axes();
+  const auto axes = scene::steerable_axes();
   const Area inside = draw_box(canvas, 46, static_cast<int>(axes.size()),
                                fmt::format("change lane {} from here on", shown_ + 1), glyphs);
   for (int k = 0; k < inside.height; ++k) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/simulation/build_info.hpp"
 #include "engine/cache.hpp"
+#include "engine/simulation/build_info.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/keymap.hpp"
 #include "studio/screen/press.hpp"
@@ -44,7 +44,7 @@ struct Workshop {
   std::filesystem::path presets, own_presets, runs = "runs", studies = "studies";
   std::filesystem::path program;  // rift itself, for what it does in the background
   Cache cache = {};
-  BuildInfo build = {};
+  simulation::BuildInfo build = {};
   int threads = 0;
 };
 

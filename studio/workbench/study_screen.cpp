@@ -17,12 +17,12 @@
 namespace rift::studio {
 namespace {
 
-double number(const SummaryRow& row, const char* key) {
+double number(const study::SummaryRow& row, const char* key) {
   return row.is_object() && row.contains(key) && row[key].is_number() ? row[key].get<double>() : std::nan("");
 }
 
 /// The axis whose values make the columns: the velocity where it is varied, else the last one.
-std::size_t column_axis(const Preset& preset) {
+std::size_t column_axis(const scene::Preset& preset) {
   const auto& axes = preset.study.front().axes;
   for (std::size_t k = 0; k < axes.size(); ++k)
     if (axes[k].first == "crack_velocity") return k;
@@ -30,7 +30,7 @@ std::size_t column_axis(const Preset& preset) {
 }
 
 /// "progressive linear r_l 4 seed 1": words speak for themselves, numbers by the name of their axis.
-std::string row_name(const StudyRow& row, std::size_t without) {
+std::string row_name(const scene::StudyRow& row, std::size_t without) {
   std::string name;
   for (std::size_t k = 0; k < row.axes.size(); ++k) {
     const auto& [axis, value] = row.axes[k];
@@ -44,7 +44,7 @@ std::string row_name(const StudyRow& row, std::size_t without) {
 
 }  // namespace
 
-StudyScreen::StudyScreen(Workshop& workshop, Preset preset, std::filesystem::path folder)
+StudyScreen::StudyScreen(Workshop& workshop, scene::Preset preset, std::filesystem::path folder)
     : workshop_(workshop),
       preset_(std::move(preset)),
       folder_(std::move(folder)),
@@ -52,7 +52,7 @@ StudyScreen::StudyScreen(Workshop& workshop, Preset preset, std::filesystem::pat
   begin();
 }
 
-StudyScreen::StudyScreen(Workshop& workshop, StoredStudy stored, std::filesystem::path folder)
+StudyScreen::StudyScreen(Workshop& workshop, study::StoredStudy stored, std::filesystem::path folder)
     : workshop_(workshop),
       preset_(std::move(stored.preset)),
       folder_(std::move(folder)),
@@ -60,7 +60,7 @@ StudyScreen::StudyScreen(Workshop& workshop, StoredStudy stored, std::filesystem
       rows_(std::move(stored.rows)),
       shown_(rows_) {
   const bool complete =
-      std::none_of(rows_.begin(), rows_.end(), [](const SummaryRow& row) { return row.is_null(); });
+      std::none_of(rows_.begin(), rows_.end(), [](const study::SummaryRow& row) { return row.is_null(); });
   message_ = !stored.notes.empty() ? stored.notes.front()
              : complete            ? fmt::format("{}/report.html", folder_.string())
                                    : "u goes on with it";
@@ -75,26 +75,28 @@ void StudyScreen::begin() {
 }
 
 void StudyScreen::work() {
-  StudyObserver observer;
+  study::StudyObserver observer;
   observer.progress = [this](std::string_view stage, double done) {
     const std::lock_guard lock(mutex_);
     stage_ = stage, done_ = done;
     return !stop_;
   };
-  observer.finished = [this](const SummaryRow& row, int, int) {
+  observer.finished = [this](const study::SummaryRow& row, int, int) {
     const std::lock_guard lock(mutex_);
     rows_[row.at("row").get<std::size_t>()] = row;
   };
   std::string message;
   try {
     Cache cache = workshop_.cache;
-    const StudyResult result = run_study(preset_, {.folder = folder_, .threads = workshop_.threads}, cache,
-                                         workshop_.build, observer);
+    const study::StudyResult result = study::run_study(
+        preset_, {.folder = folder_, .threads = workshop_.threads}, cache, workshop_.build, observer);
     if (const std::string csv = study_csv(result.rows); !csv.empty())
       results::write_whole_file(folder_ / "table.csv", csv);
-    if (result.outcome != Outcome::stopped) write_study_report(preset_, workshop_.build, result, folder_);
-    message = result.outcome == Outcome::stopped ? "stopped; u goes on from here"
-                                                 : fmt::format("done: {}/report.html", folder_.string());
+    if (result.outcome != simulation::Outcome::stopped)
+      write_study_report(preset_, workshop_.build, result, folder_);
+    message = result.outcome == simulation::Outcome::stopped
+                  ? "stopped; u goes on from here"
+                  : fmt::format("done: {}/report.html", folder_.string());
   } catch (const std::exception& error) {
     message = error.what();
   }
@@ -136,7 +138,7 @@ void StudyScreen::draw_grid(Canvas& canvas, const Area& area) const {
     if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
   };
   for (std::size_t k = 0; k < preset_.study.size(); ++k) {
-    const StudyRow& row = preset_.study[k];
+    const scene::StudyRow& row = preset_.study[k];
     add(columns, row.axes[axis].second);
     add(names, row_name(row, axis));
     cell[{row_name(row, axis), row.axes[axis].second}] = k;
@@ -157,7 +159,7 @@ void StudyScreen::draw_grid(Canvas& canvas, const Area& area) const {
       const auto found = cell.find({names[r], columns[c]});
       const int x = area.x + label + static_cast<int>(c) * wide;
       if (found == cell.end() || x + wide > area.x + area.width) continue;
-      const SummaryRow& row = shown_[found->second];
+      const study::SummaryRow& row = shown_[found->second];
       const double ratio = number(row, "ratio"), off = number(row, "error_broberg");
       if (!row.is_object()) {
         canvas.text(x, y, fmt::format("{:>{}}", ".", wide - 1), {Ink::dim});
@@ -179,7 +181,7 @@ void StudyScreen::draw_grid(Canvas& canvas, const Area& area) const {
 
 void StudyScreen::draw_velocities(Canvas& canvas, const Area& area, Glyphs glyphs) const {
   std::vector<Curve> curves;
-  const Scene::Material& m = preset_.study.front().scene.material;
+  const scene::Scene::Material& m = preset_.study.front().scene.material;
   double fastest = 0.8, most = 1.2;
   std::map<std::string, std::vector<std::array<double, 2>>> by_name;
   const std::size_t axis = column_axis(preset_);
@@ -210,7 +212,7 @@ void StudyScreen::draw_velocities(Canvas& canvas, const Area& area, Glyphs glyph
 void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) const {
   std::vector<Curve> curves;
   double low = 1e9, high = -1e9, small = 1e9, large = -1e9;
-  for (const SummaryRow& row : shown_) {
+  for (const study::SummaryRow& row : shown_) {
     const double seconds = number(row, "wall_fracture_s"), error = std::abs(number(row, "error_broberg"));
     if (!(seconds > 0) || !(error > 0)) continue;
     const double x = std::log10(seconds), y = std::log10(error);

@@ -18,9 +18,9 @@ namespace rift::studio {
 class StudyScreen : public Screen {
  public:
   /// Begins, or goes on, in a thread of its own.
-  StudyScreen(Workshop& workshop, Preset preset, std::filesystem::path folder);
+  StudyScreen(Workshop& workshop, scene::Preset preset, std::filesystem::path folder);
   /// Shows what has been computed, and goes on only where it is asked to.
-  StudyScreen(Workshop& workshop, StoredStudy stored, std::filesystem::path folder);
+  StudyScreen(Workshop& workshop, study::StoredStudy stored, std::filesystem::path folder);
   /// Stops it: what has been computed is kept.
   ~StudyScreen() override;
 
@@ -38,16 +38,16 @@ class StudyScreen : public Screen {
   void draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) const;
 
   Workshop& workshop_;
-  Preset preset_;
+  scene::Preset preset_;
   std::filesystem::path folder_;
   std::atomic<bool> stop_ = false, ended_ = false;
   mutable std::mutex mutex_;
   std::string stage_ = "begins";
   double done_ = 0;
-  std::vector<SummaryRow> rows_;  // by their place in the study; null: not yet
+  std::vector<study::SummaryRow> rows_;  // by their place in the study; null: not yet
   std::string message_;
   bool leaving_ = false;
-  std::vector<SummaryRow> shown_;  // the panel's own copy
+  std::vector<study::SummaryRow> shown_;  // the panel's own copy
   std::jthread thread_;
 };
 

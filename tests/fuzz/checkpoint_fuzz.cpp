@@ -34,33 +34,34 @@ void as_a_file(fuzz::Bytes input) {
 /// Its words.
 void as_notes(fuzz::Bytes input) {
   try {
-    const MarchNotes notes = march_notes(std::string(input.left));
-    (void)to_json(notes);
+    const simulation::MarchNotes notes = simulation::march_notes(std::string(input.left));
+    (void)simulation::to_json(notes);
   } catch (const std::invalid_argument&) {
   }
 }
 
-Lattice three_elements() {
-  Specimen s;
+lattice::Lattice three_elements() {
+  lattice::Specimen s;
   s.box = {3e-3, 3e-3, 1e-3};
   for (int k = 0; k < 3; ++k) {
     s.centre.emplace_back(1e-3 * (k + 0.5), 1e-3 * (k + 0.5), 0.5e-3);
     s.radius.push_back(0.7e-3);
-    s.grip.push_back(Grip::none);
+    s.grip.push_back(lattice::Grip::none);
     if (k > 0) s.beam.push_back({k - 1, k});
   }
   s.packing.mean_radius = 0.7e-3;
-  return make_lattice(s, {1e9, 0.3, 0.3}, 1000.0);
+  return lattice::make_lattice(s, {1e9, 0.3, 0.3}, 1000.0);
 }
 
 /// Its numbers: some of a real ensemble's, changed, cut or gone. Refused, or good for another step.
 void as_a_state(fuzz::Bytes input) {
-  static const Lattice lattice = three_elements();
-  LaneScenario scenario;
-  scenario.history = history_of(0.0, {{100.0, 1.0}});
-  scenario.law = {Technique::progressive, 1.0, 1e-3};
-  Ensemble<double> ensemble(lattice, straight_path(3e-3, 1.6e-3), 0.0, 1e-9, {scenario, scenario});
-  ensemble.start_from(std::vector<Vector6>(3, Vector6::Zero()));
+  static const lattice::Lattice lattice = three_elements();
+  fracture::LaneScenario scenario;
+  scenario.history = history::history_of(0.0, {{100.0, 1.0}});
+  scenario.law = {scene::Technique::progressive, 1.0, 1e-3};
+  ensemble::Ensemble<double> ensemble(lattice, fracture::straight_path(3e-3, 1.6e-3), 0.0, 1e-9,
+                                      {scenario, scenario});
+  ensemble.start_from(std::vector<mechanics::Vector6>(3, mechanics::Vector6::Zero()));
   ensemble.start_crack({});
   NamedNumbers state = ensemble.state();
   for (int changes = 0; changes < 8 && !input.empty(); ++changes) {

@@ -13,12 +13,13 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace rift;
   const std::string_view text = fuzz::bytes_of(data, size).left;
-  constexpr std::array columns{CsvColumn{"time", Dimension::time, CsvNeed::needed, "t"},
-                               CsvColumn{"displacement", Dimension::length, CsvNeed::one_of},
-                               CsvColumn{"force", Dimension::force, CsvNeed::one_of},
-                               CsvColumn{"velocity", Dimension::speed, CsvNeed::optional, {}, "c_r"}};
-  const CsvTable table = read_csv(text, columns);
-  for (const CsvProblem& problem : table.problems)
+  constexpr std::array columns{
+      scene::CsvColumn{"time", scene::Dimension::time, scene::CsvNeed::needed, "t"},
+      scene::CsvColumn{"displacement", scene::Dimension::length, scene::CsvNeed::one_of},
+      scene::CsvColumn{"force", scene::Dimension::force, scene::CsvNeed::one_of},
+      scene::CsvColumn{"velocity", scene::Dimension::speed, scene::CsvNeed::optional, {}, "c_r"}};
+  const scene::CsvTable table = scene::read_csv(text, columns);
+  for (const scene::CsvProblem& problem : table.problems)
     if (problem.line < 1 || problem.text.empty()) std::abort();
   if (table.problems.empty())
     for (const std::vector<double>& column : table.column) {
@@ -28,11 +29,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   static fuzz::MemoryFile file;
   try {
-    for (const Trace& trace : read_traces(
-             file.holding(text),
-             {{"grip_force", Dimension::force, {}, {}}, {"gauge0_strain_yy", Dimension::strain, {}, {}}}))
+    for (const experiment::Trace& trace : experiment::read_traces(
+             file.holding(text), {{"grip_force", scene::Dimension::force, {}, {}},
+                                  {"gauge0_strain_yy", scene::Dimension::strain, {}, {}}}))
       if (trace.time.size() != trace.value.size()) std::abort();
-  } catch (const InputError&) {
+  } catch (const scene::InputError&) {
   }
   return 0;
 }

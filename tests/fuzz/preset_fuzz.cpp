@@ -13,13 +13,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       parts.back() += c;
     else
       parts.emplace_back();
-  const rift::Preset preset =
-      rift::read_preset_text(parts.front(), "fuzz.toml", {parts.begin() + 1, parts.end()});
-  for (const rift::Issue& issue : preset.issues)
-    if (rift::to_text(issue).empty()) std::abort();
+  const rift::scene::Preset preset =
+      rift::scene::read_preset_text(parts.front(), "fuzz.toml", {parts.begin() + 1, parts.end()});
+  for (const rift::scene::Issue& issue : preset.issues)
+    if (rift::scene::to_text(issue).empty()) std::abort();
   if (!preset.issues.empty() || preset.study.size() > 100) return 0;
-  const std::string text = rift::preset_text(preset);
-  const rift::Preset again = rift::read_preset_text(text, "again.toml");
-  if (!again.issues.empty() || rift::preset_text(again) != text) std::abort();
+  const std::string text = rift::scene::preset_text(preset);
+  const rift::scene::Preset again = rift::scene::read_preset_text(text, "again.toml");
+  if (!again.issues.empty() || rift::scene::preset_text(again) != text) std::abort();
   return 0;
 }

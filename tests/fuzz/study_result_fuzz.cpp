@@ -40,14 +40,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::string> notes;
   try {
     if (as_it_is) {
-      std::ofstream(rift::result_file(study_folder(), "key"), std::ios::binary) << input.left;
-      (void)rift::read_result(study_folder(), "key", notes);
+      std::ofstream(rift::study::result_file(study_folder(), "key"), std::ios::binary) << input.left;
+      (void)rift::study::read_result(study_folder(), "key", notes);
       return 0;
     }
     const auto scenario = rift::results::json_or_discarded(input.left);
     if (!scenario.is_object()) return 0;
-    const auto kept = rift::write_result(study_folder(), "key", scenario, "step\n");
-    if (rift::read_result(study_folder(), "key", notes) != kept) std::abort();
+    const auto kept = rift::study::write_result(study_folder(), "key", scenario, "step\n");
+    if (rift::study::read_result(study_folder(), "key", notes) != kept) std::abort();
   } catch (const rift::results::WorldError&) {
   }
   return 0;

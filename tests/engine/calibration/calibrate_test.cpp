@@ -12,19 +12,19 @@
 #include <cmath>
 #include <filesystem>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
-Scene small_scene() {
-  Scene scene = default_scene();
-  scene.specimen.shape = Shape::cylinder;
+scene::Scene small_scene() {
+  scene::Scene scene = scene::default_scene();
+  scene.specimen.shape = scene::Shape::cylinder;
   scene.calibration = {.sizes = {300, 600}, .packings = 2, .elements = 400, .radius_ratios = {0.2, 0.4, 0.8}};
   return scene;
 }
 
 TEST(Calibrate, FindsBeamsThatShowTheModulusAndPoissonsRatio) {
   Cache none;
-  const Scene scene = small_scene();
+  const scene::Scene scene = small_scene();
   const Calibrated c = calibrate(scene, 3e9, 0.25, none);
   EXPECT_NEAR(c.poisson_ratio.mean, 0.25, 2e-4);
   const auto pressed =
@@ -79,7 +79,7 @@ TEST(PressCylinders, StopWhenToldTo) {
 }
 
 TEST(CylindersFor, HaveSeedsThatFollowAndTheSpecimensPacking) {
-  Scene scene = small_scene();
+  scene::Scene scene = small_scene();
   scene.specimen.seed = 7, scene.specimen.coordination = 6.2;
   const auto tests = cylinders_for(scene, 300, {{}});
   ASSERT_EQ(tests.size(), 2u);
@@ -108,4 +108,4 @@ TEST(Scattered, IsTheMeanAndTheDeviationOfOne) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::calibration

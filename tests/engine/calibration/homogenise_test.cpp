@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <numbers>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
 TEST(Homogenisation, OfACubicLatticeIsExact) {
-  const Matrix6 c = homogenised_stiffness(cubic_lattice::lattice_of({4, 5, 6}, Walls::periodic));
+  const Matrix6 c = homogenised_stiffness(cubic_lattice::lattice_of({4, 5, 6}, lattice::Walls::periodic));
   const double r = cubic_lattice::section_radius, l = cubic_lattice::edge, e = cubic_lattice::young;
   const double direct = e * std::numbers::pi * r * r / (l * l);
   // Both families of beams bend by half the shear: two beams a cell of 3 w (gamma / 2)^2 each, w = 2 E I / l.
@@ -23,11 +23,11 @@ TEST(Homogenisation, OfACubicLatticeIsExact) {
   EXPECT_LT((c - exact).norm() / direct, 1e-8);
 }
 
-Lattice random_box(std::uint64_t seed) {
-  const Box box{10e-3, 10e-3, 10e-3, Walls::periodic};
-  const Packing packing =
-      packed_once({.box = box, .elements = 800, .radius_spread = 0.125, .coordination = 6.0, .seed = seed});
-  return make_lattice(make_free_specimen(packing, box, 1.0), {356e9, 0.3, 0.3}, 1000.0);
+lattice::Lattice random_box(std::uint64_t seed) {
+  const lattice::Box box{10e-3, 10e-3, 10e-3, lattice::Walls::periodic};
+  const lattice::Packing packing = lattice::packed_once(
+      {.box = box, .elements = 800, .radius_spread = 0.125, .coordination = 6.0, .seed = seed});
+  return lattice::make_lattice(lattice::make_free_specimen(packing, box, 1.0), {356e9, 0.3, 0.3}, 1000.0);
 }
 
 TEST(Homogenisation, IsSymmetricAndPositive) {
@@ -56,4 +56,4 @@ TEST(IsotropicPart, OfAnIsotropicTensorIsItself) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::calibration

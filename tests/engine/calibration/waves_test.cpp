@@ -10,12 +10,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift {
+namespace rift::calibration {
 namespace {
 
 struct Plate {
-  Lattice lattice = cubic_lattice::lattice_of({120, 24, 1}, Walls::flat);
-  double dt = 0.5 * stable_step(lattice).critical;
+  lattice::Lattice lattice = cubic_lattice::lattice_of({120, 24, 1}, lattice::Walls::flat);
+  double dt = 0.5 * mechanics::stable_step(lattice).critical;
 };
 
 /// Speeds of long waves along the axes of a cubic lattice of rigidly joined beams, of density 1000 kg/m3.
@@ -67,4 +67,4 @@ TEST(MeasuredWaves, StopWhenToldTo) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::calibration

@@ -43,14 +43,14 @@ void operator delete[](void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 template <class Real>
-long allocations_in_steps(const Prepared& p, Kinematics kinematics, int scenarios) {
-  std::vector<LaneScenario> lanes = four_laws(p);
+long allocations_in_steps(const simulation::Prepared& p, scene::Kinematics kinematics, int scenarios) {
+  std::vector<fracture::LaneScenario> lanes = simulation::four_laws(p);
   lanes.resize(scenarios);
-  Ensemble<Real> s = ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics, .threads = 2});
+  Ensemble<Real> s = simulation::ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics, .threads = 2});
   s.set_beta(0.95);
   s.set_grip_speed(1.0);
   const long before = allocations;
@@ -61,8 +61,8 @@ long allocations_in_steps(const Prepared& p, Kinematics kinematics, int scenario
 }
 
 TEST(Step, AllocatesNothing) {
-  const Prepared p = small_plate({"damping.alpha=0.001", "damping.region=all"});
-  for (const Kinematics kinematics : {Kinematics::linear, Kinematics::corotational})
+  const simulation::Prepared p = simulation::small_plate({"damping.alpha=0.001", "damping.region=all"});
+  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational})
     for (const int scenarios : {1, 4}) {
       EXPECT_EQ(allocations_in_steps<double>(p, kinematics, scenarios), 0);
       EXPECT_EQ(allocations_in_steps<float>(p, kinematics, scenarios), 0);
@@ -74,4 +74,4 @@ TEST(Step, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::ensemble

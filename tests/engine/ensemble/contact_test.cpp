@@ -5,35 +5,36 @@
 #include <limits>
 #include <numbers>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Two elements above each other and the beam between them, which the path y = 1 crosses.
-Lattice pair() {
-  Lattice lattice;
+lattice::Lattice pair() {
+  lattice::Lattice lattice;
   lattice.centre = {{1.0, 0.5, 0.0}, {1.0, 1.5, 0.0}};
   lattice.radius = {0.5, 0.5};
-  lattice.grip = {Grip::none, Grip::none};
+  lattice.grip = {lattice::Grip::none, lattice::Grip::none};
   lattice.mass = {1.0, 2.0};
   lattice.inertia = {0.1, 0.2};
   lattice.ends = {{0, 1}};
-  lattice.beam = {hand_made::Rod{}.between(lattice.centre[0], lattice.centre[1])};
+  lattice.beam = {mechanics::hand_made::Rod{}.between(lattice.centre[0], lattice.centre[1])};
   lattice.mean_radius = 0.5;
   lattice.box = {.length = 2.0, .height = 2.0, .thickness = 1.0};
   return lattice;
 }
 
 /// The pair thrown, its beam gone after the first step.
-Ensemble<double> thrown(const Lattice& lattice, std::optional<double> friction,
-                        const std::vector<Vector6>& velocity, double dt, Kinematics kinematics) {
-  const LaneScenario lane{.history = history_of(1.0, {{1e-3, infinity}}),
-                          .law = {Technique::simple, 1.0, 0.0},
-                          .friction = friction};
-  Ensemble<double> s(lattice, straight_path(2.0, 1.0), -1.0, dt, {lane},
+Ensemble<double> thrown(const lattice::Lattice& lattice, std::optional<double> friction,
+                        const std::vector<mechanics::Vector6>& velocity, double dt,
+                        scene::Kinematics kinematics) {
+  const fracture::LaneScenario lane{.history = history::history_of(1.0, {{1e-3, infinity}}),
+                                    .law = {scene::Technique::simple, 1.0, 0.0},
+                                    .friction = friction};
+  Ensemble<double> s(lattice, fracture::straight_path(2.0, 1.0), -1.0, dt, {lane},
                      {.kinematics = kinematics, .contact = friction.has_value()});
-  s.start_from(std::vector<Vector6>(2, Vector6::Zero()));
+  s.start_from(std::vector<mechanics::Vector6>(2, mechanics::Vector6::Zero()));
   s.throw_lane(0, velocity);
   s.start_crack({});
   return s;
@@ -42,12 +43,12 @@ Ensemble<double> thrown(const Lattice& lattice, std::optional<double> friction,
 // A spring between two masses, pressed at the speed v, gives it back after pi (m / k)^1/2 with 1/m = 1/m_i +
 // 1/m_j, and pulls at nothing then.
 TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
-  const Lattice lattice = pair();
-  const double k = face_stiffness(lattice.beam[0]), reduced = 2.0 / 3.0;
+  const lattice::Lattice lattice = pair();
+  const double k = fracture::face_stiffness(lattice.beam[0]), reduced = 2.0 / 3.0;
   const double duration = std::numbers::pi * std::sqrt(reduced / k), speed = 1e-3;
-  std::vector<Vector6> velocity(2, Vector6::Zero());
+  std::vector<mechanics::Vector6> velocity(2, mechanics::Vector6::Zero());
   velocity[0][1] = speed;
-  for (const Kinematics kinematics : {Kinematics::linear, Kinematics::corotational}) {
+  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational}) {
     constexpr int steps = 2000;
     Ensemble<double> s = thrown(lattice, 0.0, velocity, duration / steps, kinematics);
     const auto apart = [&] { return s.velocity(1, 0)[1] - s.velocity(0, 0)[1]; };
@@ -58,7 +59,7 @@ TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
     EXPECT_NEAR(apart(), speed, 1e-5 * speed);
     EXPECT_NEAR(s.velocity(0, 0)[1], speed * (1.0 - 2.0 / 1.5), 1e-5 * speed);  // 1 : 2, by momentum
     const results::Sample books = s.sample(0, results::Phase::fracture);
-    EXPECT_LT(std::abs(books.residual), kinematics == Kinematics::linear ? 1e-13 : 1e-6);
+    EXPECT_LT(std::abs(books.residual), kinematics == scene::Kinematics::linear ? 1e-13 : 1e-6);
     EXPECT_LT(std::abs(books.contact_j), 1e-5 * s.largest_energy(0));  // as they part between two steps
     EXPECT_LT(books.elastic_j, 1e-20);
   }
@@ -66,26 +67,28 @@ TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
 
 // So the critical step of the sound lattice holds: a beam less its contact, stuck, resists every motion.
 TEST(FaceContact, IsNowhereStifferThanTheBeam) {
-  hand_made::Draw draw(5);
+  mechanics::hand_made::Draw draw(5);
   for (int n = 0; n < 20; ++n) {
-    const Beam beam = make_beam(draw.vector(), draw.between(0.05, 0.5) * 0.1, 3.0, 0.25);
+    const mechanics::Beam beam =
+        mechanics::make_beam(draw.vector(), draw.between(0.05, 0.5) * 0.1, 3.0, 0.25);
     Eigen::Matrix<double, 3, 12> gap;
     for (int c = 0; c < 12; ++c) {
-      Vector6 q[2] = {Vector6::Zero(), Vector6::Zero()};
+      mechanics::Vector6 q[2] = {mechanics::Vector6::Zero(), mechanics::Vector6::Zero()};
       q[c / 6][c % 6] = 1.0;
-      gap.col(c) = face_gap(beam, q[0], q[1]);
+      gap.col(c) = fracture::face_gap(beam, q[0], q[1]);
     }
-    const Matrix12 beyond = stiffness_of(beam) - face_stiffness(beam) * gap.transpose() * gap;
-    const Eigen::SelfAdjointEigenSolver<Matrix12> modes(beyond);
+    const mechanics::Matrix12 beyond =
+        mechanics::stiffness_of(beam) - fracture::face_stiffness(beam) * gap.transpose() * gap;
+    const Eigen::SelfAdjointEigenSolver<mechanics::Matrix12> modes(beyond);
     EXPECT_GT(modes.eigenvalues()[0], -1e-12 * modes.eigenvalues()[11]);
   }
 }
 
 TEST(FaceContact, LetsFacesPassThroughEachOtherWithoutIt) {
-  const Lattice lattice = pair();
-  std::vector<Vector6> velocity(2, Vector6::Zero());
+  const lattice::Lattice lattice = pair();
+  std::vector<mechanics::Vector6> velocity(2, mechanics::Vector6::Zero());
   velocity[0][1] = 1e-3;
-  Ensemble<double> s = thrown(lattice, std::nullopt, velocity, 0.01, Kinematics::linear);
+  Ensemble<double> s = thrown(lattice, std::nullopt, velocity, 0.01, scene::Kinematics::linear);
   for (int n = 0; n < 1000; ++n) s.step();
   EXPECT_NEAR(s.velocity(0, 0)[1], 1e-3, 1e-5);
   EXPECT_GT(s.motion(0, 0)[1], 5e-3);
@@ -94,14 +97,14 @@ TEST(FaceContact, LetsFacesPassThroughEachOtherWithoutIt) {
 // mu N holds against sliding: impulses along and across are as mu to 1 while the faces slide, and turn both
 // elements.
 TEST(FaceContact, SlidesByCoulombsLaw) {
-  const Lattice lattice = pair();
-  std::vector<Vector6> velocity(2, Vector6::Zero());
+  const lattice::Lattice lattice = pair();
+  std::vector<mechanics::Vector6> velocity(2, mechanics::Vector6::Zero());
   velocity[0][1] = 1e-4;
   velocity[0][0] = 1e-1;  // far faster than it can be held
   constexpr double mu = 0.4;
-  Ensemble<double> s = thrown(lattice, mu, velocity, 0.002, Kinematics::linear);
+  Ensemble<double> s = thrown(lattice, mu, velocity, 0.002, scene::Kinematics::linear);
   for (int n = 0; n < 10000; ++n) s.step();
-  const Vector6 a = s.velocity(0, 0), b = s.velocity(1, 0);
+  const mechanics::Vector6 a = s.velocity(0, 0), b = s.velocity(1, 0);
   const double across = b[0] * 2.0, along = b[1] * 2.0;  // impulses on the second, of mass 2
   EXPECT_GT(along, 1e-4);
   EXPECT_NEAR(across / along, mu, 0.01 * mu);
@@ -120,8 +123,8 @@ TEST(FaceContact, SlidesByCoulombsLaw) {
 const std::vector<std::string> pressed{"loading.displacement=-0.6 mm", "loading.shear=-2",
                                        "crack.friction=0.3", "crack.end=24 mm"};
 
-std::vector<LaneScenario> four_frictions(const Prepared& p) {
-  std::vector<LaneScenario> lanes = four_laws(p);
+std::vector<fracture::LaneScenario> four_frictions(const simulation::Prepared& p) {
+  std::vector<fracture::LaneScenario> lanes = simulation::four_laws(p);
   lanes[0].friction = 0.3, lanes[1].friction = 0.0, lanes[2].friction = 5.0, lanes[3].friction = {};
   return lanes;
 }
@@ -137,8 +140,8 @@ TEST(FaceContact, ClosesTheBooks) {
                                              {"damping.alpha=0.001", "damping.region=surface"},
                                              {"damping.alpha=0.01", "damping.region=all"}})
     for (const double beta : {1.0, 0.9}) {
-      const Prepared p = small_plate(with(pressed, damping));
-      Ensemble<double> s = ready(p, four_frictions(p), p.step.dt, {.contact = true});
+      const simulation::Prepared p = simulation::small_plate(with(pressed, damping));
+      Ensemble<double> s = simulation::ready(p, four_frictions(p), p.step.dt, {.contact = true});
       s.set_beta(beta);
       if (beta < 1.0) s.set_grip_speed(-2.0);
       std::vector<double> worst(4, 0.0);
@@ -158,10 +161,10 @@ TEST(FaceContact, ClosesTheBooks) {
 // Corotational beams: the forces are the energy's gradient, so that faces without friction take nothing in
 // the mean; the limit is that of all corotational books.
 TEST(FaceContact, ClosesTheBooksOfCorotationalBeams) {
-  const Prepared p =
-      small_plate(with(pressed, {"solver.kinematics=corotational", "loading.displacement=-0.06 mm"}));
-  Ensemble<double> s =
-      ready(p, four_frictions(p), p.step.dt, {.kinematics = Kinematics::corotational, .contact = true});
+  const simulation::Prepared p = simulation::small_plate(
+      with(pressed, {"solver.kinematics=corotational", "loading.displacement=-0.06 mm"}));
+  Ensemble<double> s = simulation::ready(p, four_frictions(p), p.step.dt,
+                                         {.kinematics = scene::Kinematics::corotational, .contact = true});
   std::vector<double> worst(4, 0.0);
   for (int n = 0; s.tip(0) < p.lane[0].crack_end; ++n) {
     s.step();
@@ -177,9 +180,9 @@ TEST(FaceContact, ClosesTheBooksOfCorotationalBeams) {
 // Coulomb's law on every pair of faces, and what the books say friction took against the slip times the
 // force, (1 - s) k/2 (e_n + e_{n+1}).(slip_{n+1} - slip_n), summed here beam by beam.
 TEST(FaceContact, BooksTheWorkOfFriction) {
-  const Prepared p = small_plate(with(pressed, {"crack.technique=simple"}));
+  const simulation::Prepared p = simulation::small_plate(with(pressed, {"crack.technique=simple"}));
   constexpr double mu = 0.3;
-  Ensemble<double> s = ready(p, {p.lane[0].scenario}, p.step.dt, {.contact = true});
+  Ensemble<double> s = simulation::ready(p, {p.lane[0].scenario}, p.step.dt, {.contact = true});
   const int count = static_cast<int>(s.met().size());
   std::vector<Eigen::Vector3d> slip(count, Eigen::Vector3d::Zero()), held = slip;
   double taken = 0.0, before = s.sample(0, results::Phase::fracture).contact_j, booked = 0.0;
@@ -191,10 +194,10 @@ TEST(FaceContact, BooksTheWorkOfFriction) {
     s.step();  // the slips are those at the strains above now
     for (int k = 0; k < count; ++k) {
       const Eigen::Vector3d m = s.normal(k);
-      const double open = m.dot(at[k]), stiffness = face_stiffness(p.lattice.beam[s.met()[k].beam]);
+      const double open = m.dot(at[k]), stiffness = fracture::face_stiffness(p.lattice.beam[s.met()[k].beam]);
       const Eigen::Vector3d along_face = at[k] - open * m;
       if (!parted[k]) {  // what the beam held beyond mu N slips as it breaks
-        slip[k] = along_face - face_contact(at[k], m, Eigen::Vector3d::Zero(), mu).sliding;
+        slip[k] = along_face - fracture::face_contact(at[k], m, Eigen::Vector3d::Zero(), mu).sliding;
         continue;
       }
       const Eigen::Vector3d e = along_face - s.slip(k, 0);
@@ -214,10 +217,11 @@ TEST(FaceContact, BooksTheWorkOfFriction) {
 
 // A plate that is pressed stays a plate where its faces touch.
 TEST(FaceContact, CarriesAPressedPlate) {
-  const Prepared p = small_plate({"loading.displacement=-0.6 mm", "crack.friction=0"});
-  std::vector<LaneScenario> lanes(3, p.lane[0].scenario);
+  const simulation::Prepared p =
+      simulation::small_plate({"loading.displacement=-0.6 mm", "crack.friction=0"});
+  std::vector<fracture::LaneScenario> lanes(3, p.lane[0].scenario);
   lanes[1].friction = 5.0, lanes[2].friction = {};
-  Ensemble<double> s = ready(p, lanes, p.step.dt, {.contact = true});
+  Ensemble<double> s = simulation::ready(p, lanes, p.step.dt, {.contact = true});
   const double start = s.grip_force(0);
   while (s.tip(0) < p.lane[0].crack_end) s.step();
   const auto mean_gap = [&](int lane) {
@@ -236,13 +240,13 @@ TEST(FaceContact, CarriesAPressedPlate) {
 }
 
 TEST(FaceContact, IsTheSameBesideOthersAndForAnyThreads) {
-  const Prepared p = small_plate(pressed);
-  const std::vector<LaneScenario> lanes = four_frictions(p);
-  Ensemble<double> together = ready(p, lanes, p.step.dt, {.threads = 1, .contact = true});
-  Ensemble<double> threaded = ready(p, lanes, p.step.dt, {.threads = 3, .contact = true});
+  const simulation::Prepared p = simulation::small_plate(pressed);
+  const std::vector<fracture::LaneScenario> lanes = four_frictions(p);
+  Ensemble<double> together = simulation::ready(p, lanes, p.step.dt, {.threads = 1, .contact = true});
+  Ensemble<double> threaded = simulation::ready(p, lanes, p.step.dt, {.threads = 3, .contact = true});
   for (int n = 0; n < 400; ++n) together.step(), threaded.step();
   for (int lane = 0; lane < 4; ++lane) {
-    Ensemble<double> alone = ready(p, {lanes[lane]}, p.step.dt, {.threads = 2, .contact = true});
+    Ensemble<double> alone = simulation::ready(p, {lanes[lane]}, p.step.dt, {.threads = 2, .contact = true});
     for (int n = 0; n < 400; ++n) {
       alone.step();
       if (n % 50 == 0) alone.sample(0, results::Phase::fracture);  // looking changes nothing
@@ -256,10 +260,11 @@ TEST(FaceContact, IsTheSameBesideOthersAndForAnyThreads) {
 }
 
 TEST(FaceContact, StartsAnewInARefilledLane) {
-  const Prepared p = small_plate(pressed);
-  Ensemble<double> s = ready(p, {p.lane[0].scenario, p.lane[0].scenario}, p.step.dt, {.contact = true});
+  const simulation::Prepared p = simulation::small_plate(pressed);
+  Ensemble<double> s =
+      simulation::ready(p, {p.lane[0].scenario, p.lane[0].scenario}, p.step.dt, {.contact = true});
   for (int n = 0; n < 300; ++n) s.step();
-  std::vector<Vector6> first;
+  std::vector<mechanics::Vector6> first;
   for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) first.push_back(s.motion(i, 1));
   const double contact = s.sample(1, results::Phase::fracture).contact_j;
   s.refill(1, p.lane[0].scenario);
@@ -270,4 +275,4 @@ TEST(FaceContact, StartsAnewInARefilledLane) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::ensemble

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 /// Everything at once: four laws, one of two velocities, each lane damped in its own way.
-std::vector<LaneScenario> motley(const Prepared& p) {
-  std::vector<LaneScenario> lanes = four_laws(p);
-  lanes[1].history = history_of(-lanes[1].law.zone_length, {{300.0, 1e-3}, {2100.0, 1.0}});
+std::vector<fracture::LaneScenario> motley(const simulation::Prepared& p) {
+  std::vector<fracture::LaneScenario> lanes = simulation::four_laws(p);
+  lanes[1].history = history::history_of(-lanes[1].law.zone_length, {{300.0, 1e-3}, {2100.0, 1.0}});
   lanes[2].alpha_at_surface = 0.01;
   lanes[3].alpha_elsewhere = 0.0;
   return lanes;
@@ -55,17 +55,17 @@ void expect_same_bits(Ensemble<Real>& a, int lane_a, Ensemble<Real>& b, int lane
 }
 
 template <class Real>
-void expect_lanes_to_be_their_own_runs(Kinematics kinematics) {
-  const Prepared p = small_plate(damped);
-  const std::vector<LaneScenario> lanes = motley(p);
+void expect_lanes_to_be_their_own_runs(scene::Kinematics kinematics) {
+  const simulation::Prepared p = simulation::small_plate(damped);
+  const std::vector<fracture::LaneScenario> lanes = motley(p);
   for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     if (set > instruction_set()) continue;
     const Marching marching{.kinematics = kinematics, .instructions = set};
-    Ensemble<Real> together = ready<Real>(p, lanes, p.step.dt, marching);
+    Ensemble<Real> together = simulation::ready<Real>(p, lanes, p.step.dt, marching);
     march_on(together, 120);
     for (int lane = 0; lane < 4; ++lane) {
       SCOPED_TRACE(testing::Message() << name_of(set) << " lane " << lane);
-      Ensemble<Real> alone = ready<Real>(p, {lanes[lane]}, p.step.dt, marching);
+      Ensemble<Real> alone = simulation::ready<Real>(p, {lanes[lane]}, p.step.dt, marching);
       march_on(alone, 120);
       expect_same_bits(together, lane, alone, 0);
     }
@@ -74,23 +74,26 @@ void expect_lanes_to_be_their_own_runs(Kinematics kinematics) {
   }
 }
 
-TEST(Lanes, AreBitForBitTheirOwnSingleRuns) { expect_lanes_to_be_their_own_runs<double>(Kinematics::linear); }
+TEST(Lanes, AreBitForBitTheirOwnSingleRuns) {
+  expect_lanes_to_be_their_own_runs<double>(scene::Kinematics::linear);
+}
 TEST(Lanes, AreTheirOwnSingleRunsInSinglePrecision) {
-  expect_lanes_to_be_their_own_runs<float>(Kinematics::linear);
+  expect_lanes_to_be_their_own_runs<float>(scene::Kinematics::linear);
 }
 TEST(Lanes, AreTheirOwnSingleRunsWithCorotationalBeams) {
-  expect_lanes_to_be_their_own_runs<double>(Kinematics::corotational);
+  expect_lanes_to_be_their_own_runs<double>(scene::Kinematics::corotational);
 }
 
 template <class Real>
-void expect_any_threads_to_give_the_same(Kinematics kinematics, int scenarios) {
-  const Prepared p = small_plate(damped);
-  std::vector<LaneScenario> lanes = motley(p);
+void expect_any_threads_to_give_the_same(scene::Kinematics kinematics, int scenarios) {
+  const simulation::Prepared p = simulation::small_plate(damped);
+  std::vector<fracture::LaneScenario> lanes = motley(p);
   lanes.resize(scenarios);
-  Ensemble<Real> one = ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics});
+  Ensemble<Real> one = simulation::ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics});
   march_on(one, 120);
   for (const int threads : {2, 3, 5}) {
-    Ensemble<Real> several = ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics, .threads = threads});
+    Ensemble<Real> several =
+        simulation::ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics, .threads = threads});
     ASSERT_EQ(several.threads(), threads);
     march_on(several, 120);
     for (int lane = 0; lane < scenarios; ++lane) expect_same_bits(one, lane, several, lane);
@@ -98,22 +101,23 @@ void expect_any_threads_to_give_the_same(Kinematics kinematics, int scenarios) {
 }
 
 TEST(Threads, GiveTheSameBitsWhateverTheirNumber) {
-  expect_any_threads_to_give_the_same<double>(Kinematics::linear, 1);
-  expect_any_threads_to_give_the_same<double>(Kinematics::linear, 4);
-  expect_any_threads_to_give_the_same<float>(Kinematics::linear, 4);
-  expect_any_threads_to_give_the_same<double>(Kinematics::corotational, 1);
+  expect_any_threads_to_give_the_same<double>(scene::Kinematics::linear, 1);
+  expect_any_threads_to_give_the_same<double>(scene::Kinematics::linear, 4);
+  expect_any_threads_to_give_the_same<float>(scene::Kinematics::linear, 4);
+  expect_any_threads_to_give_the_same<double>(scene::Kinematics::corotational, 1);
 }
 
 // A lane that is put back in the middle of a run does what it would have done from the start.
 TEST(Lanes, GoOnWithAnotherScenarioAsIfItWereTheFirst) {
-  const Prepared p = small_plate(damped);
-  const std::vector<LaneScenario> lanes = motley(p);
-  Ensemble<double> s = ready(p, lanes, p.step.dt);
+  const simulation::Prepared p = simulation::small_plate(damped);
+  const std::vector<fracture::LaneScenario> lanes = motley(p);
+  Ensemble<double> s = simulation::ready(p, lanes, p.step.dt);
   for (int n = 0; n < 50; ++n) s.step();
   s.refill(2, lanes[0]);
   EXPECT_EQ(s.steps_done(2), 0);
   for (int n = 0; n < 120; ++n) s.step();
-  Ensemble<double> fresh = ready(p, {lanes[0]}, p.step.dt), untouched = ready(p, {lanes[1]}, p.step.dt);
+  Ensemble<double> fresh = simulation::ready(p, {lanes[0]}, p.step.dt),
+                   untouched = simulation::ready(p, {lanes[1]}, p.step.dt);
   for (int n = 0; n < 120; ++n) fresh.step();
   for (int n = 0; n < 170; ++n) untouched.step();
   expect_same_bits(s, 2, fresh, 0);
@@ -124,15 +128,15 @@ TEST(Lanes, GoOnWithAnotherScenarioAsIfItWereTheFirst) {
 // The kernels sum and round in another order than the plain path; 200 steps let that grow to some hundred
 // roundings.
 TEST(Ensemble, MarchesAsThePlainPathDoes) {
-  const Prepared p = small_plate(damped);
-  for (const LaneScenario& lane : not_empty(motley(p))) {
+  const simulation::Prepared p = simulation::small_plate(damped);
+  for (const fracture::LaneScenario& lane : not_empty(motley(p))) {
     PlainSimulation plain(p.lattice, p.path, 0.0, p.step.dt, lane);
     plain.start_from(p.displacement);
     plain.start_crack(p.damped);
     plain.beta = 0.95;
     plain.set_grip_speed(1.0);
     for (int n = 0; n < 200; ++n) plain.step();
-    Ensemble<double> s = ready(p, {lane}, p.step.dt);
+    Ensemble<double> s = simulation::ready(p, {lane}, p.step.dt);
     march_on(s, 200);
     double fastest = 0.0;
     for (std::size_t k = 0; k < plain.v.size(); k += 6) fastest = std::max(fastest, std::abs(plain.v[k]));
@@ -151,10 +155,10 @@ TEST(Ensemble, MarchesAsThePlainPathDoes) {
 }
 
 TEST(Momentum, OfAFreePlateStaysWhereItIsWhileItCracksAndIsDamped) {
-  const Prepared p = small_plate({"damping.alpha=0.01", "damping.region=all"});
-  Lattice free = p.lattice;
-  free.grip.assign(free.grip.size(), Grip::none);
-  for (const LaneScenario& law : not_empty(four_laws(p))) {
+  const simulation::Prepared p = simulation::small_plate({"damping.alpha=0.01", "damping.region=all"});
+  lattice::Lattice free = p.lattice;
+  free.grip.assign(free.grip.size(), lattice::Grip::none);
+  for (const fracture::LaneScenario& law : not_empty(simulation::four_laws(p))) {
     Ensemble<double> s(free, p.path, 0.0, p.step.dt, {law});
     s.release_from(p.displacement);  // stretched and let go
     s.start_crack(p.damped);
@@ -162,7 +166,7 @@ TEST(Momentum, OfAFreePlateStaysWhereItIsWhileItCracksAndIsDamped) {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear;
     double size = 0.0, turning = 0.0;
     for (int i = 0; i < static_cast<int>(free.centre.size()); ++i) {
-      const Vector6 v = s.velocity(i, 0);
+      const mechanics::Vector6 v = s.velocity(i, 0);
       const Eigen::Vector3d momentum = free.mass[i] * v.head<3>();
       linear += momentum;
       angular += free.centre[i].cross(momentum) + free.inertia[i] * v.tail<3>();
@@ -177,8 +181,8 @@ TEST(Momentum, OfAFreePlateStaysWhereItIsWhileItCracksAndIsDamped) {
 }
 
 TEST(Release, OfABeamIsAtTheFirstStepWithTheTipAtItsCrossing) {
-  const Prepared p = small_plate({"crack.technique=simple"});
-  Ensemble<double> s = ready(p);
+  const simulation::Prepared p = simulation::small_plate({"crack.technique=simple"});
+  Ensemble<double> s = simulation::ready(p);
   ASSERT_GT(s.met().size(), 50U);
   for (int n = 0; n < 150; ++n) {
     s.step();
@@ -191,14 +195,16 @@ TEST(Release, OfABeamIsAtTheFirstStepWithTheTipAtItsCrossing) {
 }
 
 TEST(Release, OfADamagedBeamFollowsItsLawAtEveryStep) {
-  const Prepared p = small_plate({"crack.relaxation=quadratic", "crack.damage_zone_ratio=3"});
-  Ensemble<double> s = ready(p);
+  const simulation::Prepared p =
+      simulation::small_plate({"crack.relaxation=quadratic", "crack.damage_zone_ratio=3"});
+  Ensemble<double> s = simulation::ready(p);
   int partly = 0;
   for (int n = 0; n < 150; ++n) {
     s.step();
     ASSERT_FALSE(s.met().empty());
     for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
-      ASSERT_EQ(s.factor(k, 0), stiffness_left(p.lane[0].scenario.law, s.tip(0), s.met()[k].position));
+      ASSERT_EQ(s.factor(k, 0),
+                fracture::stiffness_left(p.lane[0].scenario.law, s.tip(0), s.met()[k].position));
       partly += s.factor(k, 0) > 0.0 && s.factor(k, 0) < 1.0 ? 1 : 0;
     }
   }
@@ -209,8 +215,8 @@ TEST(Release, OfADamagedBeamFollowsItsLawAtEveryStep) {
 // tip begins L_CZM short of it.
 TEST(Release, DamagesNoBeamInOneJump) {
   for (const std::string start : {"crack.start=0", "crack.start=0.006"}) {
-    const Prepared p = small_plate({start, "crack.damage_zone_ratio=2"});
-    Ensemble<double> s = ready(p);
+    const simulation::Prepared p = simulation::small_plate({start, "crack.damage_zone_ratio=2"});
+    Ensemble<double> s = simulation::ready(p);
     std::vector<double> before(s.met().size(), 1.0);
     for (std::size_t k = 0; k < before.size(); ++k) before[k] = s.factor(static_cast<int>(k), 0);
     const double most = s.dt() * 1100.0 / p.lane[0].scenario.law.zone_length;
@@ -230,11 +236,11 @@ TEST(Release, DamagesNoBeamInOneJump) {
 
 // The pre-stress, which has no notch to cut then, leaves such beams whole, too.
 TEST(Notch, WithoutLengthCutsNoBeamThatIsCrossedAtItsEnd) {
-  const Prepared p = small_plate({});
+  const simulation::Prepared p = simulation::small_plate({});
   const Eigen::Vector2d from = p.lattice.centre[p.lattice.centre.size() / 2].head<2>();
-  const CrackPath path{{from, from + Eigen::Vector2d(10e-3, 0.0)}};  // from an element's centre on
-  const auto at_its_end = [](const Crossing& crossing) { return crossing.position == 0.0; };
-  const std::vector<Crossing> met = crossings(path, p.lattice);
+  const fracture::CrackPath path{{from, from + Eigen::Vector2d(10e-3, 0.0)}};  // from an element's centre on
+  const auto at_its_end = [](const fracture::Crossing& crossing) { return crossing.position == 0.0; };
+  const std::vector<fracture::Crossing> met = fracture::crossings(path, p.lattice);
   ASSERT_GT(std::count_if(met.begin(), met.end(), at_its_end), 0);
   for (const auto& [notch, left] : {std::pair{0.0, 1.0}, std::pair{1e-6, 0.0}}) {
     Ensemble<double> s(p.lattice, path, notch, p.step.dt, {p.lane[0].scenario});
@@ -245,19 +251,19 @@ TEST(Notch, WithoutLengthCutsNoBeamThatIsCrossedAtItsEnd) {
 }
 
 TEST(Release, LeavesARunAtRestWhileThereIsNothingToRelease) {
-  const Prepared p = small_plate();
+  const simulation::Prepared p = simulation::small_plate();
   Ensemble<double> s(p.lattice, p.path, 0.0, p.step.dt, {p.lane[0].scenario});
   s.start_from(p.displacement);  // and no crack
   const double stored = s.energy(0).elastic;
   for (int n = 0; n < 50; ++n) s.step();
-  const LatticeEnergy e = s.energy(0);
+  const fracture::LatticeEnergy e = s.energy(0);
   // The static solve leaves forces of 1e-12 of the load: energies of the square of it.
   EXPECT_NEAR(e.kinetic_translation / stored, 0.0, 1e-18);
   EXPECT_NEAR(e.elastic / stored, 1.0, 1e-10);
 }
 
 TEST(Grip, MovesTheTopAloneAndOnlyAlongY) {
-  const Prepared p = small_plate();
+  const simulation::Prepared p = simulation::small_plate();
   Ensemble<double> s(p.lattice, p.path, 0.0, p.step.dt, {p.lane[0].scenario});
   s.start_from(p.displacement);
   s.set_grip_speed(3.0);
@@ -267,10 +273,10 @@ TEST(Grip, MovesTheTopAloneAndOnlyAlongY) {
   int top = 0, bottom = 0;
   ASSERT_FALSE(p.lattice.grip.empty());
   for (int i = 0; i < static_cast<int>(p.lattice.grip.size()); ++i) {
-    if (p.lattice.grip[i] == Grip::none) continue;
-    const bool is_top = p.lattice.grip[i] == Grip::top;
+    if (p.lattice.grip[i] == lattice::Grip::none) continue;
+    const bool is_top = p.lattice.grip[i] == lattice::Grip::top;
     ++(is_top ? top : bottom);
-    Vector6 expected = Vector6::Zero();
+    mechanics::Vector6 expected = mechanics::Vector6::Zero();
     if (is_top) expected[1] = 0.6e-3 + 40 * 3.0 * p.step.dt;
     EXPECT_NEAR((s.motion(i, 0) - expected).norm(), 0.0, 1e-15);  // rounding of 40 sums
   }
@@ -279,4 +285,4 @@ TEST(Grip, MovesTheTopAloneAndOnlyAlongY) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::ensemble

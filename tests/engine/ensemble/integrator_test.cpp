@@ -6,32 +6,32 @@
 #include <cmath>
 #include <functional>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
 /// Eight spheres in a bent and braced chain, its two ends held: all six motions of each are coupled.
-Specimen chain() {
-  Specimen s;
+lattice::Specimen chain() {
+  lattice::Specimen s;
   s.box = {8e-3, 3e-3, 2e-3};
   for (int k = 0; k < 8; ++k) {
     s.centre.emplace_back(1e-3 * k, 0.4e-3 * (k % 2), 0.3e-3 * (k % 3));
     s.radius.push_back(0.55e-3 + 0.01e-3 * k);
-    s.grip.push_back(Grip::none);
+    s.grip.push_back(lattice::Grip::none);
     if (k > 0) s.beam.push_back({k - 1, k});
     if (k > 1 && k % 2 == 0) s.beam.push_back({k - 2, k});
   }
-  s.grip.front() = Grip::bottom;
-  s.grip.back() = Grip::top;
+  s.grip.front() = lattice::Grip::bottom;
+  s.grip.back() = lattice::Grip::top;
   s.packing.mean_radius = 0.58e-3;
   return s;
 }
 
 /// A lattice, and what is known of it exactly: q(t) = sum of modes, each turning at its own frequency.
 struct Vibration {
-  Lattice lattice = make_lattice(chain(), {356e9, 0.3, 0.3}, 667.0);
+  lattice::Lattice lattice = lattice::make_lattice(chain(), {356e9, 0.3, 0.3}, 667.0);
   Matrix mode;   // columns, over the free elements 1 to 6; mass-normalised
   Vector omega;  // ascending [1/s]
   Vector mass;   // per degree of freedom
@@ -40,7 +40,7 @@ struct Vibration {
     const long n = 36;
     Matrix k = Matrix::Zero(n + 12, n + 12);
     for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
-      const Matrix12 part = stiffness_of(lattice.beam[b]);
+      const mechanics::Matrix12 part = mechanics::stiffness_of(lattice.beam[b]);
       const auto& e = lattice.ends[b];
       for (int r : {0, 1})
         for (int c : {0, 1}) k.block<6, 6>(6 * e[r], 6 * e[c]) += part.block<6, 6>(6 * r, 6 * c);
@@ -60,17 +60,17 @@ struct Vibration {
 
   /// At rest in a shape given by its modes' amplitudes; nothing is cracked.
   Ensemble<double> released_from(const Vector& amplitude, double dt) const {
-    LaneScenario idle;
-    idle.history = history_of(0.0, {{1.0, 1.0}});
-    Ensemble<double> s(lattice, straight_path(1.0, 1.0), 0.0, dt, {idle});
-    std::vector<Vector6> q(8, Vector6::Zero());
+    fracture::LaneScenario idle;
+    idle.history = history::history_of(0.0, {{1.0, 1.0}});
+    Ensemble<double> s(lattice, fracture::straight_path(1.0, 1.0), 0.0, dt, {idle});
+    std::vector<mechanics::Vector6> q(8, mechanics::Vector6::Zero());
     const Vector shape = mode * amplitude;
     for (int i = 0; i < 6; ++i) q[i + 1] = shape.segment<6>(6 * i);
     s.release_from(q);
     return s;
   }
 
-  Vector modal(const std::function<Vector6(int element)>& state) const {
+  Vector modal(const std::function<mechanics::Vector6(int element)>& state) const {
     Vector of_all(36);
     for (int i = 0; i < 6; ++i) of_all.segment<6>(6 * i) = state(i + 1);
     return mode.transpose() * mass.cwiseProduct(of_all);
@@ -172,4 +172,4 @@ TEST(Integrator, BlowsUpAboveTheCriticalStepAndNotBelow) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::ensemble

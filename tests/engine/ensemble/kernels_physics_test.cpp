@@ -5,16 +5,16 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 double ratio_with(const std::vector<std::string>& overrides) {
   std::vector<std::string> all{"crack.velocity=0.3 c_r", "output.frames=0"};
   all.insert(all.end(), overrides.begin(), overrides.end());
-  const Prepared p = small_plate(all);
-  const RunResult result = march(p, {});
-  EXPECT_EQ(result.outcome, Outcome::finished) << result.lane[0].where;
-  const Plateau plateau = rates_of(p, result).plateau;
+  const simulation::Prepared p = simulation::small_plate(all);
+  const simulation::RunResult result = simulation::march(p, {});
+  EXPECT_EQ(result.outcome, simulation::Outcome::finished) << result.lane[0].where;
+  const fracture::Plateau plateau = simulation::rates_of(p, result).plateau;
   EXPECT_TRUE(plateau.reached);
   return plateau.mean.ratio;
 }
@@ -41,9 +41,10 @@ TEST(CorotationalPlate, TendsToTheLinearOneForSmallStrains) {
 
 /// The residual at the end of one and the same stretch of the crack.
 double residual_at(double fraction) {
-  const Prepared p = small_plate({"solver.kinematics=corotational", "crack.technique=simple",
-                                  "output.frames=0", fmt::format("solver.dt_fraction={}", fraction)});
-  return std::abs(march(p, {}).lane[0].books.back().residual);
+  const simulation::Prepared p =
+      simulation::small_plate({"solver.kinematics=corotational", "crack.technique=simple", "output.frames=0",
+                               fmt::format("solver.dt_fraction={}", fraction)});
+  return std::abs(simulation::march(p, {}).lane[0].books.back().residual);
 }
 
 // Velocity Verlet keeps K + U - C exactly for linear forces only. Brutal release fills the highest modes, and
@@ -55,4 +56,4 @@ TEST(CorotationalBooks, CloseBetterTheSmallerTheStep) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::ensemble

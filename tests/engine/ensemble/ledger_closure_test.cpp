@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 /// Steps to the end of the crack's way, looking at the books now and then: the worst residual of each lane.
@@ -30,9 +30,9 @@ const std::vector<std::string> at_surface{"damping.alpha=0.001", "damping.region
 const std::vector<std::string> everywhere{"damping.alpha=0.01", "damping.region=all"};
 
 void expect_closed_books(const Extras& extras) {
-  const Prepared p = small_plate(extras.damping);
+  const simulation::Prepared p = simulation::small_plate(extras.damping);
   for (const double fraction : {0.17, 0.5, 0.9}) {
-    Ensemble<double> s = ready(p, four_laws(p), fraction * p.step.critical);
+    Ensemble<double> s = simulation::ready(p, simulation::four_laws(p), fraction * p.step.critical);
     s.set_beta(extras.beta);
     const auto worst = worst_residuals(s, p.lane[0].crack_end, extras.grip_speed);
     for (int lane = 0; lane < 4; ++lane) {
@@ -57,10 +57,11 @@ TEST(Books, CloseWithAMovingGrip) { expect_closed_books({"grip", {}, 1.0, 5.0});
 TEST(Books, CloseWithAllOfItTogether) { expect_closed_books({"all", everywhere, 0.9, 5.0}); }
 
 TEST(Books, CloseInEveryRowOfARampedRun) {
-  const Prepared p = small_plate({"loading.method=ramp", "loading.ramp_steps=800", "loading.hold_steps=800",
-                                  "damping.alpha=0.001", "damping.region=surface"});
-  const RunResult result = march(p, {});
-  EXPECT_EQ(result.outcome, Outcome::finished) << result.lane[0].where;
+  const simulation::Prepared p =
+      simulation::small_plate({"loading.method=ramp", "loading.ramp_steps=800", "loading.hold_steps=800",
+                               "damping.alpha=0.001", "damping.region=surface"});
+  const simulation::RunResult result = simulation::march(p, {});
+  EXPECT_EQ(result.outcome, simulation::Outcome::finished) << result.lane[0].where;
   EXPECT_LT(result.lane[0].worst_residual, 1e-13);
   EXPECT_GT(result.lane[0].books.back().work_external_j, 0.0);
   EXPECT_GT(result.lane[0].books.back().numerical_damping_j, 0.0);
@@ -68,8 +69,8 @@ TEST(Books, CloseInEveryRowOfARampedRun) {
 
 // Nothing is booked as the remainder: an error of one beam's booking shows in full.
 TEST(Books, OpenByExactlyWhatOneBeamBooksTooMuch) {
-  const Prepared p = small_plate();
-  Ensemble<double> s = ready(p);
+  const simulation::Prepared p = simulation::small_plate();
+  Ensemble<double> s = simulation::ready(p);
   while (s.tip(0) < p.lane[0].crack_end) s.step();
   const double before = s.sample(0, results::Phase::fracture).residual;
   for (const int beam : {3, static_cast<int>(s.met().size()) / 2}) {
@@ -82,8 +83,8 @@ TEST(Books, OpenByExactlyWhatOneBeamBooksTooMuch) {
 }
 
 TEST(Books, AreReadFromTheStateAndChangeNothing) {
-  const Prepared p = small_plate();
-  Ensemble<double> read = ready(p), unread = ready(p);
+  const simulation::Prepared p = simulation::small_plate();
+  Ensemble<double> read = simulation::ready(p), unread = simulation::ready(p);
   for (int n = 0; n < 100; ++n) {
     read.step();
     read.sample(0, results::Phase::fracture);
@@ -97,4 +98,4 @@ TEST(Books, AreReadFromTheStateAndChangeNothing) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::ensemble

@@ -4,18 +4,19 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 /// The worst residual over 100,000 steps of a slow crack, which goes through nine tenths of the plate.
 template <class Real>
-double residual_of_a_long_run(Kinematics kinematics, const std::string& technique) {
-  const std::string name = kinematics == Kinematics::linear ? "linear" : "corotational";
-  const Prepared p = small_plate({"solver.kinematics=" + name, "crack.technique=" + technique});
-  LaneScenario slow = p.lane[0].scenario;
+double residual_of_a_long_run(scene::Kinematics kinematics, const std::string& technique) {
+  const std::string name = kinematics == scene::Kinematics::linear ? "linear" : "corotational";
+  const simulation::Prepared p =
+      simulation::small_plate({"solver.kinematics=" + name, "crack.technique=" + technique});
+  fracture::LaneScenario slow = p.lane[0].scenario;
   constexpr long steps = 100000;
-  slow.history = history_of(-slow.law.zone_length, {{0.9 * 0.048 / (steps * p.step.dt), 1.0}});
-  Ensemble<Real> s = ready<Real>(p, {slow}, p.step.dt, {.kinematics = kinematics, .threads = 2});
+  slow.history = history::history_of(-slow.law.zone_length, {{0.9 * 0.048 / (steps * p.step.dt), 1.0}});
+  Ensemble<Real> s = simulation::ready<Real>(p, {slow}, p.step.dt, {.kinematics = kinematics, .threads = 2});
   double worst = 0.0;
   for (long n = 1; n <= steps; ++n) {
     s.step();
@@ -30,13 +31,13 @@ double residual_of_a_long_run(Kinematics kinematics, const std::string& techniqu
 // The bounds of physics.md §7.
 TEST(LongRun, KeepsTheBooksClosedOverAHundredThousandSteps) {
   for (const std::string technique : {"simple", "progressive"}) {
-    EXPECT_LT(residual_of_a_long_run<double>(Kinematics::linear, technique), 1e-10);
-    EXPECT_LT(residual_of_a_long_run<float>(Kinematics::linear, technique), 1e-3);
+    EXPECT_LT(residual_of_a_long_run<double>(scene::Kinematics::linear, technique), 1e-10);
+    EXPECT_LT(residual_of_a_long_run<float>(scene::Kinematics::linear, technique), 1e-3);
   }
   // Simple release with corotational beams falls short of it: docs/performance.md, "Books".
-  EXPECT_LT(residual_of_a_long_run<double>(Kinematics::corotational, "progressive"), 1e-4);
-  EXPECT_LT(residual_of_a_long_run<float>(Kinematics::corotational, "progressive"), 1e-3);
+  EXPECT_LT(residual_of_a_long_run<double>(scene::Kinematics::corotational, "progressive"), 1e-4);
+  EXPECT_LT(residual_of_a_long_run<float>(scene::Kinematics::corotational, "progressive"), 1e-3);
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::ensemble

@@ -3,44 +3,44 @@
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/mechanics/forces.hpp"
 
-namespace rift {
+namespace rift::ensemble {
 
 /// One scenario, element by element and beam by beam, forces first and energies from the strains: slow, and
 /// what the ensemble is held against. Linear kinematics; the lattice must outlive it.
 struct PlainSimulation {
-  const Lattice* lattice;
+  const lattice::Lattice* lattice;
   double dt;        // [s]
   double beta = 1;  // of eq. (2); below 1 damps
-  LaneScenario scenario;
-  std::vector<Crossing> met;
+  fracture::LaneScenario scenario;
+  std::vector<fracture::Crossing> met;
   std::vector<int> sound_beam;
-  std::vector<BeamRow> sound;
+  std::vector<mechanics::BeamRow> sound;
   std::vector<double> factor, booked;           // [crossing]
   std::vector<double> mass, per_mass;           // of each of 6 N motions; 0 where gripped
   std::vector<double> q, v, f, rate, v_before;  // 6 N
-  ViscousDamping damping;
+  mechanics::ViscousDamping damping;
   std::int64_t steps_done = 0, crack_start = 0;
   bool cracking = false;
   double grip_speed = 0;  // [m/s]
   std::vector<Softening> softening;
-  Ledger ledger;
+  fracture::Ledger ledger;
   double viscous_work = 0, numerical_work = 0, grip_work = 0;
 
-  PlainSimulation(const Lattice& lattice, const CrackPath& path, double notch_end, double dt,
-                  const LaneScenario& scenario);
-  void start_from(const std::vector<Vector6>& displacement);
-  void start_crack(std::vector<DampedBeam> damped);
+  PlainSimulation(const lattice::Lattice& lattice, const fracture::CrackPath& path, double notch_end,
+                  double dt, const fracture::LaneScenario& scenario);
+  void start_from(const std::vector<mechanics::Vector6>& displacement);
+  void start_crack(std::vector<mechanics::DampedBeam> damped);
   void step();
   void set_grip_speed(double speed);
-  LatticeEnergy energy() const;
+  fracture::LatticeEnergy energy() const;
   results::Sample sample();
   double crack_time(std::int64_t step) const { return static_cast<double>(step - crack_start) * dt; }
-  Vector6 motion(const std::vector<double>& array, int element) const {
-    return Eigen::Map<const Vector6>(array.data() + 6L * element);
+  mechanics::Vector6 motion(const std::vector<double>& array, int element) const {
+    return Eigen::Map<const mechanics::Vector6>(array.data() + 6L * element);
   }
 
  private:
-  BeamStrain strain(int k) const;
+  mechanics::BeamStrain strain(int k) const;
   void foresee_softening();
   void move();
   void soften();
@@ -49,4 +49,4 @@ struct PlainSimulation {
   void book_grip_work();
 };
 
-}  // namespace rift
+}  // namespace rift::ensemble

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace rift {
+namespace rift::ensemble {
 namespace {
 
 constexpr int columns = 16, rows = 8;
@@ -14,12 +14,14 @@ constexpr int columns = 16, rows = 8;
 int mirrored(int element) { return (columns - 1 - element / rows) * rows + element % rows; }
 
 /// A square lattice with both diagonals, its own mirror image about x = 8; the crack runs between its rows.
-Lattice symmetric_plate() {
-  Lattice lattice;
+lattice::Lattice symmetric_plate() {
+  lattice::Lattice lattice;
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < rows; ++j) {
       lattice.centre.emplace_back(0.5 + i, 0.5 + j, 0.0);
-      lattice.grip.push_back(j == 0 ? Grip::bottom : j == rows - 1 ? Grip::top : Grip::none);
+      lattice.grip.push_back(j == 0          ? lattice::Grip::bottom
+                             : j == rows - 1 ? lattice::Grip::top
+                                             : lattice::Grip::none);
     }
   const int n = static_cast<int>(lattice.centre.size());
   lattice.mass.assign(n, 1.0);
@@ -28,7 +30,7 @@ Lattice symmetric_plate() {
     for (int b = a + 1; b < n; ++b) {
       if ((lattice.centre[b] - lattice.centre[a]).norm() > 1.5) continue;
       lattice.ends.push_back({a, b});
-      lattice.beam.push_back(hand_made::Rod{}.between(lattice.centre[a], lattice.centre[b]));
+      lattice.beam.push_back(mechanics::hand_made::Rod{}.between(lattice.centre[a], lattice.centre[b]));
     }
   lattice.mean_radius = 0.5;
   lattice.box = {.length = columns, .height = rows, .thickness = 1.0};
@@ -36,20 +38,21 @@ Lattice symmetric_plate() {
 }
 
 /// By reflection in x: displacements along x and rotations about y and z turn round.
-Vector6 reflected(const Vector6& motion) {
-  Vector6 m = motion;
+mechanics::Vector6 reflected(const mechanics::Vector6& motion) {
+  mechanics::Vector6 m = motion;
   for (int c : {0, 4, 5}) m[c] = -m[c];
   return m;
 }
 
 TEST(TwoTips, ReleaseASymmetricLatticeSymmetrically) {
-  const Lattice lattice = symmetric_plate();
-  const std::vector<Vector6> base =
-      stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 0.1);
-  const LaneScenario lane{.history = history_of(-2.0, {{0.3, std::numeric_limits<double>::infinity()}}),
-                          .law = {Technique::progressive, 1.0, 2.0}};
+  const lattice::Lattice lattice = symmetric_plate();
+  const std::vector<mechanics::Vector6> base =
+      mechanics::stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 0.1);
+  const fracture::LaneScenario lane{
+      .history = history::history_of(-2.0, {{0.3, std::numeric_limits<double>::infinity()}}),
+      .law = {scene::Technique::progressive, 1.0, 2.0}};
   constexpr double no_notch = -1.0;  // two diagonals cross in the very middle
-  Ensemble<double> s(lattice, straight_path(columns, 4.0, 2), no_notch, 0.2, {lane});
+  Ensemble<double> s(lattice, fracture::straight_path(columns, 4.0, 2), no_notch, 0.2, {lane});
   s.start_from(base);
   s.start_crack({});
   for (int step = 0; step < 80; ++step) s.step();
@@ -58,7 +61,7 @@ TEST(TwoTips, ReleaseASymmetricLatticeSymmetrically) {
   int gone = 0, softened = 0;
   ASSERT_FALSE(s.met().empty());
   for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
-    EXPECT_EQ(s.factor(k, 0), stiffness_left(lane.law, s.tip(0), s.met()[k].position));
+    EXPECT_EQ(s.factor(k, 0), fracture::stiffness_left(lane.law, s.tip(0), s.met()[k].position));
     gone += s.factor(k, 0) == 0.0 ? 1 : 0;
     softened += s.factor(k, 0) > 0.0 && s.factor(k, 0) < 1.0 ? 1 : 0;
   }
@@ -79,4 +82,4 @@ TEST(TwoTips, ReleaseASymmetricLatticeSymmetrically) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::ensemble

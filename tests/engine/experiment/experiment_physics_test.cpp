@@ -3,12 +3,13 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 /// A crack measured at 0.4 c_r in a plate that is thick enough for a crack of its own to be told from waves.
-Preset measured_preset() {
-  Preset preset = small_preset({"crack.damage_zone_ratio=3", "crack.toughness_window=6", "crack.end=30 mm"});
+scene::Preset measured_preset() {
+  scene::Preset preset =
+      simulation::small_preset({"crack.damage_zone_ratio=3", "crack.toughness_window=6", "crack.end=30 mm"});
   preset.scene.crack.start = 4e-3;
   for (int k = 0; k <= 16; ++k)
     preset.scene.crack.history.push_back({2e-6 * k, 4e-3 + 880.0 * 2e-6 * k, 1e-5});
@@ -16,16 +17,16 @@ Preset measured_preset() {
   return preset;
 }
 
-Experiment small_experiment(const Preset& preset, const ExperimentWishes& wishes) {
+Experiment small_experiment(const scene::Preset& preset, const ExperimentWishes& wishes) {
   const TemporaryFolder folder;
   return run_experiment(preset, wishes, folder.path(), shared_cache(), {},
                         [](std::string_view, double) { return true; });
 }
 
 TEST(Experiment, ReadsWhatTheCrackReleasesAndCorrectsItByWhatTheLatticeTakes) {
-  const Preset preset = measured_preset();
+  const scene::Preset preset = measured_preset();
   const Experiment e = small_experiment(preset, {.resamples = 3, .specimens = 2, .threads = 1});
-  EXPECT_EQ(e.outcome, Outcome::finished);
+  EXPECT_EQ(e.outcome, simulation::Outcome::finished);
   EXPECT_LT(e.worst_residual, 1e-10);
   EXPECT_EQ(e.resamples, 3);
   EXPECT_EQ(e.specimens, 2);
@@ -67,4 +68,4 @@ TEST(Experiment, LawRises) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::experiment

@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 /// A plate two thirds as high as the paper's in radii, its frames on disk.
@@ -15,7 +15,7 @@ class RecordedStrip : public testing::Test {
   static constexpr int lanes = 2;
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
-    const Preset preset = read_preset_text(R"(
+    const scene::Preset preset = scene::read_preset_text(R"(
 [specimen]
 length = "120 mm"
 height = "30 mm"
@@ -34,11 +34,11 @@ crack_velocity = "0.2 c_r"
 [[lanes]]
 crack_velocity = "0.6 c_r"
 )",
-                                           "strip.toml");
-    for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
-    const Prepared prepared = prepare(preset, preset.lanes, shared_cache());
+                                                         "strip.toml");
+    for (const scene::Issue& issue : preset.issues) ADD_FAILURE() << scene::to_text(issue);
+    const simulation::Prepared prepared = simulation::prepare(preset, preset.lanes, shared_cache());
     results::create_run_folder(run(), false);
-    record_run(prepared, run(), {}, {});
+    simulation::record_run(prepared, run(), {}, {});
   }
   static void TearDownTestSuite() { delete folder_; }
   static std::filesystem::path run() { return folder_->path() / "run"; }
@@ -46,7 +46,7 @@ crack_velocity = "0.6 c_r"
   static Instruments read(int lane, std::vector<SeenField>* fields = nullptr) {
     return read_instruments(
         run(), {.lane = lane}, [](double) { return true; },
-        [&](const Grid&, const SeenField& field) {
+        [&](const measurement::Grid&, const SeenField& field) {
           if (fields) fields->push_back(field);
         });
   }
@@ -111,21 +111,22 @@ TEST_F(RecordedStrip, HoldsTheLanesOwnBooksAndGauges) {
 }
 
 TEST_F(RecordedStrip, RefusesALaneThatItDoesNotHave) {
-  EXPECT_THROW(read(2), InputError);
-  EXPECT_THROW(read(-1), InputError);
+  EXPECT_THROW(read(2), scene::InputError);
+  EXPECT_THROW(read(-1), scene::InputError);
 }
 
 TEST(Instruments, GoByTheClockOfAMeasuredHistory) {
-  Preset preset = small_preset({"crack.damage_zone_ratio=3"});
+  scene::Preset preset = simulation::small_preset({"crack.damage_zone_ratio=3"});
   preset.scene.crack.start = 4e-3;
   for (int k = 0; k <= 12; ++k)
     preset.scene.crack.history.push_back({1e-4 + 2e-6 * k, 4e-3 + 880.0 * 2e-6 * k, 0.0});
   preset.scene.crack.end.reset();
   const TemporaryFolder folder;
   results::create_run_folder(folder.path() / "run", false);
-  record_run(prepare(preset, shared_cache()), folder.path() / "run", {}, {});
+  simulation::record_run(simulation::prepare(preset, shared_cache()), folder.path() / "run", {}, {});
   const Instruments seen = read_instruments(
-      folder.path() / "run", {}, [](double) { return true; }, [](const Grid&, const SeenField&) {});
+      folder.path() / "run", {}, [](double) { return true; },
+      [](const measurement::Grid&, const SeenField&) {});
   int on_the_way = 0;
   for (const results::Sample& s : not_empty(seen.books)) {
     if (s.tip_m <= 4e-3) continue;
@@ -136,4 +137,4 @@ TEST(Instruments, GoByTheClockOfAMeasuredHistory) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::experiment

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 CriticalPoint at(double over_cr, double rate) {
@@ -40,4 +40,4 @@ TEST(Law, AsksForSomethingAtRestHoweverSteep) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::experiment

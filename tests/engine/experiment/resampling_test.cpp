@@ -7,12 +7,12 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 /// A tip at 600 m/s, seen every microsecond.
-Scene measured(double uncertainty) {
-  Scene scene = read_preset_text("", "x.toml").scene;
+scene::Scene measured(double uncertainty) {
+  scene::Scene scene = scene::read_preset_text("", "x.toml").scene;
   scene.crack.start = 0.01;
   for (int k = 0; k < 200; ++k) {
     const double wobble = uncertainty > 0.0 || k == 0 ? 0.0 : 2e-4 * std::sin(12.9898 * k * k);
@@ -21,10 +21,10 @@ Scene measured(double uncertainty) {
   return scene;
 }
 
-double deviation(const std::vector<std::vector<HistoryPoint>>& histories, const Scene& scene,
-                 const Course& course) {
+double deviation(const std::vector<std::vector<history::HistoryPoint>>& histories, const scene::Scene& scene,
+                 const history::Course& course) {
   double squares = 0.0, count = 0.0;
-  const std::vector<double> fitted = positions_at_rows(course, scene.crack.history);
+  const std::vector<double> fitted = history::positions_at_rows(course, scene.crack.history);
   for (const auto& rows : histories)
     for (std::size_t k = 1; k < rows.size(); ++k)
       squares += std::pow(rows[k].position - fitted[k], 2.0), ++count;
@@ -33,8 +33,8 @@ double deviation(const std::vector<std::vector<HistoryPoint>>& histories, const 
 
 TEST(Resampled, RowsScatterAsTheirUncertaintiesSayOrAsTheRowsDid) {
   for (const double uncertainty : {3e-4, 0.0}) {
-    const Scene scene = measured(uncertainty);
-    const Course course = measured_course(scene);
+    const scene::Scene scene = measured(uncertainty);
+    const history::Course course = scene::measured_course(scene);
     const auto histories = resampled(scene, course, 20, 1);
     ASSERT_EQ(histories.size(), 20U);
     const double expected = uncertainty > 0.0 ? uncertainty : course.scatter;
@@ -49,11 +49,11 @@ TEST(Resampled, RowsScatterAsTheirUncertaintiesSayOrAsTheRowsDid) {
 }
 
 TEST(Resampled, IsTheSameForTheSameSeedAndNothingWhereNothingIsSmoothed) {
-  Scene scene = measured(3e-4);
-  const Course course = measured_course(scene);
+  scene::Scene scene = measured(3e-4);
+  const history::Course course = scene::measured_course(scene);
   EXPECT_EQ(resampled(scene, course, 3, 5), resampled(scene, course, 3, 5));
   EXPECT_NE(resampled(scene, course, 3, 5), resampled(scene, course, 3, 6));
-  scene.crack.smoothing = Smoothing::none;
+  scene.crack.smoothing = history::Smoothing::none;
   EXPECT_TRUE(resampled(scene, course, 3, 5).empty());
 }
 
@@ -65,4 +65,4 @@ TEST(EfficiencyAt, IsStraightBetweenThePointsAndConstantBeyond) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::experiment

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rift {
+namespace rift::experiment {
 namespace {
 
 /// Two gauges, a grip that lets go, one field without a fit.
@@ -22,7 +22,8 @@ Instruments some_instruments() {
       seen.gauges.push_back(gauge);
     }
     IntensityPoint point{.time = 1e-6 * k, .k = {}};
-    if (k > 0) point.k = StressIntensity{.opening = 1e6 * k, .sliding = -1e5, .release_rate = 7.0 * k};
+    if (k > 0)
+      point.k = measurement::StressIntensity{.opening = 1e6 * k, .sliding = -1e5, .release_rate = 7.0 * k};
     seen.intensity.push_back(point);
   }
   return seen;
@@ -59,7 +60,7 @@ class TracesFile : public testing::Test {
   std::string said(const std::string& text) {
     try {
       read(text);
-    } catch (const InputError& error) {
+    } catch (const scene::InputError& error) {
       return std::string(error.what()).substr(folder_.path().string().size() + 1);
     }
     return "nothing";
@@ -107,22 +108,25 @@ TEST_F(TracesFile, NamesEachDefectWithItsLine) {
   EXPECT_EQ(said("time [us];grip_force [N]\n0;nan\n"), "measured.csv:2: grip_force 'nan' is not finite");
 }
 
-TEST(ReadTraces, NamesAFileThatIsNotThere) { EXPECT_THROW(read_traces("nowhere.csv", {}), InputError); }
+TEST(ReadTraces, NamesAFileThatIsNotThere) {
+  EXPECT_THROW(read_traces("nowhere.csv", {}), scene::InputError);
+}
 
 TEST(DistanceBetween, IsTakenWhereBothAre) {
-  const Trace run{"grip_force", Dimension::force, {1, 2, 3}, {10, 20, 10}};
-  const Trace measured{"grip_force", Dimension::force, {0, 1.5, 2.5, 3, 4}, {0, 16, 18, 10, 0}};
+  const Trace run{"grip_force", scene::Dimension::force, {1, 2, 3}, {10, 20, 10}};
+  const Trace measured{"grip_force", scene::Dimension::force, {0, 1.5, 2.5, 3, 4}, {0, 16, 18, 10, 0}};
   const auto d = distance_between(run, measured);
   ASSERT_TRUE(d);
   EXPECT_EQ(d->points, 3);
   EXPECT_DOUBLE_EQ(d->rms, std::sqrt((1.0 + 9.0 + 0.0) / 3));
   EXPECT_DOUBLE_EQ(d->largest, 3.0);
   EXPECT_DOUBLE_EQ(d->span, 8.0);
-  const Trace torn{"k_i", Dimension::stress_intensity, {1, 2, 3, 4}, {10, std::nan(""), 10, 10}};
-  EXPECT_EQ(distance_between(torn, {"k_i", Dimension::stress_intensity, {1.5, 2.5, 3.5}, {1, 1, 1}})->points,
-            1);
-  EXPECT_FALSE(distance_between(run, {"grip_force", Dimension::force, {5, 6}, {1, 2}}));
+  const Trace torn{"k_i", scene::Dimension::stress_intensity, {1, 2, 3, 4}, {10, std::nan(""), 10, 10}};
+  EXPECT_EQ(
+      distance_between(torn, {"k_i", scene::Dimension::stress_intensity, {1.5, 2.5, 3.5}, {1, 1, 1}})->points,
+      1);
+  EXPECT_FALSE(distance_between(run, {"grip_force", scene::Dimension::force, {5, 6}, {1, 2}}));
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::experiment

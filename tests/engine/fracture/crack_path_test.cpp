@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace rift {
+namespace rift::fracture {
 namespace {
 
 using Point = Eigen::Vector2d;
@@ -144,8 +144,8 @@ TEST(DistanceTo, IsTheLeastOverAllPointsOfThePath) {
   }
 }
 
-Lattice lattice_of(const std::vector<std::array<Point, 2>>& beams) {
-  Lattice lattice;
+lattice::Lattice lattice_of(const std::vector<std::array<Point, 2>>& beams) {
+  lattice::Lattice lattice;
   for (const auto& [a, b] : beams) {
     const int next = static_cast<int>(lattice.centre.size());
     lattice.centre.emplace_back(a.x(), a.y(), 0.3 * next);
@@ -156,11 +156,11 @@ Lattice lattice_of(const std::vector<std::array<Point, 2>>& beams) {
 }
 
 TEST(Crossings, ComeInTheOrderTheCrackMeetsThem) {
-  const Lattice lattice = lattice_of({{Point(7, 0), Point(7, 2)},
-                                      {Point(4, 0), Point(5, 0.5)},  // not crossed
-                                      {Point(3, 2), Point(3, 0)},
-                                      {Point(7, 2), Point(7, 0)},  // as far as the first
-                                      {Point(1, 0), Point(2, 2)}});
+  const lattice::Lattice lattice = lattice_of({{Point(7, 0), Point(7, 2)},
+                                               {Point(4, 0), Point(5, 0.5)},  // not crossed
+                                               {Point(3, 2), Point(3, 0)},
+                                               {Point(7, 2), Point(7, 0)},  // as far as the first
+                                               {Point(1, 0), Point(2, 2)}});
   const std::vector<Crossing> met = crossings(straight_path(10.0, 1.0), lattice);
   ASSERT_EQ(met.size(), 4U);
   const std::vector<int> beams{4, 2, 0, 3};
@@ -172,10 +172,10 @@ TEST(Crossings, ComeInTheOrderTheCrackMeetsThem) {
 }
 
 TEST(Crossings, OfTwoTipsAreCountedFromTheMiddleOfThePath) {
-  const Lattice lattice = lattice_of({{Point(9, 0), Point(9, 2)},
-                                      {Point(1, 2), Point(1, 0)},
-                                      {Point(3, 0), Point(4, 2)},  // at 3.5
-                                      {Point(5.5, 0), Point(5.5, 2)}});
+  const lattice::Lattice lattice = lattice_of({{Point(9, 0), Point(9, 2)},
+                                               {Point(1, 2), Point(1, 0)},
+                                               {Point(3, 0), Point(4, 2)},  // at 3.5
+                                               {Point(5.5, 0), Point(5.5, 2)}});
   const std::vector<Crossing> met = crossings(straight_path(10.0, 1.0, 2), lattice);
   ASSERT_EQ(met.size(), 4U);
   const std::vector<int> beams{3, 2, 0, 1};
@@ -207,4 +207,4 @@ TEST(CrackPath, HasTheNormalOfThePieceThatIsCrossed) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::fracture

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rift {
+namespace rift::fracture {
 namespace {
 
 /// Books of exact numbers that close: 100 at the start, 24 of work, 36 lost, 88 left.
@@ -78,4 +78,4 @@ TEST(Ledger, NotesTheLargestEnergySoFar) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::fracture

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace rift {
+namespace rift::fracture {
 namespace {
 
 using results::RatePoint;
@@ -235,4 +235,4 @@ TEST(Plateau, IsNotReachedWhereTheBooksBeginInsideTheWindow) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::fracture

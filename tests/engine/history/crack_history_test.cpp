@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace rift {
+namespace rift::history {
 namespace {
 
 constexpr double for_ever = std::numeric_limits<double>::infinity();
@@ -56,4 +56,4 @@ TEST(CrackHistory, PassesOverAPieceThatEndsBehindItsStart) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::history

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace rift {
+namespace rift::history {
 namespace {
 
 /// A tip that speeds up evenly to 600 m/s within 100 us, runs on for 50 us, rests for 50 us and runs again.
@@ -102,4 +102,4 @@ TEST(CrackHistory, OfAStretchThatSpeedsUpArrivesWhenItsTipIsThere) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::history

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 /// Elements of many sizes, each joined to the next two.
 Specimen tangle(int elements) {
-  hand_made::Draw draw(111);
+  mechanics::hand_made::Draw draw(111);
   Specimen specimen;
   specimen.box = {.length = 0.2, .height = 0.04, .thickness = 0.002};
   for (int i = 0; i < elements; ++i) {
@@ -81,4 +81,4 @@ TEST(Lattice, KeepsPlacesGripsBoxAndTheMeanRadiusOfThePacking) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::lattice

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
-using hand_made::Draw;
+using mechanics::hand_made::Draw;
 using Pairs = std::vector<std::array<int, 2>>;
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -98,4 +98,4 @@ TEST(ColumnOrder, OfOnePointOrNone) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::lattice

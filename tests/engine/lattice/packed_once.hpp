@@ -3,7 +3,7 @@
 #include "engine/lattice/cached_packing.hpp"
 #include "tests/shared_cache.hpp"
 
-namespace rift {
+namespace rift::lattice {
 
 /// What pack() gives, from the cache of all tests: for tests of what is built on a packing.
 inline Packing packed_once(const PackingRequest& request) {
@@ -11,4 +11,4 @@ inline Packing packed_once(const PackingRequest& request) {
   return cached_packing(request, shared_cache(), from_cache);
 }
 
-}  // namespace rift
+}  // namespace rift::lattice

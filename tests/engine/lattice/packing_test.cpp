@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 /// A piece of the paper's plate, a twentieth of its elements.
@@ -246,4 +246,4 @@ TEST(PackingStatistics, OfSpheresApartAreOfNoOverlap) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::lattice

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 // One test, since the packing takes most of its time. The figures are those measured with the prototype of
@@ -29,7 +29,8 @@ TEST(PaperPlate, ShowsTheFiguresMeasured) {
   EXPECT_EQ(plate.centre.size() + plate.rattlers, 20'000u);
 
   const Lattice bulk = make_lattice(plate, bulk_micro_material, 667.05);
-  const std::vector<Vector6> unit = stretched_at_rest(bulk, std::vector<char>(bulk.beam.size(), 1), 1.0);
+  const std::vector<mechanics::Vector6> unit =
+      mechanics::stretched_at_rest(bulk, std::vector<char>(bulk.beam.size(), 1), 1.0);
   const double modulus = strip_modulus(bulk, unit, 1.0);
   EXPECT_NEAR(modulus, 17.9e9, 0.05 * 17.9e9);
 
@@ -39,12 +40,12 @@ TEST(PaperPlate, ShowsTheFiguresMeasured) {
   const Lattice lattice = make_lattice(plate, in_situ, 667.05);
   EXPECT_NEAR(strip_modulus(lattice, unit, 1.0), 10e9 / 0.91,
               1e-9 * 10e9);  // displacements do not depend on E_mu
-  const StableStep step = stable_step(lattice);
+  const mechanics::StableStep step = mechanics::stable_step(lattice);
   EXPECT_NEAR(step.critical, 1.40e-7, 0.05 * 1.40e-7);
   EXPECT_LE(step.element_bound, step.critical);
   // With E_mu of the bulk every frequency is higher by the root of the moduli   [physics.md §3: 1.10e-7 s].
-  EXPECT_NEAR(stable_step(bulk).critical, 1.10e-7, 0.05 * 1.10e-7);
+  EXPECT_NEAR(mechanics::stable_step(bulk).critical, 1.10e-7, 0.05 * 1.10e-7);
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::lattice

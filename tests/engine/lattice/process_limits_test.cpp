@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ TEST(Crew, ThreadsThatShareACpuDoNotLookForWorkWhileOneOfThemWorks) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::lattice

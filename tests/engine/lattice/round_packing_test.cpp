@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 PackingRequest request(Walls walls, int elements = 600) {
@@ -170,4 +170,4 @@ TEST(PackingStructure, WithinWallsIsThatOfPointsAtRandomInTheSameSpace) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::lattice

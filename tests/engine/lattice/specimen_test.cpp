@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 using Pairs = std::vector<std::array<int, 2>>;
@@ -147,4 +147,4 @@ TEST(ReachedFrom, IsNothingWithoutAnAnchor) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::lattice

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift {
+namespace rift::lattice {
 namespace {
 
 const Box cylinder{2.0, 5.0, 2.0, Walls::cylinder}, sphere{2.0, 2.0, 2.0, Walls::sphere},
@@ -64,4 +64,4 @@ TEST(Walls, OfAPeriodicBoxAreCrossedByTheShortestWay) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::lattice

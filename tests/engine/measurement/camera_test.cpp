@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-namespace rift {
+namespace rift::measurement {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
 std::vector<Eigen::Vector2d> plate_of_elements() {
-  hand_made::Draw draw(5);
+  mechanics::hand_made::Draw draw(5);
   std::vector<Eigen::Vector2d> at;
   for (int i = 0; i < 4000; ++i) {
     const double x = draw.between(0, 2), y = draw.between(0, 1);
@@ -83,4 +83,4 @@ TEST(GridOver, HasEqualCellsWhoseMiddlesAreItsPoints) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::measurement

@@ -4,11 +4,11 @@
 #include "tests/engine/mechanics/hand_made.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
-namespace rift {
+namespace rift::measurement {
 namespace {
 
 std::vector<Eigen::Vector2d> scattered(int count) {
-  hand_made::Draw draw(3);
+  mechanics::hand_made::Draw draw(3);
   std::vector<Eigen::Vector2d> at;
   for (int i = 0; i < count; ++i) {
     const double x = draw.between(0, 1), y = draw.between(0, 1);
@@ -43,14 +43,14 @@ TEST(LocalPlane, RefusesTooFewPointsAndALineOfThem) {
 // Far ahead of the crack a pulled strip strains along y alone, from the first row on; and the grip's force is
 // that of the energy it has put in.
 TEST(Gauges, ShowTheStrainOfThePulledPlate) {
-  Prepared p =
-      small_plate({"output.gauges=[[\"36 mm\", \"9 mm\"], [\"36 mm\", \"3 mm\"]]", "output.gauge_length=8"});
+  simulation::Prepared p = simulation::small_plate(
+      {"output.gauges=[[\"36 mm\", \"9 mm\"], [\"36 mm\", \"3 mm\"]]", "output.gauge_length=8"});
   ASSERT_EQ(p.gauge.size(), 2U);
   std::vector<results::GaugeRow> rows;
   std::vector<results::Sample> samples;
-  Observer observer{.sample = [&](const results::Sample& s) { samples.push_back(s); },
-                    .gauge = [&](const results::GaugeRow& row) { rows.push_back(row); }};
-  march(p, observer);
+  simulation::Observer observer{.sample = [&](const results::Sample& s) { samples.push_back(s); },
+                                .gauge = [&](const results::GaugeRow& row) { rows.push_back(row); }};
+  simulation::march(p, observer);
   ASSERT_EQ(rows.size(), 2 * samples.size());
   EXPECT_EQ(rows[0].gauge, 0);
   EXPECT_EQ(rows[1].gauge, 1);
@@ -69,9 +69,10 @@ TEST(Gauges, ShowTheStrainOfThePulledPlate) {
 }
 
 TEST(Gauges, VelocityIsTheRateOfTheDisplacement) {
-  const Prepared p = small_plate({"output.gauges=[[\"20 mm\", \"9 mm\"]]", "output.samples=2000"});
+  const simulation::Prepared p =
+      simulation::small_plate({"output.gauges=[[\"20 mm\", \"9 mm\"]]", "output.samples=2000"});
   std::vector<results::GaugeRow> rows;
-  march(p, {.gauge = [&](const results::GaugeRow& row) { rows.push_back(row); }});
+  simulation::march(p, {.gauge = [&](const results::GaugeRow& row) { rows.push_back(row); }});
   double largest = 0.0, worst = 0.0;
   for (std::size_t k = 1; k + 1 < rows.size(); ++k) {
     const double rate = (rows[k + 1].uy_m - rows[k - 1].uy_m) / (rows[k + 1].time_s - rows[k - 1].time_s);
@@ -83,10 +84,10 @@ TEST(Gauges, VelocityIsTheRateOfTheDisplacement) {
 }
 
 std::string refused(const std::vector<std::string>& overrides) try {
-  small_plate(overrides);
+  simulation::small_plate(overrides);
   return "taken";
-} catch (const InputError& error) {
-  return to_text(error.issues.front());
+} catch (const scene::InputError& error) {
+  return scene::to_text(error.issues.front());
 }
 
 TEST(Gauges, InTheCracksWayOrTooSmallAreRefused) {
@@ -95,10 +96,12 @@ TEST(Gauges, InTheCracksWayOrTooSmallAreRefused) {
   EXPECT_NE(refused({"output.gauges=[[\"0.1 mm\", \"11.9 mm\"]]", "output.gauge_length=4"})
                 .find("too few elements"),
             std::string::npos);
-  const Preset outside = read_preset_text("", "x.toml", {"output.gauges=[[\"20 mm\", \"62 mm\"]]"});
+  const scene::Preset outside =
+      scene::read_preset_text("", "x.toml", {"output.gauges=[[\"20 mm\", \"62 mm\"]]"});
   ASSERT_EQ(outside.issues.size(), 1U);
-  EXPECT_NE(to_text(outside.issues[0]).find("(20 mm, 62 mm) lies outside the plate"), std::string::npos);
+  EXPECT_NE(scene::to_text(outside.issues[0]).find("(20 mm, 62 mm) lies outside the plate"),
+            std::string::npos);
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::measurement

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift {
+namespace rift::measurement {
 namespace {
 
-constexpr ElasticPlate plate{3.0, 0.3, 2.0, Plane::stress};
-const theory::WaveSpeeds waves = theory::wave_speeds(3.0, 0.3, 2.0, Plane::stress);
+constexpr ElasticPlate plate{3.0, 0.3, 2.0, theory::Plane::stress};
+const theory::WaveSpeeds waves = theory::wave_speeds(3.0, 0.3, 2.0, theory::Plane::stress);
 constexpr double shear_modulus = 0.5 * 3.0 / 1.3;
 constexpr Mode modes[] = {Mode::opening, Mode::sliding};
 
@@ -90,7 +90,7 @@ TEST(NearTip, HasUnitStressIntensityAhead) {
 TEST(NearTip, ReleasesWhatTheReferencesSay) {
   for (const double v : {0.1, 0.5, 0.9}) {
     const NearTip field(plate, v * waves.rayleigh);
-    const double expected = theory::release_rate_function(v, 0.3, Plane::stress) / 3.0;
+    const double expected = theory::release_rate_function(v, 0.3, theory::Plane::stress) / 3.0;
     EXPECT_NEAR(field.release_rate(1.0, 0.0), expected, 1e-9 * expected);
   }
   EXPECT_NEAR(NearTip(plate, 0.0).release_rate(0.0, 1.0), 1.0 / 3.0, 2e-3 / 3.0);  // K^2 / E' at rest
@@ -114,7 +114,7 @@ TEST(NearTip, ReleasesTheWorkOfClosingIt) {
 struct Seen {
   std::vector<Eigen::Vector2d> at, moved;
   Seen(const NearTip& field, double k_one, double k_two, double noise) {
-    hand_made::Draw draw(7);
+    mechanics::hand_made::Draw draw(7);
     for (int i = 0; i < 900; ++i) {
       const Eigen::Vector2d p(draw.between(-0.02, 0.02), draw.between(-0.02, 0.02));
       Eigen::Vector2d u = Eigen::Vector2d(1e-3, -2e-3) + 0.01 * Eigen::Vector2d(-p.y(), p.x());
@@ -184,4 +184,4 @@ TEST(LocateIntensity, SaysNothingOfATipOutOfReach) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::measurement

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 using hand_made::chain;
@@ -147,7 +147,7 @@ TEST(BeamLoads, VanishInARigidMotion) {
 }
 
 /// Displacements of a chain of collinear beams, clamped at its first element, under loads on its last one.
-Eigen::VectorXd clamped_chain(const Lattice& lattice, const Vector6& tip_load) {
+Eigen::VectorXd clamped_chain(const lattice::Lattice& lattice, const Vector6& tip_load) {
   const Eigen::MatrixXd k = dense_stiffness(lattice);
   const long free = k.rows() - 6;
   Eigen::VectorXd load = Eigen::VectorXd::Zero(free);
@@ -160,7 +160,7 @@ struct Cantilever {
   int beams = 25;
   Eigen::Vector3d along = Eigen::Vector3d(2, -1, 0.5).normalized();
   Eigen::Vector3d across = along.cross(Eigen::Vector3d(0.3, 0.2, 1.0)).normalized();
-  Lattice lattice = chain(beams + 1, 0.4 * along, rod);
+  lattice::Lattice lattice = chain(beams + 1, 0.4 * along, rod);
   double length = 0.4 * beams;
   // Nodal values of cubic beams are exact: what is left is rounding times the condition of a chain, beams^4
   // / 10.
@@ -201,7 +201,7 @@ TEST(BeamChain, TwistsAsAShaft) {
 TEST(BeamChain, VibratesAsABarClampedAtBothEnds) {
   const Rod rod{.radius = 0.2, .young = 3.0, .poisson = 0.25};
   const int beams = 30;
-  Lattice bar = chain(beams + 1, Eigen::Vector3d(0, 1, 0), rod);
+  lattice::Lattice bar = chain(beams + 1, Eigen::Vector3d(0, 1, 0), rod);
   const long free = 6 * (beams - 1);
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(free, free);
   for (long k = 0; k < free; ++k) mass(k, k) = (k % 6 < 3) ? bar.mass[1] : bar.inertia[1];
@@ -216,4 +216,4 @@ TEST(BeamChain, VibratesAsABarClampedAtBothEnds) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::mechanics

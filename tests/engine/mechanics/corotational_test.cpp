@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 using hand_made::Draw;
@@ -138,4 +138,4 @@ TEST(Pose, ComesBackFromItsMotion) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::mechanics

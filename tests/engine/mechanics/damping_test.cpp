@@ -8,7 +8,7 @@
 #include <cstring>
 #include <functional>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 using hand_made::all_damped;
@@ -18,8 +18,8 @@ using hand_made::jumble;
 using hand_made::March;
 
 /// Two elements and a beam between them; the masses differ, the inertias as told.
-Lattice pair_of(double inertia_j) {
-  Lattice lattice = hand_made::chain(2, Eigen::Vector3d(1, 2, -2) / 3.0, {});
+lattice::Lattice pair_of(double inertia_j) {
+  lattice::Lattice lattice = hand_made::chain(2, Eigen::Vector3d(1, 2, -2) / 3.0, {});
   lattice.mass = {1.0, 2.5};
   lattice.inertia = {0.1, inertia_j};
   return lattice;
@@ -28,7 +28,7 @@ Lattice pair_of(double inertia_j) {
 /// A motion of element j that excites one mode, and the frequency of that mode.
 struct SingleMode {
   const char* name;
-  Lattice lattice;
+  lattice::Lattice lattice;
   Vector6 direction;
   double omega;
 };
@@ -93,7 +93,7 @@ TEST(CriticalDamping, IsTheLeastThatDoesSo) {
 }
 
 /// Damping forces on a lattice at the given rates, of one step from rest.
-Eigen::VectorXd damping_forces(const Lattice& lattice, const Eigen::VectorXd& rate) {
+Eigen::VectorXd damping_forces(const lattice::Lattice& lattice, const Eigen::VectorXd& rate) {
   ViscousDamping damping = damped_everywhere(lattice, 0.5);
   double work = 0.0;
   Eigen::VectorXd f = Eigen::VectorXd::Zero(rate.size());
@@ -102,7 +102,7 @@ Eigen::VectorXd damping_forces(const Lattice& lattice, const Eigen::VectorXd& ra
 }
 
 TEST(Damping, LeavesARigidMotionAlone) {
-  const Lattice lattice = jumble(3, 31, false);
+  const lattice::Lattice lattice = jumble(3, 31, false);
   Draw draw(32);
   const Eigen::Vector3d shift = draw.vector(), turn = draw.vector(), pivot = 2.0 * draw.vector();
   Eigen::VectorXd rate(6 * static_cast<long>(lattice.centre.size()));
@@ -113,14 +113,14 @@ TEST(Damping, LeavesARigidMotionAlone) {
 }
 
 TEST(Damping, KeepsMomentumAndAngularMomentum) {
-  const Lattice lattice = jumble(3, 33, false);
+  const lattice::Lattice lattice = jumble(3, 33, false);
   Draw draw(34);
   const Eigen::VectorXd f = damping_forces(lattice, draw.state(lattice.centre.size()));
   EXPECT_NEAR(hand_made::resultant(lattice, f, 3.0 * draw.vector()).norm(), 0.0, 1e-13 * f.norm());
 }
 
 TEST(Damping, OpposesTheRates) {
-  const Lattice lattice = jumble(3, 35, false);
+  const lattice::Lattice lattice = jumble(3, 35, false);
   Draw draw(36);
   for (int trial = 0; trial < 50; ++trial) {
     const Eigen::VectorXd rate = draw.state(lattice.centre.size());
@@ -129,7 +129,7 @@ TEST(Damping, OpposesTheRates) {
 }
 
 TEST(Damping, BooksTheMeanForceOfAStepTimesItsMotion) {
-  const Lattice lattice = jumble(3, 37, false);
+  const lattice::Lattice lattice = jumble(3, 37, false);
   Draw draw(38);
   const double dt = 0.1;
   ViscousDamping damping = damped_everywhere(lattice, 0.3);
@@ -147,7 +147,7 @@ TEST(Damping, BooksTheMeanForceOfAStepTimesItsMotion) {
 }
 
 TEST(Damping, BooksTheEnergyThatTheLatticeLoses) {
-  const Lattice lattice = jumble(3, 39, false);
+  const lattice::Lattice lattice = jumble(3, 39, false);
   Draw draw(40);
   const double dt = 0.5 * 2.0 / std::sqrt(hand_made::highest_omega_squared(lattice));
   March march(lattice, damped_everywhere(lattice, 0.05), dt, draw.state(lattice.centre.size()));
@@ -161,7 +161,7 @@ TEST(Damping, BooksTheEnergyThatTheLatticeLoses) {
 }
 
 TEST(Damping, OfASofteningBeamFallsWithItsFactor) {
-  const Lattice lattice = jumble(2, 41, false);
+  const lattice::Lattice lattice = jumble(2, 41, false);
   Draw draw(42);
   const Eigen::VectorXd rate = draw.state(lattice.centre.size());
   std::vector<double> factor(lattice.beam.size(), 1.0);
@@ -191,7 +191,7 @@ TEST(Damping, OfASofteningBeamFallsWithItsFactor) {
 }
 
 TEST(Damping, TakesItsOwnFractionAtTheCracksSurface) {
-  const Lattice lattice = pair_of(0.2);
+  const lattice::Lattice lattice = pair_of(0.2);
   Draw draw(43);
   const Eigen::VectorXd rate = draw.state(2);
   const auto force = [&](bool at_surface, double alpha_at_surface, double alpha_elsewhere) {
@@ -210,4 +210,4 @@ TEST(Damping, TakesItsOwnFractionAtTheCracksSurface) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -5,9 +5,9 @@
 #include <Eigen/Dense>
 
 /// Dense algebra on small lattices: what the engine's iterations are compared with.
-namespace rift::hand_made {
+namespace rift::mechanics::hand_made {
 
-inline Eigen::MatrixXd dense_stiffness(const Lattice& lattice) {
+inline Eigen::MatrixXd dense_stiffness(const lattice::Lattice& lattice) {
   const long size = 6 * static_cast<long>(lattice.centre.size());
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
@@ -21,7 +21,7 @@ inline Eigen::MatrixXd dense_stiffness(const Lattice& lattice) {
 }
 
 /// Highest omega^2 of K x = omega^2 M x over the elements not gripped, by dense algebra.
-inline double highest_omega_squared(const Lattice& lattice) {
+inline double highest_omega_squared(const lattice::Lattice& lattice) {
   const Eigen::VectorXd root = mobility(lattice).cwiseSqrt();
   const Eigen::MatrixXd symmetric = root.asDiagonal() * dense_stiffness(lattice) * root.asDiagonal();
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
@@ -29,4 +29,4 @@ inline double highest_omega_squared(const Lattice& lattice) {
       .maxCoeff();
 }
 
-}  // namespace rift::hand_made
+}  // namespace rift::mechanics::hand_made

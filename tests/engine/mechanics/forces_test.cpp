@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 using hand_made::Draw;
@@ -13,7 +13,7 @@ using hand_made::loads_on;
 using hand_made::rows_of;
 
 /// The sum over beams of loads_of, in the beams' order.
-Eigen::VectorXd summed_loads(const Lattice& lattice, const Eigen::VectorXd& q) {
+Eigen::VectorXd summed_loads(const lattice::Lattice& lattice, const Eigen::VectorXd& q) {
   Eigen::VectorXd f = Eigen::VectorXd::Zero(q.size());
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
     const auto& [i, j] = lattice.ends[b];
@@ -28,7 +28,7 @@ Eigen::VectorXd summed_loads(const Lattice& lattice, const Eigen::VectorXd& q) {
 }
 
 TEST(BeamForces, AreTheSumOfTheBeamsLoads) {
-  const Lattice lattice = jumble(4, 11, false);
+  const lattice::Lattice lattice = jumble(4, 11, false);
   Draw draw(12);
   for (int trial = 0; trial < 20; ++trial) {
     const Eigen::VectorXd q = draw.state(lattice.centre.size());
@@ -39,7 +39,7 @@ TEST(BeamForces, AreTheSumOfTheBeamsLoads) {
 }
 
 TEST(BeamForces, AreAddedToWhatIsThere) {
-  const Lattice lattice = jumble(3, 13, false);
+  const lattice::Lattice lattice = jumble(3, 13, false);
   Draw draw(14);
   const Eigen::VectorXd q = draw.state(lattice.centre.size()), before = draw.state(lattice.centre.size());
   const Eigen::VectorXd expected = before + loads_on(lattice, q);
@@ -49,7 +49,7 @@ TEST(BeamForces, AreAddedToWhatIsThere) {
 }
 
 TEST(BeamForces, KeepMomentumAndAngularMomentum) {
-  const Lattice lattice = jumble(4, 19, false);
+  const lattice::Lattice lattice = jumble(4, 19, false);
   Draw draw(20);
   for (int trial = 0; trial < 20; ++trial) {
     const Eigen::VectorXd f = loads_on(lattice, draw.state(lattice.centre.size()));
@@ -59,7 +59,7 @@ TEST(BeamForces, KeepMomentumAndAngularMomentum) {
 }
 
 TEST(BeamForces, VanishInARigidMotion) {
-  const Lattice lattice = jumble(4, 21, false);
+  const lattice::Lattice lattice = jumble(4, 21, false);
   Draw draw(22);
   const Eigen::Vector3d shift = draw.vector(), turn = draw.vector(), pivot = 2.0 * draw.vector();
   Eigen::VectorXd q(6 * static_cast<long>(lattice.centre.size()));
@@ -70,4 +70,4 @@ TEST(BeamForces, VanishInARigidMotion) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::mechanics

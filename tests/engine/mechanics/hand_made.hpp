@@ -11,7 +11,7 @@
 
 /// Lattices small enough to check by hand or by dense algebra, and a plain velocity Verlet to march them.
 /// Lengths, masses and moduli are of order one, so that a tolerance reads as a number of roundings.
-namespace rift::hand_made {
+namespace rift::mechanics::hand_made {
 
 /// The same reals with any standard library.
 struct Draw {
@@ -49,8 +49,8 @@ struct Rod {
 };
 
 /// Collinear beams from the origin on, element k at k x span; mass and polar inertia of the bar's own.
-inline Lattice chain(int elements, const Eigen::Vector3d& span, const Rod& rod) {
-  Lattice lattice;
+inline lattice::Lattice chain(int elements, const Eigen::Vector3d& span, const Rod& rod) {
+  lattice::Lattice lattice;
   const double volume = rod.area() * span.norm();
   for (int k = 0; k < elements; ++k) {
     lattice.centre.emplace_back(k * span);
@@ -60,24 +60,24 @@ inline Lattice chain(int elements, const Eigen::Vector3d& span, const Rod& rod) 
     lattice.ends.push_back({k - 1, k});
     lattice.beam.push_back(rod.between(lattice.centre[k - 1], lattice.centre[k]));
   }
-  lattice.grip.assign(lattice.centre.size(), Grip::none);
+  lattice.grip.assign(lattice.centre.size(), lattice::Grip::none);
   lattice.mean_radius = 0.5 * span.norm();
   lattice.box = {.length = elements * span.norm(), .height = elements * span.norm(), .thickness = 1.0};
   return lattice;
 }
 
 /// A jittered cubic block of edge^3 elements, joined to all nearer than 1.5 spacings by beams of all sorts.
-inline Lattice jumble(int edge, unsigned seed, bool gripped) {
+inline lattice::Lattice jumble(int edge, unsigned seed, bool gripped) {
   Draw draw(seed);
-  Lattice lattice;
+  lattice::Lattice lattice;
   for (int k = 0; k < edge * edge * edge; ++k) {
     const Eigen::Vector3d site(k / (edge * edge), k / edge % edge, k % edge);
     lattice.centre.emplace_back(site + 0.2 * draw.vector());
     lattice.mass.push_back(draw.between(0.5, 2.0));
     lattice.inertia.push_back(draw.between(0.05, 0.2));
-    Grip grip = Grip::none;
-    if (gripped && site.y() == 0) grip = Grip::bottom;
-    if (gripped && site.y() == edge - 1) grip = Grip::top;
+    lattice::Grip grip = lattice::Grip::none;
+    if (gripped && site.y() == 0) grip = lattice::Grip::bottom;
+    if (gripped && site.y() == edge - 1) grip = lattice::Grip::top;
     lattice.grip.push_back(grip);
   }
   const int n = static_cast<int>(lattice.centre.size());
@@ -104,31 +104,32 @@ inline Vector6 rigid(const Eigen::Vector3d& at, const Eigen::Vector3d& shift, co
 }
 
 /// 1 / mass of each degree of freedom, 0 where gripped.
-inline Eigen::VectorXd mobility(const Lattice& lattice) {
+inline Eigen::VectorXd mobility(const lattice::Lattice& lattice) {
   Eigen::VectorXd per_mass = Eigen::VectorXd::Zero(6 * static_cast<long>(lattice.centre.size()));
   for (std::size_t i = 0; i < lattice.centre.size(); ++i) {
-    if (lattice.grip[i] != Grip::none) continue;
+    if (lattice.grip[i] != lattice::Grip::none) continue;
     per_mass.segment<3>(6 * static_cast<long>(i)).setConstant(1.0 / lattice.mass[i]);
     per_mass.segment<3>(6 * static_cast<long>(i) + 3).setConstant(1.0 / lattice.inertia[i]);
   }
   return per_mass;
 }
 
-inline std::vector<BeamRow> rows_of(const Lattice& lattice) {
+inline std::vector<BeamRow> rows_of(const lattice::Lattice& lattice) {
   std::vector<BeamRow> rows;
   for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b) rows.push_back(row_of(lattice, b));
   return rows;
 }
 
 /// What the beams do to all elements at displacements q, by the kernel of the hot loop.
-inline Eigen::VectorXd loads_on(const Lattice& lattice, const Eigen::VectorXd& q) {
+inline Eigen::VectorXd loads_on(const lattice::Lattice& lattice, const Eigen::VectorXd& q) {
   Eigen::VectorXd f = Eigen::VectorXd::Zero(q.size());
   add_beam_forces(rows_of(lattice), q.data(), f.data());
   return f;
 }
 
 /// Sum of the forces, then of the moments about `pivot`.
-inline Vector6 resultant(const Lattice& lattice, const Eigen::VectorXd& f, const Eigen::Vector3d& pivot) {
+inline Vector6 resultant(const lattice::Lattice& lattice, const Eigen::VectorXd& f,
+                         const Eigen::Vector3d& pivot) {
   Vector6 sum = Vector6::Zero();
   for (std::size_t i = 0; i < lattice.centre.size(); ++i) {
     const Eigen::Vector3d force = f.segment<3>(6 * static_cast<long>(i));
@@ -138,14 +139,14 @@ inline Vector6 resultant(const Lattice& lattice, const Eigen::VectorXd& f, const
   return sum;
 }
 
-inline std::vector<DampedBeam> all_damped(const Lattice& lattice) {
+inline std::vector<DampedBeam> all_damped(const lattice::Lattice& lattice) {
   std::vector<DampedBeam> damped;
   for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b)
     damped.push_back(damped_beam(lattice, b, -1, false));
   return damped;
 }
 
-inline ViscousDamping damped_everywhere(const Lattice& lattice, double alpha) {
+inline ViscousDamping damped_everywhere(const lattice::Lattice& lattice, double alpha) {
   ViscousDamping damping(all_damped(lattice));
   damping.alpha_elsewhere = alpha;
   return damping;
@@ -159,7 +160,7 @@ struct March {
   Eigen::VectorXd per_mass, q, v, f, rate;
   double dissipated = 0.0;
 
-  March(const Lattice& lattice, ViscousDamping damping_, double dt_, const Eigen::VectorXd& start)
+  March(const lattice::Lattice& lattice, ViscousDamping damping_, double dt_, const Eigen::VectorXd& start)
       : dt(dt_), rows(rows_of(lattice)), damping(std::move(damping_)), per_mass(mobility(lattice)), q(start) {
     v = rate = Eigen::VectorXd::Zero(q.size());
     f = loads_on(lattice, q);
@@ -173,7 +174,7 @@ struct March {
     v = rate + 0.5 * dt * per_mass.cwiseProduct(f);
   }
   /// K + U - C, which velocity Verlet keeps where nothing dissipates; nothing gripped.
-  double energy(const Lattice& lattice) const {
+  double energy(const lattice::Lattice& lattice) const {
     double sum = 0.5 * v.dot(v.cwiseQuotient(per_mass)) - 0.125 * dt * dt * f.dot(f.cwiseProduct(per_mass));
     for (std::size_t b = 0; b < lattice.beam.size(); ++b)
       sum += energy_of(lattice.beam[b], strain_of(lattice.beam[b], q.segment<6>(6 * lattice.ends[b][0]),
@@ -182,4 +183,4 @@ struct March {
   }
 };
 
-}  // namespace rift::hand_made
+}  // namespace rift::mechanics::hand_made

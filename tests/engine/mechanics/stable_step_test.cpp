@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 using hand_made::chain;
@@ -26,21 +26,21 @@ void expect_just_below(double given, double limit) {
 
 /// Two elements whose highest frequency is of the stretch, the twist or the bending, as their inertias make
 /// it.
-Lattice pair_of(double mass, double inertia) {
-  Lattice lattice = chain(2, Eigen::Vector3d(0.6, 0.0, 0.8), {});
+lattice::Lattice pair_of(double mass, double inertia) {
+  lattice::Lattice lattice = chain(2, Eigen::Vector3d(0.6, 0.0, 0.8), {});
   lattice.mass = {mass, 2.0 * mass};
   lattice.inertia = {inertia, inertia};
   return lattice;
 }
 
 TEST(StableStep, OfAStretchingPairIsThatOfItsReducedMass) {
-  const Lattice pair = pair_of(1.0, 100.0);
+  const lattice::Lattice pair = pair_of(1.0, 100.0);
   const double omega = std::sqrt(pair.beam[0].axial * 1.5);
   expect_just_below(stable_step(pair).critical, 2.0 / omega);
 }
 
 TEST(StableStep, OfABendingPairIsThatOfItsEndsTurningTogether) {
-  const Lattice pair = pair_of(1.0, 1e-3);
+  const lattice::Lattice pair = pair_of(1.0, 1e-3);
   const Beam& beam = pair.beam[0];
   // theta_i = theta_j against the chord: w [[2,1],[1,2]] (1,1) = 3 w (1,1), flexibility 2 (1/m_i + 1/m_j) /
   // l^2 + 1/I.
@@ -51,9 +51,9 @@ TEST(StableStep, OfABendingPairIsThatOfItsEndsTurningTogether) {
 
 TEST(StableStep, OfAClampedChainIsThatOfItsHighestStandingWave) {
   const int free = 30;
-  Lattice bar = chain(free + 2, Eigen::Vector3d(0, 1, 0), {});
-  bar.grip.front() = Grip::bottom;
-  bar.grip.back() = Grip::top;
+  lattice::Lattice bar = chain(free + 2, Eigen::Vector3d(0, 1, 0), {});
+  bar.grip.front() = lattice::Grip::bottom;
+  bar.grip.back() = lattice::Grip::top;
   for (double& inertia : bar.inertia) inertia = 100.0;  // the stretch governs: 12 E I / l^3 is 3 % of E S / l
   const double omega =
       2.0 * std::sqrt(bar.beam[0].axial / bar.mass[0]) * std::sin(0.5 * std::numbers::pi * free / (free + 1));
@@ -63,17 +63,17 @@ TEST(StableStep, OfAClampedChainIsThatOfItsHighestStandingWave) {
 TEST(StableStep, OfARandomLatticeIsThatOfDenseAlgebra) {
   for (const bool gripped : {false, true})
     for (unsigned seed = 51; seed < 55; ++seed) {
-      const Lattice lattice = jumble(4, seed, gripped);
+      const lattice::Lattice lattice = jumble(4, seed, gripped);
       expect_just_below(stable_step(lattice).critical, 2.0 / std::sqrt(highest_omega_squared(lattice)));
     }
 }
 
 TEST(StableStep, HoldsAndNoLongerOnePercentAboveIt) {
-  const Lattice lattice = jumble(4, 56, true);
+  const lattice::Lattice lattice = jumble(4, 56, true);
   const double critical = stable_step(lattice).critical;
   Eigen::VectorXd start = Draw(57).state(lattice.centre.size());
   for (std::size_t i = 0; i < lattice.grip.size(); ++i)
-    if (lattice.grip[i] != Grip::none) start.segment<6>(6 * static_cast<long>(i)).setZero();
+    if (lattice.grip[i] != lattice::Grip::none) start.segment<6>(6 * static_cast<long>(i)).setZero();
   const auto largest_after = [&](double dt) {
     March march(lattice, ViscousDamping(), dt, start);
     for (int step = 0; step < 2000; ++step) march.step();
@@ -86,7 +86,7 @@ TEST(StableStep, HoldsAndNoLongerOnePercentAboveIt) {
 TEST(StableStep, ElementBoundIsSafeAndNotIdle) {
   for (const bool gripped : {false, true})
     for (unsigned seed = 58; seed < 78; ++seed) {
-      const Lattice lattice = jumble(3, seed, gripped);
+      const lattice::Lattice lattice = jumble(3, seed, gripped);
       const double exact = 2.0 / std::sqrt(highest_omega_squared(lattice));
       const double bound = stable_step(lattice).element_bound;
       EXPECT_LE(bound, exact * (1.0 + 1e-12)) << "seed " << seed;  // the rounding of the dense algebra
@@ -96,16 +96,16 @@ TEST(StableStep, ElementBoundIsSafeAndNotIdle) {
 
 TEST(StableStep, ElementBoundOfASingleBeamIsExact) {
   for (const double inertia : {100.0, 0.02, 1e-3}) {
-    Lattice pair = pair_of(1.0, inertia);
+    lattice::Lattice pair = pair_of(1.0, inertia);
     EXPECT_NEAR(stable_step(pair).element_bound * std::sqrt(highest_omega_squared(pair)), 2.0, 1e-12);
-    pair.grip[0] = Grip::bottom;
+    pair.grip[0] = lattice::Grip::bottom;
     EXPECT_NEAR(stable_step(pair).element_bound * std::sqrt(highest_omega_squared(pair)), 2.0, 1e-12);
   }
 }
 
 TEST(StableStep, IsInfiniteWhereNothingCanVibrate) {
-  Lattice held = pair_of(1.0, 1.0);
-  held.grip = {Grip::bottom, Grip::top};
+  lattice::Lattice held = pair_of(1.0, 1.0);
+  held.grip = {lattice::Grip::bottom, lattice::Grip::top};
   EXPECT_TRUE(std::isinf(stable_step(held).critical));
   EXPECT_TRUE(std::isinf(stable_step(held).element_bound));
   EXPECT_TRUE(
@@ -113,7 +113,7 @@ TEST(StableStep, IsInfiniteWhereNothingCanVibrate) {
 }
 
 TEST(DampedCriticalStep, OfASingleModeIsTheTextbooks) {
-  const Lattice pair = pair_of(1.0, 100.0);
+  const lattice::Lattice pair = pair_of(1.0, 100.0);
   const double omega = std::sqrt(pair.beam[0].axial * 1.5), undamped = stable_step(pair).critical;
   for (const double zeta : {1e-4, 0.01, 0.2, 1.0}) {
     const double expected = 2.0 / omega * (std::sqrt(1.0 + zeta * zeta) - zeta);
@@ -123,7 +123,7 @@ TEST(DampedCriticalStep, OfASingleModeIsTheTextbooks) {
 }
 
 TEST(CriticalStep, StopsBetweenTwoRoundsWhenToldTo) {
-  const Lattice lattice = jumble(4, 58, true);
+  const lattice::Lattice lattice = jumble(4, 58, true);
   const double undamped = stable_step(lattice).critical;
   int asked = 0;
   const FractionTold told = [&](double) { return ++asked < 5; };
@@ -135,7 +135,7 @@ TEST(CriticalStep, StopsBetweenTwoRoundsWhenToldTo) {
 }
 
 TEST(DampedCriticalStep, WithoutDampingIsTheCriticalOne) {
-  const Lattice lattice = jumble(3, 79, true);
+  const lattice::Lattice lattice = jumble(3, 79, true);
   const double undamped = stable_step(lattice).critical;
   EXPECT_EQ(damped_critical_step(lattice, ViscousDamping(), undamped), undamped);
   EXPECT_NEAR(damped_critical_step(lattice, damped_everywhere(lattice, 0.0), undamped) / undamped, 1.0,
@@ -143,7 +143,7 @@ TEST(DampedCriticalStep, WithoutDampingIsTheCriticalOne) {
 }
 
 TEST(DampedCriticalStep, HoldsAndNoLongerTwoPercentAboveIt) {
-  const Lattice lattice = jumble(4, 80, false);
+  const lattice::Lattice lattice = jumble(4, 80, false);
   const ViscousDamping damping = damped_everywhere(lattice, 0.3);
   const double limit = damped_critical_step(lattice, damping, stable_step(lattice).critical);
   const Eigen::VectorXd start = Draw(81).state(lattice.centre.size());
@@ -158,4 +158,4 @@ TEST(DampedCriticalStep, HoldsAndNoLongerTwoPercentAboveIt) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::mechanics

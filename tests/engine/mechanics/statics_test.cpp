@@ -10,7 +10,7 @@
 #include <functional>
 #include <limits>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 using hand_made::chain;
@@ -18,7 +18,9 @@ using hand_made::jumble;
 using hand_made::loads_on;
 using hand_made::Rod;
 
-std::vector<char> all_of(const Lattice& lattice) { return std::vector<char>(lattice.beam.size(), 1); }
+std::vector<char> all_of(const lattice::Lattice& lattice) {
+  return std::vector<char>(lattice.beam.size(), 1);
+}
 
 Eigen::VectorXd stacked(const std::vector<Vector6>& q) {
   Eigen::VectorXd all(6 * static_cast<long>(q.size()));
@@ -27,25 +29,25 @@ Eigen::VectorXd stacked(const std::vector<Vector6>& q) {
 }
 
 /// Elements in a column along y at uneven distances, the outermost ones in the grips.
-Lattice uneven_column() {
+lattice::Lattice uneven_column() {
   const std::vector<double> height = {0.0, 1.0, 1.7, 3.2, 4.0, 4.9, 6.0};
   const Rod rod;
-  Lattice column = chain(static_cast<int>(height.size()), Eigen::Vector3d::UnitY(), rod);
+  lattice::Lattice column = chain(static_cast<int>(height.size()), Eigen::Vector3d::UnitY(), rod);
   for (std::size_t k = 0; k < height.size(); ++k) column.centre[k].y() = height[k];
   for (std::size_t b = 0; b < column.beam.size(); ++b)
     column.beam[b] = rod.between(column.centre[b], column.centre[b + 1]);
-  column.grip.front() = Grip::bottom;
-  column.grip.back() = Grip::top;
+  column.grip.front() = lattice::Grip::bottom;
+  column.grip.back() = lattice::Grip::top;
   return column;
 }
 
 /// A plate cut from the paper's: 600 elements.
-const Lattice& packed_plate() {
-  static const Lattice plate = [] {
-    const Box box{.length = 12e-3, .height = 20e-3, .thickness = 2e-3};
-    const Packing packing =
-        packed_once({.box = box, .elements = 600, .radius_spread = 0.125, .coordination = 6.0, .seed = 3});
-    return make_lattice(make_plate(packing, box, 1.0), bulk_micro_material, 667.0);
+const lattice::Lattice& packed_plate() {
+  static const lattice::Lattice plate = [] {
+    const lattice::Box box{.length = 12e-3, .height = 20e-3, .thickness = 2e-3};
+    const lattice::Packing packing = lattice::packed_once(
+        {.box = box, .elements = 600, .radius_spread = 0.125, .coordination = 6.0, .seed = 3});
+    return lattice::make_lattice(lattice::make_plate(packing, box, 1.0), lattice::bulk_micro_material, 667.0);
   }();
   return plate;
 }
@@ -58,7 +60,7 @@ struct Patience {
 };
 
 TEST(Statics, StopsBetweenTwoRoundsOfASolutionWhenToldTo) {
-  const Lattice& plate = packed_plate();
+  const lattice::Lattice& plate = packed_plate();
   for (const auto solve : {stretched_at_rest, stretched_at_rest_corotational}) {
     Patience patience{10};
     EXPECT_THROW(solve(plate, all_of(plate), 1e-4, std::ref(patience)), Interrupted);
@@ -67,7 +69,7 @@ TEST(Statics, StopsBetweenTwoRoundsOfASolutionWhenToldTo) {
 }
 
 TEST(Statics, TellsHowManyDigitsAreDoneAndTheResultIsTheSame) {
-  const Lattice& plate = packed_plate();
+  const lattice::Lattice& plate = packed_plate();
   Patience patience{1'000'000};
   const auto told = stretched_at_rest(plate, all_of(plate), 1e-4, std::ref(patience));
   EXPECT_EQ(stacked(told), stacked(stretched_at_rest(plate, all_of(plate), 1e-4)));
@@ -78,7 +80,7 @@ TEST(Statics, TellsHowManyDigitsAreDoneAndTheResultIsTheSame) {
 }
 
 TEST(Statics, StretchesAColumnEvenly) {
-  const Lattice column = uneven_column();
+  const lattice::Lattice column = uneven_column();
   const std::vector<Vector6> q = stretched_at_rest(column, all_of(column), 0.03);
   ASSERT_FALSE(q.empty());
   for (std::size_t i = 0; i < q.size(); ++i) {
@@ -92,13 +94,13 @@ TEST(Statics, StretchesAColumnEvenly) {
 }
 
 TEST(Statics, AgreesWithDenseElimination) {
-  const Lattice lattice = jumble(4, 91, true);
+  const lattice::Lattice lattice = jumble(4, 91, true);
   const Eigen::MatrixXd k = hand_made::dense_stiffness(lattice);
   std::vector<int> free;
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(k.rows());
   for (int i = 0; i < static_cast<int>(lattice.grip.size()); ++i) {
-    if (lattice.grip[i] == Grip::top) expected[6 * i + 1] = 0.7;
-    if (lattice.grip[i] == Grip::none)
+    if (lattice.grip[i] == lattice::Grip::top) expected[6 * i + 1] = 0.7;
+    if (lattice.grip[i] == lattice::Grip::none)
       for (int c = 0; c < 6; ++c) free.push_back(6 * i + c);
   }
   const Eigen::VectorXd load = (-k * expected)(free);
@@ -111,13 +113,13 @@ TEST(Statics, AgreesWithDenseElimination) {
 }
 
 TEST(Statics, LeavesNoForceOnAFreeElement) {
-  const Lattice& plate = packed_plate();
+  const lattice::Lattice& plate = packed_plate();
   const Eigen::VectorXd f = loads_on(plate, stacked(stretched_at_rest(plate, all_of(plate), 1e-4)));
   double pull = 0.0, free_force = 0.0, free_moment = 0.0;
   for (std::size_t i = 0; i < plate.grip.size(); ++i) {
     const Vector6 on = f.segment<6>(6 * static_cast<long>(i));
-    if (plate.grip[i] == Grip::top) pull -= on[1];
-    if (plate.grip[i] != Grip::none) continue;
+    if (plate.grip[i] == lattice::Grip::top) pull -= on[1];
+    if (plate.grip[i] != lattice::Grip::none) continue;
     free_force = std::max(free_force, on.head<3>().norm());
     free_moment = std::max(free_moment, on.tail<3>().norm());
   }
@@ -127,34 +129,34 @@ TEST(Statics, LeavesNoForceOnAFreeElement) {
 }
 
 TEST(Statics, HoldsTheGripsInAllSixDegreesOfFreedom) {
-  const Lattice& plate = packed_plate();
+  const lattice::Lattice& plate = packed_plate();
   const std::vector<Vector6> q = stretched_at_rest(plate, all_of(plate), 1e-4);
   Vector6 lifted = Vector6::Zero();
   lifted[1] = 1e-4;
   int held = 0;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    if (plate.grip[i] == Grip::none) continue;
+    if (plate.grip[i] == lattice::Grip::none) continue;
     ++held;
-    const Vector6 prescribed = (plate.grip[i] == Grip::top) ? lifted : Vector6::Zero();
+    const Vector6 prescribed = (plate.grip[i] == lattice::Grip::top) ? lifted : Vector6::Zero();
     EXPECT_NEAR((q[i] - prescribed).norm(), 0.0, 1e-300) << "element " << i;  // set, not computed
   }
   EXPECT_GT(held, 20);
 }
 
 TEST(Statics, IsLinearInTheDisplacement) {
-  const Lattice& plate = packed_plate();
+  const lattice::Lattice& plate = packed_plate();
   const Eigen::VectorXd once = stacked(stretched_at_rest(plate, all_of(plate), 1e-4)),
                         thrice = stacked(stretched_at_rest(plate, all_of(plate), -3e-4));
   EXPECT_NEAR((thrice + 3.0 * once).norm(), 0.0, 1e-9 * thrice.norm());
 }
 
 TEST(Statics, OfAnUnevenPullIsThatOfTheEvenOneAndOfItsTilt) {
-  const Lattice& plate = packed_plate();
+  const lattice::Lattice& plate = packed_plate();
   const auto pulled = [&](double tilt) { return stretched_at_rest(plate, all_of(plate), {1e-4, tilt}); };
   const std::vector<Vector6> tilted = pulled(0.4);
   int pulled_elements = 0;
   for (std::size_t i = 0; i < tilted.size(); ++i) {
-    if (plate.grip[i] != Grip::top) continue;
+    if (plate.grip[i] != lattice::Grip::top) continue;
     ++pulled_elements;
     EXPECT_NEAR(tilted[i][1], 1e-4 * (0.6 + 0.8 * plate.centre[i].x() / plate.box.length), 1e-18);
     EXPECT_EQ(tilted[i].tail<5>().norm(), std::abs(tilted[i][1]));
@@ -167,7 +169,7 @@ TEST(Statics, OfAnUnevenPullIsThatOfTheEvenOneAndOfItsTilt) {
 }
 
 TEST(Statics, LeavesAFragmentWhereItIs) {
-  const Lattice column = uneven_column();
+  const lattice::Lattice column = uneven_column();
   std::vector<char> present = all_of(column);
   present[2] = present[4] = 0;  // 3 and 4 hang on nothing
   const std::vector<Vector6> q = stretched_at_rest(column, present, 0.03);
@@ -176,14 +178,14 @@ TEST(Statics, LeavesAFragmentWhereItIs) {
 }
 
 TEST(Statics, HasNothingToSolveWhereAllIsHeld) {
-  Lattice column = chain(2, Eigen::Vector3d::UnitY(), {});
-  column.grip = {Grip::bottom, Grip::top};
+  lattice::Lattice column = chain(2, Eigen::Vector3d::UnitY(), {});
+  column.grip = {lattice::Grip::bottom, lattice::Grip::top};
   const std::vector<Vector6> q = stretched_at_rest(column, all_of(column), 0.03);
   EXPECT_NEAR(q[0].norm(), 0.0, 1e-300);
   EXPECT_NEAR(q[1][1], 0.03, 1e-17);
 }
 
-std::string message_of(const Lattice& lattice, double displacement) {
+std::string message_of(const lattice::Lattice& lattice, double displacement) {
   try {
     stretched_at_rest(lattice, all_of(lattice), displacement);
   } catch (const StaticsError& error) {
@@ -193,7 +195,7 @@ std::string message_of(const Lattice& lattice, double displacement) {
 }
 
 TEST(Statics, RefusesALatticeThatIsNotStable) {
-  Lattice column = uneven_column();
+  lattice::Lattice column = uneven_column();
   for (Beam& beam : column.beam) beam.axial *= -1.0;
   EXPECT_EQ(message_of(column, 0.03), "the lattice's stiffness is not positive definite");
 }
@@ -205,4 +207,4 @@ TEST(Statics, SaysHowFarItCameWhereItDoesNotConverge) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::mechanics

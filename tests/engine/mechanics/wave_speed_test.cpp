@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::mechanics {
 namespace {
 
 using hand_made::chain;
@@ -14,18 +14,18 @@ using hand_made::Rod;
 /// A bar of beams along x, held at both ends, that no crack crosses.
 struct Bar {
   Rod rod;
-  Lattice lattice;
-  Ensemble<double> simulation;
+  lattice::Lattice lattice;
+  ensemble::Ensemble<double> simulation;
 
   Bar(int elements, double dt)
       : lattice(held_chain(elements, rod)),
-        simulation(lattice, straight_path(1.0, 1e3), 0.0, dt, {LaneScenario{}}) {}
+        simulation(lattice, fracture::straight_path(1.0, 1e3), 0.0, dt, {fracture::LaneScenario{}}) {}
   Bar(const Bar&) = delete;
 
-  static Lattice held_chain(int elements, const Rod& rod) {
-    Lattice bar = chain(elements, Eigen::Vector3d::UnitX(), rod);
-    bar.grip.front() = Grip::bottom;
-    bar.grip.back() = Grip::top;
+  static lattice::Lattice held_chain(int elements, const Rod& rod) {
+    lattice::Lattice bar = chain(elements, Eigen::Vector3d::UnitX(), rod);
+    bar.grip.front() = lattice::Grip::bottom;
+    bar.grip.back() = lattice::Grip::top;
     return bar;
   }
   /// Starts component c of all elements from rest at shape(k).
@@ -86,4 +86,4 @@ TEST(WaveInABar, TravelsAtTheBarsSpeed) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::mechanics

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 TEST(Axes, EachVaryARowOfTheParameterTable) {
@@ -55,4 +55,4 @@ TEST(UnknownAxis, PointsToTheNearestNameOrTheAxisOfAKey) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 std::string complaints(const char* text, const std::vector<std::string>& overrides = {}) {
@@ -197,4 +197,4 @@ TEST(Contradictions, AreNotBuiltOnValuesThatAreWrongThemselves) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

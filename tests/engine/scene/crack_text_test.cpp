@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 using Pieces = std::vector<VelocityPiece>;
@@ -87,4 +87,4 @@ TEST(Relaxation, NamesArePaperExponents) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 constexpr std::array measured{CsvColumn{"time", Dimension::time, CsvNeed::needed, "t"},
@@ -140,4 +140,4 @@ TEST(CsvTable, KeepsTheNamesOfColumnsBeside) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 std::string issues_of(const std::vector<std::string>& overrides) {
@@ -84,4 +84,4 @@ TEST(EveryKey, AtTheEndsOfItsRangeIsReadOrRefusedByItsName) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

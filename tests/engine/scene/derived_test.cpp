@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 Scene scene_of(const std::vector<std::string>& overrides) {
@@ -152,4 +152,4 @@ TEST(EchoFreeTip, IsUnknownWhereTheCrackChangesItsVelocity) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 /// Every message is one line of a sane length without control characters.
@@ -149,4 +149,4 @@ TEST(HostileOverride, CannotBringASecondKey) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 TEST(IssueText, NamesFileLineKeyAndValue) {
@@ -33,4 +33,4 @@ TEST(InputErrorText, HasOneLinePerIssue) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

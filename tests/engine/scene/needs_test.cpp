@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 TEST(Needs, OfTheDefaultSceneAreTheDamageZoneAndFrames) {
@@ -79,4 +79,4 @@ TEST(LeftOut, SaysWhatAndWhy) {
 TEST(LeftOut, IsEmptyWhereAllIsNeeded) { EXPECT_TRUE(left_out(scene_with_everything()).empty()); }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 /// The notes on a history of a row every 5 us from 10 mm on, without the rows named.
@@ -60,4 +60,4 @@ TEST(PathThatCrossesItself, IsNotedWithThePlaceWhereItDoes) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

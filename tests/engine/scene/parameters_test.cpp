@@ -14,7 +14,7 @@
 #include <set>
 #include <string>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 std::string problem_of(const char* key, const char* text) {
@@ -86,7 +86,7 @@ TEST(Assign, WordsNameTheEnumerators) {
     return assign(s, *find_parameter(key), {std::string(word)});
   };
   EXPECT_EQ(set("material.plane", "strain"), "");
-  EXPECT_EQ(s.material.plane, Plane::strain);
+  EXPECT_EQ(s.material.plane, theory::Plane::strain);
   EXPECT_EQ(set("material.stiffness", "bulk"), "");
   EXPECT_EQ(s.material.stiffness, StiffnessChoice::bulk);
   EXPECT_EQ(set("material.stiffness", "explicit"), "");
@@ -198,4 +198,4 @@ TEST(ParametersPage, ShowsExamplesThatAreGoodPresets) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 std::string texts(const Preset& preset) {
@@ -178,4 +178,4 @@ TEST(PresetFile, ThatCannotBeReadIsAnIssue) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 /// Compares every member of two scenes, bit for bit.
@@ -188,4 +188,4 @@ TEST(PresetText, ExplainsEveryKey) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,7 +122,7 @@ TEST(HistoryFile, ContradictsWhatSaysTheSameOtherwise) {
 }
 
 TEST(HistoryFile, IsReadToTheLastBitWhateverItsCommasAndUnits) {
-  const std::vector<HistoryPoint> rows{{0.1e-6, 0.0021, 0.0001}, {0.47e-3, 0.0125, 0.0002}};
+  const std::vector<history::HistoryPoint> rows{{0.1e-6, 0.0021, 0.0001}, {0.47e-3, 0.0125, 0.0002}};
   for (const char* csv :
        {"# by hand\r\ntime [us];position [mm];uncertainty [mm]\r\n0.1;2.1;0.1\r\n470;12.5;0.2\r\n",
         "time [ms]\tposition [cm]\tuncertainty [um]\n0.0001\t0.21\t100\n+0.47\t1.25\t200",
@@ -394,4 +394,4 @@ TEST(CrackPathPoints, OnALineAreOnItHoweverTheyAreJoined) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 std::string complaints(const std::vector<std::string>& overrides) {
@@ -22,14 +22,14 @@ Scene scene_of(const std::vector<std::string>& overrides) {
 }
 
 TEST(Shapes, FillTheirBox) {
-  const Box cylinder =
+  const lattice::Box cylinder =
       box_of(scene_of({"specimen.shape=cylinder", "specimen.length=10 mm", "specimen.height=20 mm"}));
   EXPECT_NEAR(cylinder.volume(), 500e-9 * std::numbers::pi, 1e-20);
-  const Box sphere = box_of(scene_of({"specimen.shape=sphere", "specimen.length=10 mm"}));
+  const lattice::Box sphere = box_of(scene_of({"specimen.shape=sphere", "specimen.length=10 mm"}));
   EXPECT_EQ(sphere.height, 10e-3);
-  const Box box = box_of(scene_of({"specimen.shape=periodic", "specimen.thickness=30 mm"}));
+  const lattice::Box box = box_of(scene_of({"specimen.shape=periodic", "specimen.thickness=30 mm"}));
   EXPECT_EQ(box.thickness, 30e-3);
-  EXPECT_EQ(box.walls, Walls::periodic);
+  EXPECT_EQ(box.walls, lattice::Walls::periodic);
 }
 
 TEST(Shapes, TakeTheKeysThatAreTheirs) {
@@ -77,4 +77,4 @@ TEST(ExpectedRadius, KnowsHowLogNormalRadiiSpread) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

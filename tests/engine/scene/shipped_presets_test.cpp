@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 namespace fs = std::filesystem;
 
@@ -70,4 +70,4 @@ TEST(ShippedPresets, OfThePaperShareTheirScenarios) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 std::string complaints(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -169,4 +169,4 @@ TEST(OverrideErrors, NameWhatStudyAndLanesVary) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 Preset sound(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -196,4 +196,4 @@ TEST(PresetText, WritesOnlyAxesThatAreVaried) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 void expect_problem(const char* text, Dimension dimension, const char* problem) {
@@ -83,4 +83,4 @@ TEST(QuantityText, ReadsBackToTheSameBits) {
 TEST(RoundedText, HasSixDigits) { EXPECT_EQ(rounded_text(0.4 * 0.2 + 1e-12, Dimension::length), "80 mm"); }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

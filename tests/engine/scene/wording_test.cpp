@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::scene {
 namespace {
 
 TEST(Printable, EscapesControlCharacters) { EXPECT_EQ(printable("a\x1b[2J\nb\x7f"), "a\\x1b[2J\\x0ab\\x7f"); }
@@ -42,4 +42,4 @@ TEST(Trimmed, TakesBlanksOffBothEnds) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::scene

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ TEST(UserCache, IsBelowXdgCacheHomeElseBelowHome) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

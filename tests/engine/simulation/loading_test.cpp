@@ -6,28 +6,29 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 // The pull of a grip is what its own displacement gains of energy: F = dU/dd, by differences.
 TEST(GripForce, IsTheSlopeOfTheEnergy) {
   const Prepared p = small_plate();
   const std::vector<char> present(p.lattice.beam.size(), 1);
-  for (const Kinematics kinematics : {Kinematics::linear, Kinematics::corotational}) {
+  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational}) {
     const auto at_rest = [&](double d) {
-      return kinematics == Kinematics::linear ? stretched_at_rest(p.lattice, present, d)
-                                              : stretched_at_rest_corotational(p.lattice, present, d);
+      return kinematics == scene::Kinematics::linear
+                 ? mechanics::stretched_at_rest(p.lattice, present, d)
+                 : mechanics::stretched_at_rest_corotational(p.lattice, present, d);
     };
     const auto energy = [&](double d) {
       const auto q = at_rest(d);
       double sum = 0.0;
       for (std::size_t b = 0; b < present.size(); ++b)
-        sum += energy_of_beam(p.lattice, static_cast<int>(b), kinematics, q);
+        sum += lattice::energy_of_beam(p.lattice, static_cast<int>(b), kinematics, q);
       return sum;
     };
     const double d = 6e-4, step = 1e-6;
     const double slope = (energy(d + step) - energy(d - step)) / (2 * step);
-    EXPECT_NEAR(grip_force(p.lattice, present, kinematics, at_rest(d)), slope, 1e-6 * slope);
+    EXPECT_NEAR(lattice::grip_force(p.lattice, present, kinematics, at_rest(d)), slope, 1e-6 * slope);
   }
 }
 
@@ -39,9 +40,9 @@ TEST(LoadingForce, IsWhatTheGripOfTheNotchedPlatePullsWith) {
     std::vector<std::string> overrides{"loading.force=3 kN", "output.window=[0.25, 0.5]"};
     overrides.insert(overrides.end(), more.begin(), more.end());
     const Prepared p = small_plate(overrides);
-    const Ensemble<double> plate = [&] {
-      Ensemble<double> e(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, {p.lane[0].scenario},
-                         {.kinematics = p.preset.scene.solver.kinematics});
+    const ensemble::Ensemble<double> plate = [&] {
+      ensemble::Ensemble<double> e(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt,
+                                   {p.lane[0].scenario}, {.kinematics = p.preset.scene.solver.kinematics});
       e.start_from(p.displacement);
       e.start_crack(p.damped);
       return e;
@@ -51,8 +52,8 @@ TEST(LoadingForce, IsWhatTheGripOfTheNotchedPlatePullsWith) {
 }
 
 TEST(LoadingForce, IsKeptInTheEffectivePreset) {
-  const Preset preset = small_preset({"loading.force=3 kN"});
-  const Preset again = read_preset_text(preset_text(preset), "again.toml");
+  const scene::Preset preset = small_preset({"loading.force=3 kN"});
+  const scene::Preset again = scene::read_preset_text(scene::preset_text(preset), "again.toml");
   EXPECT_TRUE(again.issues.empty());
   EXPECT_EQ(again.scene.loading.force, 3000.0);
 }
@@ -62,7 +63,7 @@ TEST(LoadingForce, OfACurveIsThatAsTheCrackStarts) {
   const std::string history = "crack.history=[[10e-6, 4e-3], [20e-6, 14.5e-3], [30e-6, 25e-3]]";
   const Prepared p = small_plate({curve, history});
   EXPECT_EQ(p.pulled, small_plate({"loading.force=3 kN", history}).pulled);
-  EXPECT_FALSE(grip_moves(p.preset.scene));
+  EXPECT_FALSE(scene::grip_moves(p.preset.scene));
 }
 
 /// From 0.6 mm on, faster for 4 us.
@@ -80,7 +81,7 @@ TEST(LoadingCurve, MovesTheGripWhileTheCrackRunsAndTheBooksClose) {
     const RunResult run = march(p, {});
     EXPECT_EQ(run.outcome, Outcome::finished);
     EXPECT_LT(run.lane[0].worst_residual,
-              ledger_limit(p.preset.scene.solver.kinematics, Precision::double_precision))
+              ledger_limit(p.preset.scene.solver.kinematics, scene::Precision::double_precision))
         << testing::PrintToString(more);
     // Of a crack that has not come far the force stays about what it is: the work is about F times the way.
     const std::vector<results::Sample>& books = run.lane[0].books;
@@ -102,7 +103,7 @@ TEST(LoadingCurve, EndsWhereItSays) {
   Observer observer;
   observer.frame = [&](const results::Frame& frame) {
     for (std::size_t i = 0; i < p.lattice.centre.size(); ++i)
-      if (p.lattice.grip[i] == Grip::top) top = frame.displacement[i][1];
+      if (p.lattice.grip[i] == lattice::Grip::top) top = frame.displacement[i][1];
   };
   (void)march(p, observer);
   EXPECT_NEAR(top, 6.2e-4, 1e-9);
@@ -130,14 +131,14 @@ TEST(LoadingCurve, WaitsForTheMeasuredCrack) {
 }
 
 TEST(LoadingCurve, IsOfAsManyLanesAsGoSideBySide) {
-  const Preset preset = small_preset({moving});
-  std::vector<Scene> lanes(9, preset.scene);
+  const scene::Preset preset = small_preset({moving});
+  std::vector<scene::Scene> lanes(9, preset.scene);
   for (int k = 0; k < 9; ++k) lanes[k].crack.velocity = {{{0.3 + 0.05 * k, true}, {}}};
   const Prepared p = prepare(preset, lanes, shared_cache());
   try {
     (void)march(p, {});
     FAIL() << "nine lanes in eight";
-  } catch (const InputError& error) {
+  } catch (const scene::InputError& error) {
     EXPECT_TRUE(
         contains(error.what(), "moves the grip of all lanes at once: at most 8 go side by side, not 9"));
   }
@@ -145,16 +146,16 @@ TEST(LoadingCurve, IsOfAsManyLanesAsGoSideBySide) {
 
 // Zones of two lengths reach the measured start at two moments, and there is one grip.
 TEST(LoadingCurve, IsOfLanesWhoseCracksStartTogether) {
-  const Preset preset =
+  const scene::Preset preset =
       small_preset({moving, "crack.history=[[2e-6, 4e-3], [12e-6, 14.5e-3], [22e-6, 25e-3]]"});
-  std::vector<Scene> lanes(2, preset.scene);
+  std::vector<scene::Scene> lanes(2, preset.scene);
   lanes[1].crack.damage_zone_ratio = 3;
   const Prepared p = prepare(preset, lanes, shared_cache());
-  EXPECT_THROW(check_grip(p), InputError);
-  EXPECT_THROW((void)march(p, {}), InputError);
-  EXPECT_EQ(passes_of(p.lane).size(), 2U);
-  EXPECT_EQ(passes_of({p.lane[0], p.lane[0]}).size(), 1U);
+  EXPECT_THROW(check_grip(p), scene::InputError);
+  EXPECT_THROW((void)march(p, {}), scene::InputError);
+  EXPECT_EQ(study::passes_of(p.lane).size(), 2U);
+  EXPECT_EQ(study::passes_of({p.lane[0], p.lane[0]}).size(), 1U);
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <map>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 /// All that a run told its observer.
@@ -46,7 +46,7 @@ TEST(March, ReadsTheBooksAtEverySampleOfItsSchedule) {
     EXPECT_EQ(s.step, p.lane[0].schedule.samples[k]);
     EXPECT_EQ(s.phase, results::Phase::fracture);
     EXPECT_DOUBLE_EQ(s.time_s, static_cast<double>(s.step) * p.step.dt);
-    EXPECT_DOUBLE_EQ(s.tip_m, tip_at(p.lane[0].scenario.history, s.time_s));
+    EXPECT_DOUBLE_EQ(s.tip_m, history::tip_at(p.lane[0].scenario.history, s.time_s));
     EXPECT_DOUBLE_EQ(s.velocity_m_s, 1100.0);
   }
   EXPECT_NEAR(result.lane[0].books.front().elastic_j / p.static_energy, 1.0, 1e-12);
@@ -64,7 +64,7 @@ TEST(March, WritesFramesOfTheFieldsAskedFor) {
   Heard heard;
   march(p, heard.observer());
   ASSERT_EQ(heard.frames.size(), 5U);
-  const std::size_t n = p.lattice.centre.size(), crossed = crossings(p.path, p.lattice).size();
+  const std::size_t n = p.lattice.centre.size(), crossed = fracture::crossings(p.path, p.lattice).size();
   for (std::size_t k = 0; k < 5; ++k) {
     EXPECT_EQ(heard.frames[k].step, p.lane[0].schedule.frames[k]);
     EXPECT_EQ(heard.frames[k].displacement.size(), n);
@@ -112,7 +112,7 @@ TEST(March, GivesTheDamageOfAFrameToTheRightBeams) {
   const results::Geometry g = geometry_of(p);
   const results::Frame& frame = heard.frames[2];
   std::map<int, double> position;
-  for (const Crossing& c : crossings(p.path, p.lattice)) position[c.beam] = c.position;
+  for (const fracture::Crossing& c : fracture::crossings(p.path, p.lattice)) position[c.beam] = c.position;
   ASSERT_EQ(frame.damage_factor.size(), g.crossing.size());
   ASSERT_FALSE(g.crossing.empty());
   for (std::size_t k = 0; k < g.crossing.size(); ++k)
@@ -126,14 +126,14 @@ TEST(March, ReportsEachReleasedBeamOnceWithItsFractureEnergy) {
     const RunResult result = march(p, heard.observer());
     const results::Sample& end = result.lane[0].books.back();
     std::map<int, double> to_break;
-    for (const Crossing& c : crossings(p.path, p.lattice))
+    for (const fracture::Crossing& c : fracture::crossings(p.path, p.lattice))
       if (c.position > 0.006 && c.position <= end.tip_m) to_break[c.beam] = c.position;
     ASSERT_EQ(heard.events.size(), to_break.size()) << technique;
     double sum = 0.0;
     for (const results::ReleaseEvent& e : heard.events) {
       ASSERT_TRUE(to_break.contains(e.beam));
       EXPECT_EQ(e.position_m, to_break[e.beam]);
-      const double tip = tip_at(p.lane[0].scenario.history, e.time_s), way = 1100.0 * p.step.dt;
+      const double tip = history::tip_at(p.lane[0].scenario.history, e.time_s), way = 1100.0 * p.step.dt;
       EXPECT_GE(tip, e.position_m);
       EXPECT_LT(tip - e.position_m, way * (1.0 + 1e-9));
       sum += e.energy_j;
@@ -152,7 +152,7 @@ TEST(March, ReportsEachReleasedBeamOnceWithItsFractureEnergy) {
 // Wider kernels are slower a lane: beyond a register the others wait for a lane to end.
 TEST(March, FillsARegisterWithLanesAndLetsTheOthersWait) {
   ::setenv("RIFT_SIMD", "baseline", 1);
-  std::vector<Scene> scenes;
+  std::vector<scene::Scene> scenes;
   for (const char* velocity : {"0.4 c_r", "0.5 c_r", "0.6 c_r", "0.7 c_r", "0.8 c_r"})
     scenes.push_back(small_preset({std::string("crack.velocity=") + velocity, "crack.end=12 mm",
                                    "output.window=[0.1, 0.2]"})
@@ -160,7 +160,7 @@ TEST(March, FillsARegisterWithLanesAndLetsTheOthersWait) {
   Cache none;
   const Prepared p = prepare(small_preset({"crack.end=12 mm", "output.window=[0.1, 0.2]"}), scenes, none);
   const RunResult narrow = march(p, {}, {.threads = 1}), wide = march(p, {}, {.threads = 1, .lanes = 8});
-  EXPECT_EQ(narrow.lanes, lanes_in_register<double>(InstructionSet::baseline));
+  EXPECT_EQ(narrow.lanes, ensemble::lanes_in_register<double>(ensemble::InstructionSet::baseline));
   EXPECT_EQ(wide.lanes, 5);
   ::unsetenv("RIFT_SIMD");
   ASSERT_EQ(narrow.lane.size(), 5U);
@@ -205,7 +205,7 @@ TEST(March, OfARampGoesThroughThreePhases) {
                                        : results::Phase::fracture);
     if (s.step > 2500) continue;
     ++before_the_crack;
-    EXPECT_DOUBLE_EQ(s.tip_m, tip_at(p.lane[0].scenario.history, 0.0));
+    EXPECT_DOUBLE_EQ(s.tip_m, history::tip_at(p.lane[0].scenario.history, 0.0));
     EXPECT_EQ(s.fracture_j, 0.0);
   }
   EXPECT_GT(before_the_crack, 10);
@@ -247,4 +247,4 @@ TEST(March, StopsAsDivergedWhereTheNumbersBlowUpAndNamesTheStep) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 /// A small plate whose crack runs by itself, and what its strip holds [J/m2].
@@ -33,7 +33,7 @@ TEST(OwnWay, KeepsToTheVelocityAtWhichWhatIsReleasedIsWhatIsWithstood) {
   EXPECT_LT(run.lane[0].worst_residual, 1e-10);
   EXPECT_GT(run.lane[0].changes.size(), 5U);
   const results::Sample& last = run.lane[0].books.back();
-  EXPECT_GE(last.tip_m, crack_end(p.preset.scene) - p.step.dt * last.velocity_m_s);
+  EXPECT_GE(last.tip_m, scene::crack_end(p.preset.scene) - p.step.dt * last.velocity_m_s);
   double way = 0.0, released = 0.0, slow = 1e9, fast = 0.0;
   for (std::size_t k = 1; k < run.lane[0].books.size(); ++k) {
     const results::Sample &a = run.lane[0].books[k - 1], &b = run.lane[0].books[k];
@@ -69,7 +69,7 @@ TEST(OwnWay, IsNotArrestedByADipOfItsEstimate) {
                   {fmt::format("specimen.seed={}", seed), "crack.damage_zone_ratio=1", "crack.end=40 mm"});
     const RunResult run = march(p, {}, {.threads = 1});
     EXPECT_EQ(std::count_if(run.lane[0].changes.begin(), run.lane[0].changes.end(),
-                            [](const Change& change) { return change.axis == tip_stops; }),
+                            [](const scene::Change& change) { return change.axis == tip_stops; }),
               0)
         << "seed " << seed;
     EXPECT_TRUE(std::isnan(run.lane[0].arrested_m)) << "seed " << seed << ' ' << run.lane[0].arrested_m;
@@ -114,7 +114,7 @@ TEST(OwnWay, StartsAgainWhereTheLoadRises) {
   const LaneResult& lane = run.lane[0];
   EXPECT_LT(lane.worst_residual, 1e-10);
   const auto stop = std::find_if(lane.changes.begin(), lane.changes.end(),
-                                 [](const Change& change) { return change.axis == tip_stops; });
+                                 [](const scene::Change& change) { return change.axis == tip_stops; });
   ASSERT_NE(stop, lane.changes.end());
   ASSERT_NE(stop + 1, lane.changes.end());
   EXPECT_EQ((stop + 1)->axis, "crack_velocity");
@@ -131,7 +131,7 @@ TEST(OwnWay, GoesOnFromACheckpointOfARestingTipToTheSameBits) {
   const Prepared p = pulled_on();
   const RunResult whole = march(p, {}, {.threads = 1});
   const auto stop = std::find_if(whole.lane[0].changes.begin(), whole.lane[0].changes.end(),
-                                 [](const Change& change) { return change.axis == tip_stops; });
+                                 [](const scene::Change& change) { return change.axis == tip_stops; });
   ASSERT_NE(stop, whole.lane[0].changes.end());
   const std::int64_t resting = (stop->step + (stop + 1)->step) / 2;
   Resumption from;
@@ -157,7 +157,7 @@ TEST(OwnWay, GoesOnFromACheckpointOfARestingTipToTheSameBits) {
 TEST(OwnWay, RunsAtTheHighestVelocityWhereNothingHoldsIt) {
   const Prepared p = by_itself("[[\"0 c_r\", \"1 J/m2\"]]");
   const RunResult run = march(p, {}, {.threads = 1});
-  EXPECT_NEAR(run.lane[0].books.back().velocity_m_s, fastest_by_itself * p.rayleigh_speed, 1e-6);
+  EXPECT_NEAR(run.lane[0].books.back().velocity_m_s, scene::fastest_by_itself * p.rayleigh_speed, 1e-6);
 }
 
 TEST(OwnWay, GoesOnFromACheckpointToTheSameBits) {
@@ -193,10 +193,10 @@ TEST(MeasuredRun, FollowsItsHistoryAndItsPathToTheEnd) {
       small_plate({"crack.history=[[\"5 us\", \"4 mm\"], [\"9 us\", \"7 mm\"], [\"14 us\", \"13 mm\"]]",
                    "crack.smoothing=none", "crack.damage_zone_ratio=2", "crack.end=13 mm"});
   const LanePlan& lane = p.lane[0];
-  EXPECT_NEAR(tip_at(lane.scenario.history, 0.0), 4e-3 - 2.0 * p.lattice.mean_radius, 1e-12);
+  EXPECT_NEAR(history::tip_at(lane.scenario.history, 0.0), 4e-3 - 2.0 * p.lattice.mean_radius, 1e-12);
   EXPECT_NEAR(lane.lead * 750.0, 2.0 * p.lattice.mean_radius, 1e-9);  // as fast as the history begins
-  EXPECT_NEAR(tip_at(lane.scenario.history, lane.lead), 4e-3, 1e-12);
-  EXPECT_NEAR(tip_at(lane.scenario.history, lane.lead + 4e-6), 7e-3, 1e-12);
+  EXPECT_NEAR(history::tip_at(lane.scenario.history, lane.lead), 4e-3, 1e-12);
+  EXPECT_NEAR(history::tip_at(lane.scenario.history, lane.lead + 4e-6), 7e-3, 1e-12);
   const RunResult run = march(p, {}, {.threads = 1});
   EXPECT_EQ(run.outcome, Outcome::finished);
   EXPECT_LT(run.lane[0].worst_residual, 1e-10);
@@ -210,13 +210,13 @@ TEST(InclinedRun, ReleasesTheBeamsThatItsPathCrosses) {
   const RunResult run = march(p, {}, {.threads = 1});
   EXPECT_EQ(run.outcome, Outcome::finished);
   EXPECT_LT(run.lane[0].worst_residual, 1e-10);
-  for (const Crossing& c : not_empty(crossings(p.path, p.lattice))) {
+  for (const fracture::Crossing& c : not_empty(fracture::crossings(p.path, p.lattice))) {
     const auto& [i, j] = p.lattice.ends[c.beam];
-    const Eigen::Vector2d at = point_on(p.path, c.position);
+    const Eigen::Vector2d at = fracture::point_on(p.path, c.position);
     const Eigen::Vector2d a = p.lattice.centre[i].head<2>(), b = p.lattice.centre[j].head<2>();
     EXPECT_LT(std::abs((b - a).x() * (at - a).y() - (b - a).y() * (at - a).x()) / (b - a).norm(), 1e-12);
   }
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

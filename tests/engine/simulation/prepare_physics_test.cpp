@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 TEST(PreStress, ByARampStoresWhatTheStaticSolveSaysOfTheGripsWork) {
@@ -73,12 +73,12 @@ TEST(Scaling, BulkBeamsAtAVelocityAreInSituBeamsAtALowerOne) {
       std::vector<std::string> of_bulk{fmt::format("crack.velocity={} c_r", v),
                                        "crack.technique=" + technique};
       of_bulk.insert(of_bulk.end(), bulk_beams.begin(), bulk_beams.end());
-      const Plateau bulk = plateau(of_bulk, bulk_micro);
+      const fracture::Plateau bulk = plateau(of_bulk, bulk_micro);
       const double scaled = v * std::sqrt(in_situ_micro / bulk_micro);
       ASSERT_LT(scaled, 0.95 * v);
-      const Plateau in_situ = plateau(
+      const fracture::Plateau in_situ = plateau(
           {fmt::format("crack.velocity={} c_r", scaled), "crack.technique=" + technique}, in_situ_micro);
-      const Plateau unscaled =
+      const fracture::Plateau unscaled =
           plateau({fmt::format("crack.velocity={} c_r", v), "crack.technique=" + technique}, in_situ_micro);
       ASSERT_TRUE(bulk.reached && in_situ.reached);
       // The step scales as well but for the Lanczos margin of 1e-5.
@@ -93,7 +93,7 @@ TEST(Rates, FallWithVelocityAndRiseWithAProgressiveRelease) {
   const auto plateau = [](const std::string& technique, const std::string& velocity) {
     const Prepared p = small_plate(
         {"crack.technique=" + technique, "crack.velocity=" + velocity, "output.window=[0.2, 0.4]"});
-    const Plateau found = rates_of(p, march(p, {})).plateau;
+    const fracture::Plateau found = rates_of(p, march(p, {})).plateau;
     EXPECT_TRUE(found.reached);
     EXPECT_NEAR(found.mean.ratio, found.mean.ratio_release, 1e-10);
     return found.mean.ratio;
@@ -106,4 +106,4 @@ TEST(Rates, FallWithVelocityAndRiseWithAProgressiveRelease) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

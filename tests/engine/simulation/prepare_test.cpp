@@ -15,13 +15,13 @@
 #include <cstdint>
 #include <numbers>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 std::string refusal(const std::vector<std::string>& overrides) {
   try {
     small_plate(overrides);
-  } catch (const InputError& error) {
+  } catch (const scene::InputError& error) {
     return error.what();
   }
   return "not refused";
@@ -29,13 +29,13 @@ std::string refusal(const std::vector<std::string>& overrides) {
 
 /// Energy of the beams in the middle half of the plate [J], by the forces on them: 1/2 of displacement x
 /// load.
-double middle_half_energy(const Lattice& lattice, const std::vector<Vector6>& q) {
+double middle_half_energy(const lattice::Lattice& lattice, const std::vector<mechanics::Vector6>& q) {
   double energy = 0.0;
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
     const auto& [i, j] = lattice.ends[b];
     const double middle = 0.5 * (lattice.centre[i].x() + lattice.centre[j].x()) / lattice.box.length;
     if (middle < 0.25 || middle >= 0.75) continue;
-    const BeamLoads l = loads_of(lattice.beam[b], q[i], q[j]);
+    const mechanics::BeamLoads l = mechanics::loads_of(lattice.beam[b], q[i], q[j]);
     energy += 0.5 * (l.force_i.dot(q[j].head<3>() - q[i].head<3>()) - l.moment_i.dot(q[i].tail<3>()) -
                      l.moment_j.dot(q[j].tail<3>()));
   }
@@ -46,7 +46,8 @@ double middle_half_energy(const Lattice& lattice, const std::vector<Vector6>& q)
 TEST(Prepare, InSituBeamsMakeAStripOfTheMaterialsOwnModulus) {
   const Prepared p = small_plate({"material.poisson_ratio=0.25"});
   const std::vector<char> all(p.lattice.beam.size(), 1);
-  const double delta = 1e-4, energy = middle_half_energy(p.lattice, stretched_at_rest(p.lattice, all, delta));
+  const double delta = 1e-4,
+               energy = middle_half_energy(p.lattice, mechanics::stretched_at_rest(p.lattice, all, delta));
   const double modulus = 2.0 * (energy / 0.024) * 0.012 / (p.lattice.box.thickness * delta * delta);
   const double wanted = 10e9 / (1.0 - 0.25 * 0.25);
   EXPECT_NEAR(modulus / wanted, 1.0, 1e-9);
@@ -105,7 +106,7 @@ TEST(Prepare, CalibratedBeamsAreThoseOfCylindersOfTheScenesMaterial) {
       small_plate({"material.stiffness=calibrated", "material.poisson_ratio=0.25", "calibration.elements=400",
                    "calibration.packings=2", "calibration.radius_ratios=[0.2, 0.4, 0.8]"});
   Cache none;
-  const MicroMaterial beams = calibrate(plate.preset.scene, 10e9, 0.25, none).micro;
+  const lattice::MicroMaterial beams = calibration::calibrate(plate.preset.scene, 10e9, 0.25, none).micro;
   EXPECT_EQ(plate.micro.young_modulus, beams.young_modulus);
   EXPECT_EQ(plate.micro.radius_ratio, beams.radius_ratio);
   EXPECT_NE(plate.micro.radius_ratio, 0.3);
@@ -117,7 +118,7 @@ TEST(Prepare, SaysWhichPoissonsRatiosCylindersCanHave) {
     small_plate({"material.stiffness=calibrated", "material.poisson_ratio=0.49", "calibration.elements=300",
                  "calibration.packings=1", "calibration.radius_ratios=[0.3, 0.6]"});
     FAIL();
-  } catch (const InputError& error) {
+  } catch (const scene::InputError& error) {
     EXPECT_NE(
         std::string(error.what())
             .find("material.poisson_ratio=0.49: 0.49 is out of reach of these beams: the cylinders show 0."),
@@ -128,11 +129,11 @@ TEST(Prepare, SaysWhichPoissonsRatiosCylindersCanHave) {
 
 /// What prepare() says to a specimen of this shape.
 std::string answer_to(const std::string& specimen) {
-  const Preset preset = read_preset_text("[specimen]\nelements = 600\n" + specimen, "x.toml");
+  const scene::Preset preset = scene::read_preset_text("[specimen]\nelements = 600\n" + specimen, "x.toml");
   EXPECT_TRUE(preset.issues.empty());
   try {
     return fmt::format("prepared {} mm", 1e3 * prepare(preset, shared_cache()).lattice.box.thickness);
-  } catch (const InputError& error) {
+  } catch (const scene::InputError& error) {
     return error.what();
   }
 }
@@ -148,12 +149,12 @@ TEST(Prepare, CracksBlocksAndNoOtherShape) {
 
 /// Largest force on a free element from the beams that are there, over the largest force of any beam.
 double unbalanced(const Prepared& p, double notch_end) {
-  PlainSimulation s(p.lattice, p.path, notch_end, p.step.dt, p.lane[0].scenario);
+  ensemble::PlainSimulation s(p.lattice, p.path, notch_end, p.step.dt, p.lane[0].scenario);
   s.start_from(p.displacement);
   double worst = 0.0, largest = 0.0;
   for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
     const double force = s.motion(s.f, i).head<3>().norm();
-    if (p.lattice.grip[i] == Grip::none) worst = std::max(worst, force);
+    if (p.lattice.grip[i] == lattice::Grip::none) worst = std::max(worst, force);
     largest = std::max(largest, force);
   }
   return worst / largest;
@@ -167,7 +168,7 @@ TEST(Prepare, NotchedBeamsAreAbsentFromThePreStressOn) {
   EXPECT_LT(notched.static_energy, 0.95 * whole.static_energy);
   EXPECT_EQ(notched.scale.g_i0, whole.scale.g_i0);  // of the strip without its notch
   EXPECT_EQ(notched.micro.young_modulus, whole.micro.young_modulus);
-  Ensemble<double> s = ready(notched);
+  ensemble::Ensemble<double> s = ready(notched);
   int cut = 0;
   ASSERT_FALSE(s.met().empty());
   for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
@@ -187,7 +188,7 @@ TEST(Prepare, NotchOfTwoTipsLiesInTheMiddleAndIsSolvedForItself) {
   EXPECT_FALSE(p.statics_from_cache);
   EXPECT_LT(unbalanced(p, 0.008), 1e-9);
   int left = 0, right = 0;
-  Ensemble<double> s = ready(p);
+  ensemble::Ensemble<double> s = ready(p);
   ASSERT_FALSE(s.met().empty());
   for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
     const auto& [i, j] = p.lattice.ends[s.met()[k].beam];
@@ -206,9 +207,9 @@ TEST(Prepare, NotchOfTwoTipsLiesInTheMiddleAndIsSolvedForItself) {
 TEST(Prepare, HistoryBeginsAZonesLengthBehindTheNotch) {
   const Prepared p = small_plate({"crack.start=0.008", "crack.damage_zone_ratio=2.5"});
   EXPECT_DOUBLE_EQ(p.lane[0].scenario.law.zone_length, 2.5 * p.lattice.mean_radius);
-  EXPECT_DOUBLE_EQ(tip_at(p.lane[0].scenario.history, 0.0), 0.008 - 2.5 * p.lattice.mean_radius);
+  EXPECT_DOUBLE_EQ(history::tip_at(p.lane[0].scenario.history, 0.0), 0.008 - 2.5 * p.lattice.mean_radius);
   const Prepared simple = small_plate({"crack.start=0.008", "crack.technique=simple"});
-  EXPECT_DOUBLE_EQ(tip_at(simple.lane[0].scenario.history, 0.0), 0.008);
+  EXPECT_DOUBLE_EQ(history::tip_at(simple.lane[0].scenario.history, 0.0), 0.008);
   EXPECT_EQ(simple.lane[0].scenario.law.zone_length, 0.0);
 }
 
@@ -226,7 +227,7 @@ TEST(Prepare, DampsTheBeamsNearThePathOrAllOrNone) {
   for (const auto& [i, j] : surface.lattice.ends) expected += is_near(i) || is_near(j) ? 1 : 0;
   EXPECT_EQ(surface.damped.size(), expected);
   EXPECT_GT(expected, 50U);
-  for (const DampedBeam& b : surface.damped) EXPECT_TRUE(is_near(b.i) || is_near(b.j));
+  for (const mechanics::DampedBeam& b : surface.damped) EXPECT_TRUE(is_near(b.i) || is_near(b.j));
 }
 
 TEST(Prepare, RefusesAPathThatCrossesNoBeam) {
@@ -253,7 +254,7 @@ TEST(Prepare, StopsWhenToldToWhilePacking) {
 TEST(Prepare, GivesTheSameBitsFromTheCacheAndRebuildsADamagedOne) {
   const TemporaryFolder folder;
   Cache cache{folder.path(), {}};
-  const Preset preset = small_preset({"crack.start=0.008"});
+  const scene::Preset preset = small_preset({"crack.start=0.008"});
   const Prepared first = prepare(preset, cache), second = prepare(preset, cache);
   EXPECT_FALSE(first.packing_from_cache || first.statics_from_cache);
   EXPECT_TRUE(second.packing_from_cache && second.statics_from_cache);
@@ -314,8 +315,8 @@ TEST(Prepare, RefusesWhatFollowsFromTheLatticeAndIsOutOfItsRange) {
 TEST(Prepare, ComputesTheDampedLimitOnceForLanesThatDampAlike) {
   const TemporaryFolder folder;
   Cache cache{folder.path(), {}};
-  const Preset preset = small_preset({"damping.alpha=0.01", "damping.region=all"});
-  const auto rounds = [&](const std::vector<Scene>& lanes) {
+  const scene::Preset preset = small_preset({"damping.alpha=0.01", "damping.region=all"});
+  const auto rounds = [&](const std::vector<scene::Scene>& lanes) {
     int told = 0;
     prepare(preset, lanes, cache, [&](std::string_view stage, double) {
       told += stage == "critical step with damping";
@@ -323,7 +324,7 @@ TEST(Prepare, ComputesTheDampedLimitOnceForLanesThatDampAlike) {
     });
     return told;
   };
-  Scene faster = preset.scene, harder = preset.scene;
+  scene::Scene faster = preset.scene, harder = preset.scene;
   faster.crack.velocity = {{{0.7, true}, {}}};
   harder.damping.alpha = 0.02;
   const int once = rounds({preset.scene});
@@ -345,4 +346,4 @@ TEST(Prepare, StopsWhileTheCriticalStepIsComputed) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

@@ -3,7 +3,7 @@
 #include "engine/simulation/summary.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 // Notched plates are prepared on a path of their own.
@@ -25,7 +25,7 @@ TEST(QuasiStatic, WithTurningBeamsTendsToThatOfFixedOnes) {
 TEST(QuasiStatic, IsWhereSlowProgressiveCracksTendTo) {
   const auto distance = [](const char* velocity) {
     const Prepared p = small_plate({"crack.damage_zone_ratio=6", std::string("crack.velocity=") + velocity});
-    const Plateau plateau = rates_of(p, march(p, {})).plateau;
+    const fracture::Plateau plateau = rates_of(p, march(p, {})).plateau;
     // By steps: the rows of the books lie where the tip is then.
     return plateau.mean.ratio / quasi_static_ratio(p, plateau.window_m) - 1.0;
   };
@@ -35,4 +35,4 @@ TEST(QuasiStatic, IsWhereSlowProgressiveCracksTendTo) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 /// Marches until about `steps` of all lanes are done, and keeps what is needed to go on.
@@ -97,8 +97,8 @@ TEST(Resumption, GoesOnToTheSameBitsInEveryKindOfScene) {
 }
 
 TEST(Resumption, LanesThatHaveEndedAndThoseThatWaitGoOnToo) {
-  Preset preset = small_preset();
-  std::vector<Scene> lanes;
+  scene::Preset preset = small_preset();
+  std::vector<scene::Scene> lanes;
   for (const double v : {0.9, 0.3, 0.5, 0.7}) {
     lanes.push_back(preset.scene);
     lanes.back().crack.velocity.front().speed.value = v;
@@ -179,4 +179,4 @@ TEST(CheckpointFile, ComesBackToTheBitAndIsSealed) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

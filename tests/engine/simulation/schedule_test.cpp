@@ -6,14 +6,14 @@
 #include <cmath>
 #include <limits>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 constexpr double dt = 1e-7, end = 0.04002;               // [s], [m]
 constexpr std::array<double, 2> window{0.0123, 0.0317};  // [m]
 
-CrackHistory history() {
-  return history_of(-0.001, {{1000.0, 0.02}, {500.0, std::numeric_limits<double>::infinity()}});
+history::CrackHistory history() {
+  return history::history_of(-0.001, {{1000.0, 0.02}, {500.0, std::numeric_limits<double>::infinity()}});
 }
 
 Schedule schedule_of(const std::vector<std::string>& overrides = {}) {
@@ -34,8 +34,8 @@ TEST(Schedule, EndsAtTheFirstStepWithTheTipAtItsEnd) {
   EXPECT_EQ(s.hold, 0);
   EXPECT_EQ(s.crack_start(), 0);
   EXPECT_EQ(s.total(), s.fracture);
-  EXPECT_GE(tip_at(history(), static_cast<double>(s.fracture) * dt), end - 1e-15);
-  EXPECT_LT(tip_at(history(), static_cast<double>(s.fracture - 1) * dt), end);
+  EXPECT_GE(history::tip_at(history(), static_cast<double>(s.fracture) * dt), end - 1e-15);
+  EXPECT_LT(history::tip_at(history(), static_cast<double>(s.fracture - 1) * dt), end);
 }
 
 TEST(Schedule, SamplesFirstAndLastAndAPowerOfTwoOfStepsApart) {
@@ -56,7 +56,7 @@ TEST(Schedule, SamplesWhereTheTipIsNearestToTheWindowsEndsAndSubDivisions) {
   for (int k = 0; k <= 10; ++k) {
     const double wanted = window[0] + k * (window[1] - window[0]) / 10.0;
     const auto off = [&](std::int64_t step) {
-      return std::abs(tip_at(history(), static_cast<double>(step) * dt) - wanted);
+      return std::abs(history::tip_at(history(), static_cast<double>(step) * dt) - wanted);
     };
     const auto nearest =
         std::min_element(s.samples.begin(), s.samples.end(), [&](auto a, auto b) { return off(a) < off(b); });
@@ -101,4 +101,4 @@ TEST(Schedule, OfARampSamplesItAndFramesTheCrackOnly) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

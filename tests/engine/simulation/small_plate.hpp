@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::simulation {
 
 /// A plate of 700 elements, 48 x 12 mm and two layers thick, pulled by the paper's 5 %; the crack runs at 0.5
 /// c_r to 24 mm, 25 mean radii past the start of its window. A step takes 0.2 ms.
-inline Preset small_preset(const std::vector<std::string>& overrides = {}) {
+inline scene::Preset small_preset(const std::vector<std::string>& overrides = {}) {
   std::string text = R"(
 [specimen]
 length = "48 mm"
@@ -36,8 +36,8 @@ frames = 5
   for (const std::string& given : overrides)  // which the displacement would contradict
     if (given.starts_with("loading.force") || given.starts_with("loading.curve"))
       text.erase(std::min(text.find(pulled), text.size()), pulled.size());
-  Preset preset = read_preset_text(text, "small.toml", overrides);
-  for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+  scene::Preset preset = scene::read_preset_text(text, "small.toml", overrides);
+  for (const scene::Issue& issue : preset.issues) ADD_FAILURE() << scene::to_text(issue);
   return preset;
 }
 
@@ -47,25 +47,27 @@ inline Prepared small_plate(const std::vector<std::string>& overrides = {}) {
 
 /// An ensemble at rest under the pre-stress, its crack about to start.
 template <class Real = double>
-Ensemble<Real> ready(const Prepared& p, const std::vector<LaneScenario>& scenarios, double dt,
-                     const Marching& marching = {}) {
-  Ensemble<Real> simulation(p.lattice, p.path, p.preset.scene.crack.start, dt, scenarios, marching);
+ensemble::Ensemble<Real> ready(const Prepared& p, const std::vector<fracture::LaneScenario>& scenarios,
+                               double dt, const ensemble::Marching& marching = {}) {
+  ensemble::Ensemble<Real> simulation(p.lattice, p.path, p.preset.scene.crack.start, dt, scenarios, marching);
   simulation.start_from(p.displacement);
   simulation.start_crack(p.damped);
   return simulation;
 }
 
-inline Ensemble<double> ready(const Prepared& p) { return ready(p, {p.lane[0].scenario}, p.step.dt); }
+inline ensemble::Ensemble<double> ready(const Prepared& p) {
+  return ready(p, {p.lane[0].scenario}, p.step.dt);
+}
 
 /// The plate's crack by S-NRT and by P-NRT with the three laws of the paper, eqs. (9)-(11).
-inline std::vector<LaneScenario> four_laws(const Prepared& p) {
+inline std::vector<fracture::LaneScenario> four_laws(const Prepared& p) {
   const double zone = p.lattice.mean_radius;
-  std::vector<LaneScenario> lanes(4, p.lane[0].scenario);
-  lanes[0].law = {Technique::simple, 1.0, 0.0};
-  lanes[1].law = {Technique::progressive, 1.0, zone};
-  lanes[2].law = {Technique::progressive, 0.5, zone};
-  lanes[3].law = {Technique::progressive, 2.0, zone};
+  std::vector<fracture::LaneScenario> lanes(4, p.lane[0].scenario);
+  lanes[0].law = {scene::Technique::simple, 1.0, 0.0};
+  lanes[1].law = {scene::Technique::progressive, 1.0, zone};
+  lanes[2].law = {scene::Technique::progressive, 0.5, zone};
+  lanes[3].law = {scene::Technique::progressive, 2.0, zone};
   return lanes;
 }
 
-}  // namespace rift
+}  // namespace rift::simulation

@@ -7,17 +7,17 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 /// Marches and makes each change at the first question after the lane's step has passed it.
 struct Steered {
   RunResult result;
-  std::vector<Change> made;
+  std::vector<scene::Change> made;
   std::vector<std::string> refused;
 };
 
-Steered steered(const Prepared& p, std::vector<Change> wishes) {
+Steered steered(const Prepared& p, std::vector<scene::Change> wishes) {
   Steered s;
   Observer observer;
   std::size_t next = 0;
@@ -28,7 +28,7 @@ Steered steered(const Prepared& p, std::vector<Change> wishes) {
       orders.changes.push_back(wishes[next++]);
     return orders;
   };
-  observer.changed = [&](const Change& change, const std::string& why) {
+  observer.changed = [&](const scene::Change& change, const std::string& why) {
     if (why.empty())
       s.made.push_back(change);
     else
@@ -79,7 +79,7 @@ TEST(Steering, ReplayGivesTheSameBits) {
                                 {0, total / 2, "relaxation", "square-root"}});
   ASSERT_EQ(s.made.size(), 4U);
   Prepared again = small_plate(settings);
-  again.preset.steering = read_preset_text(steering_text(s.made), "replay").steering;
+  again.preset.steering = scene::read_preset_text(scene::steering_text(s.made), "replay").steering;
   ASSERT_EQ(again.preset.steering, s.made);
   const RunResult replayed = march(again, {}, {.threads = 2});
   expect_same_books(s.result, replayed);
@@ -102,19 +102,20 @@ TEST(Steering, AChangeOfVelocityMovesTheTipFromThatStepOn) {
 
 // Beams that the damage zone has reached keep their law, so that a longer zone damages nothing in one jump.
 TEST(Steering, ALongerZoneNeverSoftensABeamInOneJump) {
-  LaneScenario scenario{.history = history_of(0, {{1.0, 100.0}}), .law = {Technique::progressive, 1.0, 2.0}};
-  change_law(scenario, {Technique::progressive, 1.0, 6.0}, 10.0);
+  fracture::LaneScenario scenario{.history = history::history_of(0, {{1.0, 100.0}}),
+                                  .law = {scene::Technique::progressive, 1.0, 2.0}};
+  fracture::change_law(scenario, {scene::Technique::progressive, 1.0, 6.0}, 10.0);
   for (double s = 10.0; s < 30.0; s += 0.1) {
-    const double before = stiffness_left({Technique::progressive, 1.0, 2.0}, 10.0, s);
-    EXPECT_EQ(stiffness_left(law_at(scenario, s), 10.0, s), before) << s;
+    const double before = fracture::stiffness_left({scene::Technique::progressive, 1.0, 2.0}, 10.0, s);
+    EXPECT_EQ(fracture::stiffness_left(fracture::law_at(scenario, s), 10.0, s), before) << s;
   }
-  EXPECT_EQ(law_at(scenario, 15.9).zone_length, 2.0);
-  EXPECT_EQ(law_at(scenario, 16.0).zone_length, 6.0);
-  EXPECT_EQ(reach_ahead(scenario, 10.0), 6.0);
-  change_law(scenario, {Technique::progressive, 1.0, 1.0}, 11.0);
-  EXPECT_EQ(law_at(scenario, 16.5).zone_length, 6.0);
-  EXPECT_EQ(law_at(scenario, 17.1).zone_length, 1.0);
-  EXPECT_EQ(reach_ahead(scenario, 20.0), 1.0);
+  EXPECT_EQ(fracture::law_at(scenario, 15.9).zone_length, 2.0);
+  EXPECT_EQ(fracture::law_at(scenario, 16.0).zone_length, 6.0);
+  EXPECT_EQ(fracture::reach_ahead(scenario, 10.0), 6.0);
+  fracture::change_law(scenario, {scene::Technique::progressive, 1.0, 1.0}, 11.0);
+  EXPECT_EQ(fracture::law_at(scenario, 16.5).zone_length, 6.0);
+  EXPECT_EQ(fracture::law_at(scenario, 17.1).zone_length, 1.0);
+  EXPECT_EQ(fracture::reach_ahead(scenario, 20.0), 1.0);
 }
 
 TEST(Steering, RefusesWhatCannotBe) {
@@ -166,7 +167,8 @@ TEST(Steering, APlateauThatWasSteeredIsNone) {
   const Prepared p = small_plate({"crack.velocity=0.4 c_r"});
   const LanePlan& lane = p.lane[0];
   const double middle = 0.5 * (lane.window[0] + lane.window[1]);
-  const auto step = static_cast<std::int64_t>(time_of_arrival(lane.scenario.history, middle) / p.step.dt);
+  const auto step =
+      static_cast<std::int64_t>(history::time_of_arrival(lane.scenario.history, middle) / p.step.dt);
   for (const auto& [at, reached] : {std::pair{step, false}, {std::int64_t{2}, true}}) {
     const Steered s = steered(p, {{0, at, "relaxation", "quadratic"}});
     Prepared now = p;
@@ -180,21 +182,21 @@ TEST(Steering, AChangeThatNeverComesIsRefusedBeforeTheFirstStep) {
   Prepared p = small_plate({"crack.velocity=0.4 c_r"});
   p.preset.steering = {{0, total, "relaxation", "quadratic"}};
   bool began = false;
-  EXPECT_THROW(march(p, {.sample = [&](const results::Sample&) { began = true; }}), InputError);
+  EXPECT_THROW(march(p, {.sample = [&](const results::Sample&) { began = true; }}), scene::InputError);
   EXPECT_FALSE(began);
   p.preset.steering = {{0, 10, "crack_velocity", "0.2 c_r"}, {0, total, "relaxation", "quadratic"}};
   EXPECT_EQ(march(p, {}).lane[0].changes.size(), 2U);
   p.preset.steering = {{0, 10, "crack_velocity", "0.2 c_r"}, {0, 100 * total, "relaxation", "quadratic"}};
-  EXPECT_THROW(march(p, {}), InputError);
+  EXPECT_THROW(march(p, {}), scene::InputError);
 }
 
 TEST(SteeringText, MistakesAreNamedByLineAndKey) {
-  const Preset preset = read_preset_text(
+  const scene::Preset preset = scene::read_preset_text(
       "[[steering]]\nlane = 4\nstep = -1\ndamping_alpha = 7\n[[steering]]\nstep = 5\nseed = 3\n"
       "[[steering]]\nrelaxation = \"linear\"\n[[steering]]\nstep = 4\n",
       "x.toml");
   std::string all;
-  for (const Issue& issue : preset.issues) all += to_text(issue) + "\n";
+  for (const scene::Issue& issue : preset.issues) all += scene::to_text(issue) + "\n";
   EXPECT_NE(all.find("x.toml:2: steering.lane = 4: must be a whole number in [0, 0]"), std::string::npos)
       << all;
   EXPECT_NE(all.find("x.toml:3: steering.step = -1"), std::string::npos) << all;
@@ -205,11 +207,11 @@ TEST(SteeringText, MistakesAreNamedByLineAndKey) {
 }
 
 TEST(SteeringText, AStudyIsNotSteered) {
-  const Preset preset =
-      read_preset_text("[study]\nseed = [1, 2]\n[[steering]]\nstep = 1\nrelaxation = \"linear\"\n", "x.toml");
+  const scene::Preset preset = scene::read_preset_text(
+      "[study]\nseed = [1, 2]\n[[steering]]\nstep = 1\nrelaxation = \"linear\"\n", "x.toml");
   ASSERT_EQ(preset.issues.size(), 1U);
-  EXPECT_NE(to_text(preset.issues[0]).find("a study is not steered"), std::string::npos);
+  EXPECT_NE(scene::to_text(preset.issues[0]).find("a study is not steered"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

@@ -6,13 +6,13 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 std::string refusal(const std::vector<std::string>& overrides) {
   try {
     small_plate(overrides);
-  } catch (const InputError& error) {
+  } catch (const scene::InputError& error) {
     return error.what();
   }
   return "not refused";
@@ -92,4 +92,4 @@ TEST(ChooseStep, AllowsAStepJustBelowTheDampedLimitAndTheRunStaysBounded) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::simulation {
 namespace {
 
 /// Broberg's own problem in small: a plate of 123 x 82 mean radii that opens from its middle, the window its
 /// own.
-Preset opening_plate(const std::vector<std::string>& overrides = {}) {
+scene::Preset opening_plate(const std::vector<std::string>& overrides = {}) {
   constexpr const char* text = R"(
 [specimen]
 length = "72 mm"
@@ -27,21 +27,21 @@ samples = 50
 frames = 0
 g_i0_reference = "griffith"
 )";
-  Preset preset = read_preset_text(text, "opening.toml", overrides);
-  for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+  scene::Preset preset = scene::read_preset_text(text, "opening.toml", overrides);
+  for (const scene::Issue& issue : preset.issues) ADD_FAILURE() << scene::to_text(issue);
   return preset;
 }
 
 struct Opened {
   Prepared prepared;
   RunResult result;
-  Plateau plateau;
+  fracture::Plateau plateau;
 };
 
 Opened opened(const std::vector<std::string>& overrides = {}) {
   Prepared p = prepare(opening_plate(overrides), shared_cache());
   RunResult result = march(p, {});
-  const Plateau plateau = rates_of(p, result).plateau;
+  const fracture::Plateau plateau = rates_of(p, result).plateau;
   return {std::move(p), std::move(result), plateau};
 }
 
@@ -60,7 +60,8 @@ TEST(TwoTips, CloseTheirBooksAndTakeWhatALatticeTakesOfBroberg) {
 TEST(TwoTips, AreMeasuredInOneEnergyByEitherReference) {
   const Opened griffith = opened(), strip = opened({"output.g_i0_reference=strip"});
   const auto energy = [](const Opened& o) {
-    return o.plateau.mean.ratio * mean_g_i0(o.prepared.scale, o.plateau.window_m[0], o.plateau.window_m[1]);
+    return o.plateau.mean.ratio *
+           fracture::mean_g_i0(o.prepared.scale, o.plateau.window_m[0], o.plateau.window_m[1]);
   };
   EXPECT_NEAR(energy(griffith) / energy(strip), 1.0, 1e-12);
   const auto curve = rates_of(strip.prepared, strip.result).curve;
@@ -83,4 +84,4 @@ TEST(TwoTips, SaySoInTheirSummary) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::simulation

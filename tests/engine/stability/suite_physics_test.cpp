@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::stability {
 namespace {
 
 // The dear ones, of damage zones, inclusions and slow cracks, are left to suite_slow_test.cpp.
@@ -49,8 +49,8 @@ TEST(GrowthOfAMode, IsThatOfTheRootsOfTheRecurrence) {
 }
 
 TEST(HighestMode, IsWhatLanczosFindsAndNothingTheElementBoundForbids) {
-  const Lattice block = small_block(4, 4, 2);
-  const StableStep stable = stable_step(block);
+  const lattice::Lattice block = small_block(4, 4, 2);
+  const mechanics::StableStep stable = mechanics::stable_step(block);
   const double exact = 2.0 / highest_mode(block).omega;
   EXPECT_NEAR(stable.critical / exact, 1.0, 2e-5);
   EXPECT_LT(stable.critical, exact);
@@ -58,7 +58,7 @@ TEST(HighestMode, IsWhatLanczosFindsAndNothingTheElementBoundForbids) {
 }
 
 TEST(Suite, SeesThatACaseIsNotAsExpected) {
-  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](Precision) {
+  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](scene::Precision) {
                       Seen seen;
                       seen.ending = Ending::diverges;
                       return seen;
@@ -71,14 +71,14 @@ TEST(Suite, SeesThatACaseIsNotAsExpected) {
 }
 
 TEST(Suite, ACaseThatClosesButShowsAnotherNumberIsNotAsExpected) {
-  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](Precision) {
+  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](scene::Precision) {
                       Seen seen;
                       seen.ending = Ending::closes;
                       seen.ratio = 0.5;
                       return seen;
                     }};
   const auto expect = [&](double low, double high, double factor) {
-    one.claims = [=](const Seen& seen, Precision) {
+    one.claims = [=](const Seen& seen, scene::Precision) {
       return std::vector<Claim>{{"ratio", low, high, factor * seen.ratio}};
     };
     return try_case(one).as_expected;
@@ -89,17 +89,17 @@ TEST(Suite, ACaseThatClosesButShowsAnotherNumberIsNotAsExpected) {
 }
 
 TEST(Suite, ARatioThatSinglePrecisionChangesIsNotAsExpected) {
-  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](Precision precision) {
+  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](scene::Precision precision) {
                       Seen seen;
                       seen.ending = Ending::closes;
-                      seen.ratio = precision == Precision::double_precision ? 0.5 : 0.502;
+                      seen.ratio = precision == scene::Precision::double_precision ? 0.5 : 0.502;
                       return seen;
                     }};
   EXPECT_FALSE(try_case(one).as_expected);
 }
 
 TEST(Suite, CountsTheBeamsThatTheTipOfAPlateHasPassed) {
-  const Seen seen = crack({}, {}, {}, Precision::double_precision);
+  const Seen seen = crack({}, {}, {}, scene::Precision::double_precision);
   ASSERT_EQ(seen.claims.size(), 1U);
   EXPECT_EQ(seen.claims[0].what, "beams released");
   EXPECT_GT(seen.claims[0].low, 20.0);
@@ -108,7 +108,7 @@ TEST(Suite, CountsTheBeamsThatTheTipOfAPlateHasPassed) {
 }
 
 TEST(Suite, ARefusalMustSayWhy) {
-  StabilityCase one{"f", "c", Ending::refused, std::nan(""), "the limit is", [](Precision) {
+  StabilityCase one{"f", "c", Ending::refused, std::nan(""), "the limit is", [](scene::Precision) {
                       Seen seen;
                       seen.ending = Ending::refused;
                       seen.said = "no";
@@ -118,7 +118,7 @@ TEST(Suite, ARefusalMustSayWhy) {
 }
 
 TEST(Suite, ADivergenceMustBeCaughtInTime) {
-  StabilityCase one{"f", "c", Ending::diverges, std::nan(""), "", [](Precision) {
+  StabilityCase one{"f", "c", Ending::diverges, std::nan(""), "", [](scene::Precision) {
                       Seen seen;
                       seen.ending = Ending::diverges;
                       seen.caught_within = caught_at_most + 1;
@@ -129,14 +129,14 @@ TEST(Suite, ADivergenceMustBeCaughtInTime) {
 
 // With samples far apart the march itself looks.
 TEST(Divergence, IsCaughtBetweenTwoSamplesByStepElementBeamAndLane) {
-  Preset preset = plate_preset({"crack.velocity=0.005 c_r", "crack.end=22 mm", "output.samples=10"});
+  scene::Preset preset = plate_preset({"crack.velocity=0.005 c_r", "crack.end=22 mm", "output.samples=10"});
   ASSERT_TRUE(preset.issues.empty());
-  Prepared p = prepare(preset, {preset.scene, preset.scene}, shared_cache());
+  simulation::Prepared p = simulation::prepare(preset, {preset.scene, preset.scene}, shared_cache());
   force_step(p, 1.01 * p.stable.critical);
-  const RunResult result = march(p, {});
-  EXPECT_EQ(result.outcome, Outcome::diverged);
+  const simulation::RunResult result = simulation::march(p, {});
+  EXPECT_EQ(result.outcome, simulation::Outcome::diverged);
   for (int lane = 0; lane < 2; ++lane) {
-    const LaneResult& r = result.lane[lane];
+    const simulation::LaneResult& r = result.lane[lane];
     EXPECT_GT(p.lane[lane].schedule.samples[1], 128);
     EXPECT_LE(r.steps - r.sound_at, 200);
     EXPECT_LT(r.steps, p.lane[lane].schedule.samples[1]);
@@ -150,4 +150,4 @@ TEST(Divergence, IsCaughtBetweenTwoSamplesByStepElementBeamAndLane) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::stability

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-namespace rift {
+namespace rift::stability {
 namespace {
 
 // A million steps of free vibration and cracks at 1e-4 c_r among them.
@@ -20,4 +20,4 @@ TEST(StiffAndExtremeCases, AllComeToWhatTheyMust) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::stability

@@ -13,12 +13,12 @@
 #include <cmath>
 #include <set>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
-Preset preset_of(const std::string& text) {
-  Preset preset = read_preset_text(text, "x.toml");
-  for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+scene::Preset preset_of(const std::string& text) {
+  scene::Preset preset = scene::read_preset_text(text, "x.toml");
+  for (const scene::Issue& issue : preset.issues) ADD_FAILURE() << scene::to_text(issue);
   return preset;
 }
 
@@ -51,9 +51,9 @@ TEST(AccuracyPlan, VariesTheStepInBothPrecisions) {
   EXPECT_EQ(of(plan, Knob::time_step).front().label, "0.05 of critical");
   EXPECT_EQ(of(plan, Knob::time_step).back().label, "0.98 of critical");
   for (const Variant& v : not_empty(of(plan, Knob::time_step)))
-    EXPECT_EQ(v.scene.solver.precision, Precision::double_precision);
+    EXPECT_EQ(v.scene.solver.precision, scene::Precision::double_precision);
   for (const Variant& v : not_empty(of(plan, Knob::precision)))
-    EXPECT_EQ(v.scene.solver.precision, Precision::single_precision);
+    EXPECT_EQ(v.scene.solver.precision, scene::Precision::single_precision);
   EXPECT_EQ(of(plan, Knob::precision).size() + 2, of(plan, Knob::time_step).size());
 }
 
@@ -91,7 +91,7 @@ TEST(AccuracyPlan, TakesARampAsAVariantAndNothingElse) {
   const AccuracyPlan plan = plan_accuracy(
       preset_of("[loading]\nmethod = \"ramp\"\nramp_steps = 7000\n[solver]\ndt = \"2e-8 s\"\n"), {});
   for (const Variant& v : not_empty(plan.variants)) {
-    const bool ramp = v.scene.loading.method == LoadingMethod::ramp;
+    const bool ramp = v.scene.loading.method == scene::LoadingMethod::ramp;
     EXPECT_EQ(ramp, v.knob == Knob::prestress && v.label.starts_with("ramp")) << v.label;
     EXPECT_EQ(v.scene.loading.ramp_steps, 7000);
   }
@@ -101,7 +101,7 @@ TEST(AccuracyPlan, TakesARampAsAVariantAndNothingElse) {
 
 TEST(AccuracyPlan, RampsInThePapersTimeWhateverTheStep) {
   const AccuracyPlan plan = plan_accuracy(preset_of("[solver]\ndt_fraction = 0.3\n"), {});
-  const Scene ramp = of(plan, Knob::prestress).back().scene;
+  const scene::Scene ramp = of(plan, Knob::prestress).back().scene;
   EXPECT_NEAR(ramp.loading.ramp_steps * estimated_length(ramp).step_s, 0.47e-3, 1e-6);
   EXPECT_EQ(ramp.loading.hold_steps, ramp.loading.ramp_steps / 2);
 }
@@ -126,10 +126,10 @@ TEST(AccuracyPlan, QuickTakesAFourthOfTheElementsAndNoRamp) {
 }
 
 TEST(AccuracyPlan, SetsScenesSideBySideThatDifferByAHair) {
-  const std::vector<Scene> scenes = side_by_side(preset_of("").scene, 3);
+  const std::vector<scene::Scene> scenes = side_by_side(preset_of("").scene, 3);
   ASSERT_EQ(scenes.size(), 3u);
   std::set<double> speeds;
-  for (const Scene& scene : scenes) {
+  for (const scene::Scene& scene : scenes) {
     speeds.insert(scene.crack.velocity.front().speed.value);
     EXPECT_NEAR(scene.crack.velocity.front().speed.value, 0.5, 1e-5);
   }
@@ -141,19 +141,20 @@ TEST(AccuracyPlan, SetsScenesSideBySideThatDifferByAHair) {
 std::vector<Tried> made_up(const AccuracyPlan& plan, double scatter) {
   std::vector<Tried> tried;
   for (const Variant& v : plan.variants) {
-    const Scene& s = v.scene;
+    const scene::Scene& s = v.scene;
     const double step = s.solver.dt_fraction.value_or(0.5), size = std::sqrt(1000.0 / s.specimen.elements);
     double ratio = 0.6 + 0.02 * step * step + 0.1 * size + scatter * static_cast<double>(s.specimen.seed - 2);
-    if (s.solver.precision == Precision::single_precision) ratio += 1e-4;
-    if (s.solver.kinematics == Kinematics::corotational) ratio += 0.05;
+    if (s.solver.precision == scene::Precision::single_precision) ratio += 1e-4;
+    if (s.solver.kinematics == scene::Kinematics::corotational) ratio += 0.05;
     const double wall = s.specimen.elements / step * (s.output.samples > 100 ? 2e-4 : 1e-4);
-    tried.push_back({v,
-                     {{"outcome", "finished"},
-                      {"ratio_with_damping", ratio},
-                      {"error_broberg", ratio - 0.52},
-                      {"wall_fracture_s", wall},
-                      {"wall_prestress_s", 100.0},
-                      {"prestress_method", s.loading.method == LoadingMethod::ramp ? "ramp" : "static"}}});
+    tried.push_back(
+        {v,
+         {{"outcome", "finished"},
+          {"ratio_with_damping", ratio},
+          {"error_broberg", ratio - 0.52},
+          {"wall_fracture_s", wall},
+          {"wall_prestress_s", 100.0},
+          {"prestress_method", s.loading.method == scene::LoadingMethod::ramp ? "ramp" : "static"}}});
   }
   return tried;
 }
@@ -252,7 +253,7 @@ TEST(Accuracy, LeavesOutWhatCannotBe) {
   EXPECT_EQ(line_of(a, Knob::together, "0.6 of critical, single, 25 samples").cannot_be, "a reason");
 }
 
-const BuildInfo build{"0.1.0", "a compiler"};
+const simulation::BuildInfo build{"0.1.0", "a compiler"};
 
 /// 500 elements, damped so much that only small steps are stable.
 AccuracyPlan tiny_plan() {
@@ -324,7 +325,7 @@ TEST(AccuracyRun, ThrowsWhereTheSceneItselfCannotBe) {
   const TemporaryFolder folder;
   AccuracyPlan plan = tiny_plan();
   plan.variants.front().scene.solver.dt_fraction = 0.99;
-  EXPECT_THROW(try_variants(plan, into(folder.path()), shared_cache(), build, {}), InputError);
+  EXPECT_THROW(try_variants(plan, into(folder.path()), shared_cache(), build, {}), scene::InputError);
 }
 
 TEST(AccuracyRun, FillsARegisterInOnePass) {
@@ -332,9 +333,9 @@ TEST(AccuracyRun, FillsARegisterInOnePass) {
   const AccuracyPlan plan = tiny_plan();
   const std::vector<SummaryRow> rows =
       fill_lanes(plan, plan.variants.front().scene, into(folder.path()), shared_cache(), build, {});
-  ASSERT_EQ(static_cast<int>(rows.size()), lanes_of_many(Precision::double_precision));
+  ASSERT_EQ(static_cast<int>(rows.size()), lanes_of_many(scene::Precision::double_precision));
   for (const SummaryRow& row : rows) EXPECT_EQ(row.at("lanes"), rows.size());
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::study

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 SummaryRow strip_row(double v, double zone, double ratio, long seed, double relaxation = 1.0) {
@@ -95,4 +95,4 @@ TEST(Beyond, WakeBandsAreSharesOfAllThatMoves) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::study

@@ -10,7 +10,7 @@
 #include <functional>
 #include <set>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 /// A made-up row: Broberg 0.5 everywhere, so that a ratio of 0.5 + delta is off by delta.
@@ -282,4 +282,4 @@ TEST(Claims, FollowTheRowsTheyAreGiven) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::study

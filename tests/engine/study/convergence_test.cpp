@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 std::vector<Level> levels_of(const std::function<double(double)>& f) {
@@ -67,4 +67,4 @@ TEST(Convergence, LeavesOutLevelsWithoutAValue) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::study

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 struct Size {
@@ -51,4 +51,4 @@ TEST(Table2, TellsTheDeviation) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::study

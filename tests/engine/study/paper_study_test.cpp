@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <string>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
-Preset preset_of(const std::string& text) {
-  Preset preset = read_preset_text(text, "x.toml");
-  for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+scene::Preset preset_of(const std::string& text) {
+  scene::Preset preset = scene::read_preset_text(text, "x.toml");
+  for (const scene::Issue& issue : preset.issues) ADD_FAILURE() << scene::to_text(issue);
   return preset;
 }
 
@@ -38,8 +38,8 @@ TEST(PaperStudy, NamesAllAxesInEveryRow) {
 TEST(PaperStudy, TakesASingleRunWithBothStiffnesses) {
   const PaperStudy merged = merge_presets({{"a", preset_of("")}}, Effort::full);
   ASSERT_EQ(merged.preset.study.size(), 2u);
-  EXPECT_EQ(merged.preset.study[0].scene.material.stiffness, StiffnessChoice::bulk);
-  EXPECT_EQ(merged.preset.study[1].scene.material.stiffness, StiffnessChoice::in_situ);
+  EXPECT_EQ(merged.preset.study[0].scene.material.stiffness, scene::StiffnessChoice::bulk);
+  EXPECT_EQ(merged.preset.study[1].scene.material.stiffness, scene::StiffnessChoice::in_situ);
   EXPECT_EQ(merged.preset.study[1].scene.output.frames, 0);
 }
 
@@ -61,11 +61,11 @@ TEST(PaperStudy, QuickTakesTheSlowestCrackThroughOneSpecimen) {
 TEST(PaperStudy, QuickRampsInTheSameTime) {
   const PaperStudy merged = merge_presets(
       {{"a", preset_of("[loading]\nmethod = \"ramp\"\n[solver]\ndt = \"2e-8 s\"\n")}}, Effort::quick);
-  const Scene& scene = merged.preset.study.at(0).scene;
+  const scene::Scene& scene = merged.preset.study.at(0).scene;
   EXPECT_NEAR(*scene.solver.dt, 8e-8, 1e-20);
   EXPECT_EQ(scene.loading.ramp_steps, 5000);
   EXPECT_EQ(scene.loading.hold_steps, 2500);
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::study

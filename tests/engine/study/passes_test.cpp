@@ -6,44 +6,46 @@
 
 #include <gtest/gtest.h>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 using Steps = std::vector<std::int64_t>;
 
 TEST(Queue, OfOneScenarioHasOneLane) {
-  EXPECT_EQ(soonest({1000}, Precision::double_precision).lanes, 1);
-  EXPECT_EQ(soonest({1000}, Precision::single_precision).lanes, 1);
+  EXPECT_EQ(soonest({1000}, scene::Precision::double_precision).lanes, 1);
+  EXPECT_EQ(soonest({1000}, scene::Precision::single_precision).lanes, 1);
 }
 
 // Beside one long scenario the short ones are done in the same time whatever the lanes; each lane more makes
 // its steps dearer.
 TEST(Queue, OfALongScenarioAndShortOnesHasFewLanes) {
-  const Queue queue = soonest({100000, 20000, 10000, 5000, 3000, 2000}, Precision::single_precision);
-  const Queue even = soonest(Steps(6, 100000), Precision::single_precision);
+  const Queue queue = soonest({100000, 20000, 10000, 5000, 3000, 2000}, scene::Precision::single_precision);
+  const Queue even = soonest(Steps(6, 100000), scene::Precision::single_precision);
   EXPECT_LT(queue.lanes, even.lanes);
   EXPECT_LT(queue.time, even.time);
 }
 
 TEST(Queue, OfManyFillsAsManyLanesAsAreFastest) {
-  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-    const bool single = precision == Precision::single_precision;
+  for (const scene::Precision precision :
+       {scene::Precision::double_precision, scene::Precision::single_precision}) {
+    const bool single = precision == scene::Precision::single_precision;
     const int lanes = lanes_of_many(precision);
     EXPECT_EQ(soonest(Steps(64, 1000), precision).lanes, lanes);
     EXPECT_GT(lanes, 1);
-    EXPECT_LE(lanes, single ? lanes_in_register<float>(instruction_set())
-                            : lanes_in_register<double>(instruction_set()));
+    EXPECT_LE(lanes, single ? ensemble::lanes_in_register<float>(ensemble::instruction_set())
+                            : ensemble::lanes_in_register<double>(ensemble::instruction_set()));
   }
 }
 
 /// A lane of this step and velocity, damped or not.
-LanePlan lane_of(double dt, double speed, DampingRegion region = DampingRegion::none) {
-  LanePlan lane;
-  lane.scene = default_scene();
+simulation::LanePlan lane_of(double dt, double speed,
+                             scene::DampingRegion region = scene::DampingRegion::none) {
+  simulation::LanePlan lane;
+  lane.scene = scene::default_scene();
   lane.scene.damping.region = region;
   lane.step.dt = dt;
   lane.crack_end = 0.08;
-  lane.scenario.history = history_of(0.0, {{speed, 1.0}});
+  lane.scenario.history = history::history_of(0.0, {{speed, 1.0}});
   return lane;
 }
 
@@ -54,18 +56,18 @@ TEST(Passes, HoldScenariosOfOneStepTheLongestFirst) {
 }
 
 TEST(Passes, HoldTheDampedApart) {
-  const auto passes = passes_of({lane_of(2e-8, 900), lane_of(2e-8, 800, DampingRegion::surface),
-                                 lane_of(2e-8, 700, DampingRegion::all)});
+  const auto passes = passes_of({lane_of(2e-8, 900), lane_of(2e-8, 800, scene::DampingRegion::surface),
+                                 lane_of(2e-8, 700, scene::DampingRegion::all)});
   EXPECT_EQ(passes, (std::vector<std::vector<std::size_t>>{{2, 1}, {0}}));
 }
 
 // After a ramp no lane can be filled again.
 TEST(Passes, AfterARampHoldNoMoreThanMarchTogether) {
-  std::vector<LanePlan> lanes(20, lane_of(2e-8, 900));
-  for (LanePlan& lane : lanes) lane.scene.loading.method = LoadingMethod::ramp;
+  std::vector<simulation::LanePlan> lanes(20, lane_of(2e-8, 900));
+  for (simulation::LanePlan& lane : lanes) lane.scene.loading.method = scene::LoadingMethod::ramp;
   const auto most = static_cast<std::size_t>(lanes_of_many(lanes.front().scene.solver.precision));
   for (const auto& pass : not_empty(passes_of(lanes))) EXPECT_LE(pass.size(), most);
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::study

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 using studio::TemporaryFolder;
@@ -26,4 +26,4 @@ TEST(StudyResult, ThatNestsDeepCountsAsAbsentWithANote) {
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::study

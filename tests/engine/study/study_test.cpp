@@ -16,13 +16,13 @@
 #include <algorithm>
 #include <set>
 
-namespace rift {
+namespace rift::study {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-const BuildInfo build{"0.1.0", "a compiler"};
+const simulation::BuildInfo build{"0.1.0", "a compiler"};
 
 /// 18 scenarios: two techniques, two zones, two velocities, damped and not; of several steps.
 const std::string study_text = R"(
@@ -48,9 +48,9 @@ crack_velocity = ["0.3 c_r", "0.9 c_r"]
 damping_alpha = [0, 0.01, 0.02]
 )";
 
-Preset preset_from(const std::string& text) {
-  Preset preset = read_preset_text(text, "tiny.toml", {});
-  for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
+scene::Preset preset_from(const std::string& text) {
+  scene::Preset preset = scene::read_preset_text(text, "tiny.toml", {});
+  for (const scene::Issue& issue : preset.issues) ADD_FAILURE() << scene::to_text(issue);
   return preset;
 }
 
@@ -62,7 +62,7 @@ std::string undamped_text() {
   return text;
 }
 
-Preset tiny_study() { return preset_from(study_text); }
+scene::Preset tiny_study() { return preset_from(study_text); }
 
 StudyOptions into(const fs::path& folder) {
   StudyOptions options;
@@ -106,17 +106,17 @@ std::vector<Json> lasting(const std::vector<SummaryRow>& rows) {
   return all;
 }
 
-void expect_as_run_alone(const Preset& preset, const StudyResult& result, const fs::path& folder) {
-  const std::vector<Scene> scenes = scenes_of_study(preset);
+void expect_as_run_alone(const scene::Preset& preset, const StudyResult& result, const fs::path& folder) {
+  const std::vector<scene::Scene> scenes = scenes_of_study(preset);
   ASSERT_FALSE(scenes.empty());
   for (std::size_t k = 0; k < scenes.size(); ++k) {
-    Preset alone = preset;
+    scene::Preset alone = preset;
     alone.study.clear();
     alone.scene = scenes[k];
-    const Prepared prepared = prepare(alone, shared_cache());
-    const RunResult run = march(prepared, {}, {.threads = 1});
-    const Rates rates = rates_of(prepared, run);
-    const Json summary = summary_of(prepared, run, {rates}, build, 0.0).at("scenarios")[0];
+    const simulation::Prepared prepared = simulation::prepare(alone, shared_cache());
+    const simulation::RunResult run = simulation::march(prepared, {}, {.threads = 1});
+    const simulation::Rates rates = simulation::rates_of(prepared, run);
+    const Json summary = simulation::summary_of(prepared, run, {rates}, build, 0.0).at("scenarios")[0];
     EXPECT_EQ(lasting(result.rows[k]), lasting(Json::parse(summary.dump()))) << k;
     const results::RateCurve curve{0, rates.curve};
     const fs::path csv = result_file(folder, result_key(scenes[k], build.version)).replace_extension(".csv");
@@ -128,7 +128,7 @@ TEST(Study, ACallThatIsStoppedInAPassIsGoneOnWithFromThere) {
   std::string text = undamped_text();
   text.replace(text.find("[study]"), std::string::npos,
                "[study]\ncrack_velocity = [\"0.02 c_r\", \"0.03 c_r\", \"0.9 c_r\"]\n");
-  const Preset preset = preset_from(text);
+  const scene::Preset preset = preset_from(text);
   const TemporaryFolder folder;
   StudyResult result;
   int calls = 0, stopped = 0;
@@ -137,13 +137,13 @@ TEST(Study, ACallThatIsStoppedInAPassIsGoneOnWithFromThere) {
     StudyObserver observer;  // stops each call a tenth of a second after its cracks run
     observer.progress = [&](std::string_view stage, double) { return stage != "crack"; };
     result = run_study(preset, into(folder.path()), shared_cache(), build, observer);
-    if (result.outcome == Outcome::stopped) {
+    if (result.outcome == simulation::Outcome::stopped) {
       ++stopped;
       EXPECT_TRUE(fs::exists(folder.path() / "passes"));
     }
-  } while (result.outcome == Outcome::stopped);
+  } while (result.outcome == simulation::Outcome::stopped);
   EXPECT_GT(stopped, 1);
-  EXPECT_EQ(result.outcome, Outcome::finished);
+  EXPECT_EQ(result.outcome, simulation::Outcome::finished);
   EXPECT_FALSE(fs::exists(folder.path() / "passes"));
   expect_as_run_alone(preset, result, folder.path());
   EXPECT_TRUE(shared_cache().notes.empty());
@@ -155,11 +155,12 @@ TEST(Study, APassThatOtherProcessesHaveEndedMeanwhileIsForgotten) {
   observer.progress = [&](std::string_view stage, double) { return stage != "crack"; };
   std::string text = undamped_text();
   text.replace(text.find("[study]"), std::string::npos, "[study]\ncrack_velocity = [\"0.004 c_r\"]\n");
-  const Preset preset = preset_from(text);
+  const scene::Preset preset = preset_from(text);
   ASSERT_EQ(run_study(preset, into(folder.path()), shared_cache(), build, observer).outcome,
-            Outcome::stopped);
+            simulation::Outcome::stopped);
   fs::rename(folder.path() / "passes", folder.path() / "aside");
-  ASSERT_EQ(run_study(preset, into(folder.path()), shared_cache(), build, {}).outcome, Outcome::finished);
+  ASSERT_EQ(run_study(preset, into(folder.path()), shared_cache(), build, {}).outcome,
+            simulation::Outcome::finished);
   fs::rename(folder.path() / "aside", folder.path() / "passes");
   ASSERT_EQ(run_study(preset, into(folder.path()), shared_cache(), build, {}).found, 1);
   EXPECT_FALSE(fs::exists(folder.path() / "passes"));
@@ -168,7 +169,7 @@ TEST(Study, APassThatOtherProcessesHaveEndedMeanwhileIsForgotten) {
 TEST(Study, GivesEachScenarioBitForBitAsRunAlone) {
   const TemporaryFolder folder;
   const StudyResult result = compute(into(folder.path()));
-  EXPECT_EQ(result.outcome, Outcome::finished);
+  EXPECT_EQ(result.outcome, simulation::Outcome::finished);
   EXPECT_EQ(result.computed, static_cast<int>(tiny_study().study.size()));
   std::set<double> steps;
   for (const SummaryRow& row : result.rows) steps.insert(row.at("dt_s").get<double>());
@@ -180,14 +181,14 @@ TEST(Study, WithARampGivesEachScenarioBitForBitAsRunAlone) {
   std::string text = undamped_text();
   text.replace(text.find("[crack]"), 7, "method = \"ramp\"\nramp_steps = 1500\nhold_steps = 500\n[crack]");
   const TemporaryFolder folder;
-  const Preset preset = preset_from(text);
+  const scene::Preset preset = preset_from(text);
   const StudyResult result = run_study(preset, into(folder.path()), shared_cache(), build, {});
   expect_as_run_alone(preset, result, folder.path());
 }
 
 TEST(Study, RowsSayWhichScenarioTheyAre) {
   const TemporaryFolder folder;
-  const Preset preset = tiny_study();
+  const scene::Preset preset = tiny_study();
   const StudyResult result = found(folder.path());
   ASSERT_FALSE(result.rows.empty());
   for (std::size_t k = 0; k < result.rows.size(); ++k) {
@@ -226,8 +227,8 @@ TEST(Study, StoppedAgainAndAgainComesToTheSame) {
     observer.progress = [&](std::string_view, double) { return seen <= allowed; };
     result = compute(into(folder.path()), observer);
     computed += result.computed;
-  } while (result.outcome == Outcome::stopped && stops < 50);
-  EXPECT_EQ(result.outcome, Outcome::finished);
+  } while (result.outcome == simulation::Outcome::stopped && stops < 50);
+  EXPECT_EQ(result.outcome, simulation::Outcome::finished);
   EXPECT_EQ(computed, static_cast<int>(expected.size()));  // nothing twice
   EXPECT_EQ(lasting(result.rows), expected);
 }
@@ -282,7 +283,7 @@ class DamagedResult : public testing::TestWithParam<const char*> {};
 TEST_P(DamagedResult, IsNotedAndComputedAgain) {
   const TemporaryFolder folder;
   const StudyResult first = found(folder.path());
-  const Scene scene = scenes_of_study(tiny_study())[2];
+  const scene::Scene scene = scenes_of_study(tiny_study())[2];
   const fs::path file =
       result_file(folder.path(), result_key(scene, build.version)).replace_extension(GetParam());
   const std::string sound = read_text(file);
@@ -303,7 +304,8 @@ TEST_P(DamagedResult, IsNotedAndComputedAgain) {
 INSTANTIATE_TEST_SUITE_P(OfEitherFile, DamagedResult, testing::Values(".json", ".csv"),
                          [](const auto& ending) { return std::string(ending.param + 1); });
 
-std::string refusal(const fs::path& folder, const Preset& preset, const BuildInfo& by = build) {
+std::string refusal(const fs::path& folder, const scene::Preset& preset,
+                    const simulation::BuildInfo& by = build) {
   try {
     run_study(preset, into(folder), shared_cache(), by, {});
   } catch (const results::FolderExists& error) {
@@ -344,7 +346,7 @@ TEST(StudyFolder, WithADamagedManifestIsGoneOnWith) {
 }
 
 TEST(StudyHash, IsOfTheScenariosAndNotOfTheirWording) {
-  const Preset preset = tiny_study();
+  const scene::Preset preset = tiny_study();
   std::string text = study_text;
   text.replace(text.find("36 mm"), 5, "0.036 m");
   EXPECT_EQ(study_hash(preset_from(text)), study_hash(preset));
@@ -388,7 +390,7 @@ TEST(StoredStudy, WithoutAPresetOrDamagedSaysHowToGoOn) {
     try {
       (void)read_study(folder.path());
       return std::string("was read");
-    } catch (const InputError& error) {
+    } catch (const scene::InputError& error) {
       return std::string(error.what());
     }
   };
@@ -407,13 +409,14 @@ TEST(Study, TellsScenariosThatCannotRunAfterTheOthers) {
   try {
     run_study(preset_from(text), into(folder.path()), shared_cache(), build, {});
     ADD_FAILURE() << "nothing was said";
-  } catch (const InputError& error) {
+  } catch (const scene::InputError& error) {
     ASSERT_EQ(error.issues.size(), 1U);
-    EXPECT_TRUE(contains(to_text(error.issues[0]), "tiny.toml: solver.dt_fraction = 0.99: makes a step"));
+    EXPECT_TRUE(
+        contains(scene::to_text(error.issues[0]), "tiny.toml: solver.dt_fraction = 0.99: makes a step"));
   }
   // Six scenarios of the other step, two files each.
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "runs"), fs::directory_iterator()), 12);
 }
 
 }  // namespace
-}  // namespace rift
+}  // namespace rift::study

@@ -29,7 +29,7 @@ using Json = nlohmann::json;
 inline const std::vector<std::string> strange{
     "0", "-0.0", "5e-324", "1e-300", "1e300", "1.7976931348623157e308", "-1e300", "nan", "inf", "-inf"};
 
-inline std::vector<std::string> around(const Range& range) {
+inline std::vector<std::string> around(const scene::Range& range) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   std::vector<std::string> values;
   for (const double end : {range.lower, range.upper})
@@ -48,11 +48,11 @@ inline std::vector<std::string> in(std::initializer_list<const char*> texts) {
 }
 
 struct EndsOf {
-  const Parameter& row;
+  const scene::Parameter& row;
 
   std::vector<std::string> operator()(double*) const { return around(row.range); }
   std::vector<std::string> operator()(std::optional<double>*) const { return around(row.range); }
-  std::vector<std::string> operator()(Exponent) const { return around(row.range); }
+  std::vector<std::string> operator()(scene::Exponent) const { return around(row.range); }
   std::vector<std::string> operator()(int*) const { return integers(); }
   std::vector<std::string> operator()(long*) const { return integers(); }
   std::vector<std::string> operator()(std::vector<double>*) const {
@@ -60,23 +60,23 @@ struct EndsOf {
     for (const std::string& value : around(row.range)) lists.push_back("[" + value + "]");
     return lists;
   }
-  std::vector<std::string> operator()(std::vector<VelocityPiece>*) const {
+  std::vector<std::string> operator()(std::vector<scene::VelocityPiece>*) const {
     std::vector<std::string> values = in({"{} c_r", "{} m/s", "0.3 c_r until {} m, 0.5 c_r"});
     for (const char* value : {"1e-12 c_r", "1e-9 c_r", "2 c_r", "2.0000000000000004 c_r"})
       values.emplace_back(value);
     return values;
   }
-  std::vector<std::string> operator()(CrackLine*) const {
+  std::vector<std::string> operator()(scene::CrackLine*) const {
     return in({"{} H", "{} m", "[[0, 6e-3], [{}, 6e-3]]", "[[0, 6e-3], [48e-3, {}]]"});
   }
-  std::vector<std::string> operator()(std::vector<HistoryPoint>*) const {
+  std::vector<std::string> operator()(std::vector<history::HistoryPoint>*) const {
     return in({"[[0, 1e-3], [{}, 24e-3]]", "[[0, 1e-3], [20e-6, {}]]", "[[{}, 1e-3], [20e-6, 24e-3]]",
                "[[0, 1e-3, {}], [10e-6, 12e-3, 1e-4], [20e-6, 24e-3, 1e-4]]"});
   }
-  std::vector<std::string> operator()(CriticalRate*) const {
+  std::vector<std::string> operator()(scene::CriticalRate*) const {
     return in({R"([["0 c_r", {}], ["0.9 c_r", 1e4]])", R"([["0 c_r", 1e4], ["{} c_r", 1e4]])"});
   }
-  std::vector<std::string> operator()(LoadCurve*) const {
+  std::vector<std::string> operator()(scene::LoadCurve*) const {
     return in({R"([[0, "6e-4 m"], [{}, "7e-4 m"]])", R"([[0, "{} m"], [1e-5, "7e-4 m"]])",
                R"([[0, "6e-4 m"], [1e-5, "{} m"]])", R"([[0, "{} N"], [1e-5, "100 N"]])"});
   }
@@ -210,10 +210,10 @@ inline std::string shown(const std::vector<Given>& given) {
 /// Values at and beyond the ends of what a key takes, by the kind of its member: the ends and their
 /// neighbours, 0, -0, the smallest and the largest doubles, NaN, infinity, integers that no integer holds.
 /// None where the member holds no number.
-std::vector<std::string> ends_of(const Parameter& row);
+std::vector<std::string> ends_of(const scene::Parameter& row);
 
 /// A few values far from each other that the key itself takes; for pairs.
-std::vector<std::string> far_values(const Parameter& row);
+std::vector<std::string> far_values(const scene::Parameter& row);
 
 /// How often `check` and `run` came to what.
 struct Tally {
@@ -238,24 +238,24 @@ class RangeSweep {
   int limit_s_;
 };
 
-inline std::vector<std::string> ends_of(const Parameter& row) {
-  Scene scene{};
+inline std::vector<std::string> ends_of(const scene::Parameter& row) {
+  scene::Scene scene{};
   return std::visit(sweep::EndsOf{row}, row.slot(scene));
 }
 
-inline std::vector<std::string> far_values(const Parameter& row) {
+inline std::vector<std::string> far_values(const scene::Parameter& row) {
   constexpr std::size_t most = 4;
   constexpr double apart = 10.0;
   std::vector<std::string> values;
   std::vector<double> numbers;
   for (const std::string& value : ends_of(row)) {
-    Scene scene = default_scene();
+    scene::Scene scene = scene::default_scene();
     double number = std::strtod(value.c_str(), nullptr);
     const bool near = std::any_of(numbers.begin(), numbers.end(), [&](double other) {
       return number == other || (number / other < apart && number / other > 1.0 / apart);
     });
     if (near || value.front() == '[' || values.size() == most) continue;
-    if (!assign(scene, row, value_from_text(value)).empty()) continue;
+    if (!scene::assign(scene, row, scene::value_from_text(value)).empty()) continue;
     values.push_back(value), numbers.push_back(number);
   }
   return values;

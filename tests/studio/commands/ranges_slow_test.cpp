@@ -11,7 +11,7 @@ constexpr int limit_s = 20;
 
 std::set<std::string> tables() {
   std::set<std::string> names;
-  for (const Parameter& row : parameters()) names.insert(table_of(row));
+  for (const scene::Parameter& row : scene::parameters()) names.insert(scene::table_of(row));
   return names;
 }
 
@@ -25,8 +25,8 @@ class EveryKey : public testing::TestWithParam<std::string> {};
 TEST_P(EveryKey, AloneAtTheEndsOfItsRangeIsComputedOrRefused) {
   RangeSweep sweep(limit_s);
   int swept = 0;
-  for (const Parameter& row : parameters()) {
-    if (table_of(row) != GetParam()) continue;
+  for (const scene::Parameter& row : scene::parameters()) {
+    if (scene::table_of(row) != GetParam()) continue;
     for (const std::string& value : ends_of(row)) {
       ++swept;
       EXPECT_EQ(sweep.complaint({{std::string(row.key), value}}), "");
@@ -63,8 +63,8 @@ class Pair : public testing::TestWithParam<int> {};
 TEST_P(Pair, AtTheEndsOfBothRangesIsComputedOrRefused) {
   RangeSweep sweep(limit_s);
   const auto& [one, other] = pairs[static_cast<std::size_t>(GetParam())];
-  const std::vector<std::string> of_one = far_values(*find_parameter(one)),
-                                 of_other = far_values(*find_parameter(other));
+  const std::vector<std::string> of_one = far_values(*scene::find_parameter(one)),
+                                 of_other = far_values(*scene::find_parameter(other));
   ASSERT_FALSE(of_one.empty());
   ASSERT_FALSE(of_other.empty());
   for (const std::string& a : of_one)

@@ -28,7 +28,7 @@ struct Slow {
   Live live;
 
   explicit Slow(const std::vector<std::string>& overrides = {}, bool paused = true) {
-    RunWish wish{.preset = small_preset(overrides), .folder = folder.path() / "run"};
+    RunWish wish{.preset = simulation::small_preset(overrides), .folder = folder.path() / "run"};
     wish.cache = shared_cache();
     run.emplace(std::move(wish));
     if (paused) run->pause(true);
@@ -49,8 +49,8 @@ TEST(LiveRun, MarchesToItsEndAndGivesTheSameBooksAsAPlainRun) {
   Slow slow({}, false);
   const auto recorded = slow.run->result();
   ASSERT_TRUE(recorded);
-  EXPECT_EQ(recorded->result.outcome, Outcome::finished);
-  const RunResult plain = march(small_plate(), {});
+  EXPECT_EQ(recorded->result.outcome, simulation::Outcome::finished);
+  const simulation::RunResult plain = simulation::march(simulation::small_plate(), {});
   ASSERT_EQ(recorded->result.lane[0].books.size(), plain.lane[0].books.size());
   EXPECT_EQ(recorded->result.lane[0].books.back().elastic_j, plain.lane[0].books.back().elastic_j);
   EXPECT_TRUE(slow.look_until("finished"));
@@ -113,10 +113,10 @@ TEST(LiveRun, AChangeIsToldKeptAndRepeatable) {
   slow.run->pause(false);
   const auto recorded = slow.run->result();
   ASSERT_TRUE(recorded);
-  const Preset again = read_preset(slow.run->folder() / results::steering_name);
+  const scene::Preset again = scene::read_preset(slow.run->folder() / results::steering_name);
   EXPECT_TRUE(again.issues.empty());
   ASSERT_EQ(again.steering.size(), 1U);
-  const RunResult replayed = march(prepare(again, shared_cache()), {});
+  const simulation::RunResult replayed = simulation::march(simulation::prepare(again, shared_cache()), {});
   EXPECT_EQ(replayed.lane[0].books.back().elastic_j, recorded->result.lane[0].books.back().elastic_j);
   EXPECT_EQ(recorded->summary.at("scenarios")[0].at("steering")[0].at("step"), 21);
 }
@@ -144,7 +144,7 @@ TEST(LiveRun, StoppedItKeepsWhatThereIs) {
   slow.run->stop();
   const auto recorded = slow.run->result();
   ASSERT_TRUE(recorded);
-  EXPECT_EQ(recorded->result.outcome, Outcome::stopped);
+  EXPECT_EQ(recorded->result.outcome, simulation::Outcome::stopped);
   EXPECT_TRUE(std::filesystem::exists(slow.run->folder() / results::summary_name));
   EXPECT_TRUE(slow.look_until("stopped"));
 }
@@ -152,7 +152,8 @@ TEST(LiveRun, StoppedItKeepsWhatThereIs) {
 TEST(LiveRun, StoppedBeforeItsFirstStepItLeavesNoFolder) {
   TemporaryFolder folder;
   {
-    RunWish wish{.preset = small_preset({"specimen.elements=4000"}), .folder = folder.path() / "run"};
+    RunWish wish{.preset = simulation::small_preset({"specimen.elements=4000"}),
+                 .folder = folder.path() / "run"};
     LiveRun run(std::move(wish));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "run"));
     run.stop();
@@ -163,9 +164,10 @@ TEST(LiveRun, StoppedBeforeItsFirstStepItLeavesNoFolder) {
 
 TEST(LiveRun, AFailureIsToldWhereTheResultIsAskedFor) {
   TemporaryFolder folder;
-  RunWish wish{.preset = small_preset({"specimen.coordination=6.9"}), .folder = folder.path() / "run"};
+  RunWish wish{.preset = simulation::small_preset({"specimen.coordination=6.9"}),
+               .folder = folder.path() / "run"};
   LiveRun run(std::move(wish));
-  EXPECT_THROW((void)run.result(), InputError);
+  EXPECT_THROW((void)run.result(), scene::InputError);
   Live live;
   run.look(live, {0});
   EXPECT_EQ(live.state, "failed");

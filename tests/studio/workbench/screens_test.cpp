@@ -223,8 +223,8 @@ TEST(FormScreen, SavesAPresetOfOnesOwnThatReadsBack) {
   type(form, "mine\n");
   const fs::path file = shop.workshop.own_presets / "mine.toml";
   ASSERT_TRUE(fs::exists(file)) << text_of(form);
-  EXPECT_EQ(read_preset(file).scene.crack.damage_zone_ratio, 6);
-  EXPECT_TRUE(read_preset(file).issues.empty());
+  EXPECT_EQ(scene::read_preset(file).scene.crack.damage_zone_ratio, 6);
+  EXPECT_TRUE(scene::read_preset(file).issues.empty());
   type(form, "s");
   for (int k = 0; k < 40; ++k) form.press({key_backspace});
   type(form, "mine\n");
@@ -309,7 +309,7 @@ TEST(Lesson, TheAnswerFollowsFromTheNumbersOfTheRun) {
   const Lesson& velocity = lesson_of("velocity");
   EXPECT_EQ(velocity.answer(Json::array({lane(0.9, 0.9, 0.2), lane(0.5, 0.5, 0.5)})).right, 0);
   EXPECT_EQ(velocity.answer(Json::array({lane(0.5, 0.5, 0.2), lane(0.9, 0.9, 0.5)})).right, 1);
-  EXPECT_THROW((void)lesson_of("node-relase"), InputError);
+  EXPECT_THROW((void)lesson_of("node-relase"), scene::InputError);
 }
 
 TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
@@ -347,8 +347,8 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
 
 TEST(LessonScreen, EveryLessonsPresetIsShipped) {
   for (const Lesson& lesson : not_empty(lessons())) {
-    const Preset preset =
-        read_preset(fs::path(RIFT_SOURCE_DIR) / "presets" / (std::string(lesson.preset) + ".toml"));
+    const scene::Preset preset =
+        scene::read_preset(fs::path(RIFT_SOURCE_DIR) / "presets" / (std::string(lesson.preset) + ".toml"));
     EXPECT_TRUE(preset.issues.empty()) << lesson.name;
     EXPECT_GE(preset.lanes.size(), 2U) << lesson.name;
   }
