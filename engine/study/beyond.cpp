@@ -1,5 +1,7 @@
 #include "engine/study/beyond.hpp"
 
+#include "engine/study/judges.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -146,9 +148,9 @@ std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points) {
   return list;
 }
 
-namespace {
+namespace judges {
 
-Judgement judge_beyond_map(const Evidence& evidence) {
+Judgement beyond_map(const Evidence& evidence) {
   const std::vector<MapCell> cells = map_of(evidence);
   const MapCell *best = nullptr, *paper = nullptr;
   for (const MapCell& cell : cells) {
@@ -170,7 +172,7 @@ Judgement judge_beyond_map(const Evidence& evidence) {
                       per_scenario(*best), mean_of(paper->distance), per_scenario(*paper))};
 }
 
-Judgement judge_beyond_efficiency(const Evidence& evidence) {
+Judgement beyond_efficiency(const Evidence& evidence) {
   const auto zones = by_zone(evidence);
   if (zones.empty()) return {Verdict::not_decidable, "no result"};
   std::string text;
@@ -188,7 +190,7 @@ Judgement judge_beyond_efficiency(const Evidence& evidence) {
                       scatter)};
 }
 
-Judgement judge_beyond_broberg(const Evidence& evidence) {
+Judgement beyond_broberg(const Evidence& evidence) {
   const std::vector<OwnProblem> points = own_problem(evidence);
   const std::vector<Extrapolated> limits = extrapolated(points);
   if (limits.empty()) return {Verdict::not_decidable, "no result"};
@@ -213,7 +215,7 @@ Judgement judge_beyond_broberg(const Evidence& evidence) {
                                100.0 * mean_of(away), 100.0 * mean_of(scatter))};
 }
 
-}  // namespace
+}  // namespace judges
 
 std::vector<Claim> beyond_the_paper() {
   return {
@@ -225,7 +227,7 @@ std::vector<Claim> beyond_the_paper() {
                "the strip "
                "limit is due.",
        .needs = {"beyond_map"},
-       .judge = judge_beyond_map,
+       .judge = judges::beyond_map,
        .beyond = true},
       {.name = "beyond_efficiency",
        .artefact = "Lattice efficiency",
@@ -235,7 +237,7 @@ std::vector<Claim> beyond_the_paper() {
            "eta(v, r_l, p). It tends to 1 (within 0.05 at every velocity) as the damage zone grows; what is "
            "missing moves in short waves behind the tip.",
        .needs = {"beyond_efficiency", "beyond_relaxation"},
-       .judge = judge_beyond_efficiency,
+       .judge = judges::beyond_efficiency,
        .beyond = true},
       {.name = "beyond_broberg",
        .artefact = "Broberg's own problem",
@@ -243,7 +245,7 @@ std::vector<Claim> beyond_the_paper() {
            "A crack that opens from zero in the middle of a large plate, before any echo: G_ID is eta times "
            "Broberg's factor, and G_ID / eta tends to Broberg (within 2 %) as the elements grow small.",
        .needs = {"beyond_broberg", "beyond_efficiency"},
-       .judge = judge_beyond_broberg,
+       .judge = judges::beyond_broberg,
        .beyond = true},
   };
 }

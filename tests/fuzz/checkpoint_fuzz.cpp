@@ -63,7 +63,7 @@ void as_a_state(fuzz::Bytes input) {
                                       {scenario, scenario});
   ensemble.start_from(std::vector<mechanics::Vector6>(3, mechanics::Vector6::Zero()));
   ensemble.start_crack({});
-  NamedNumbers state = ensemble.state();
+  ensemble::NamedNumbers state = ensemble.state();
   for (int changes = 0; changes < 8 && !input.empty(); ++changes) {
     auto chosen = state.begin();
     std::advance(chosen, input.number<std::uint8_t>() % state.size());

@@ -12,7 +12,7 @@ namespace {
 
 using Header = nlohmann::ordered_json;
 
-const Header header{{"displacement_m", 2e-3}, {"solid_fraction", 0.6}, {"density_kg_m3", 600.0}};
+const Header numbers_of_run{{"displacement_m", 2e-3}, {"solid_fraction", 0.6}, {"density_kg_m3", 600.0}};
 
 results::Geometry two_elements() {
   return {
@@ -27,7 +27,7 @@ results::Frame frame_of_two() {
 }
 
 std::vector<float> values(std::string_view name) {
-  return values_of(*find_field(name), frame_of_two(), two_elements(), header);
+  return values_of(*find_field(name), frame_of_two(), two_elements(), numbers_of_run);
 }
 
 TEST(Field, ComponentsAndMagnitudesAreThoseOfTheFrame) {
@@ -57,12 +57,12 @@ TEST(Field, DamageIsOneLessTheFactorAtBothEndsOfABeam) {
 
 TEST(Field, AFrameWithoutWhatAFieldNeedsGivesNoValues) {
   for (const Field& field : not_empty(fields()))
-    EXPECT_TRUE(values_of(field, {}, two_elements(), header).empty()) << field.name;
+    EXPECT_TRUE(values_of(field, {}, two_elements(), numbers_of_run).empty()) << field.name;
 }
 
 TEST(Field, TheVerticalDisplacementLiesBetweenTheGrips) {
-  EXPECT_EQ(known_range(*find_field("uy"), header), (std::array{0.0, 2e-3}));
-  EXPECT_EQ(known_range(*find_field("v"), header), std::nullopt);
+  EXPECT_EQ(known_range(*find_field("uy"), numbers_of_run), (std::array{0.0, 2e-3}));
+  EXPECT_EQ(known_range(*find_field("v"), numbers_of_run), std::nullopt);
 }
 
 TEST(Field, ARangeLeavesOutliersAndIsSymmetricWhereItsScaleIs) {

@@ -1,7 +1,7 @@
 #include "engine/process_limits.hpp"
 
 #include "engine/lattice/crew.hpp"
-#include "tests/studio/run_rift.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -23,15 +23,15 @@ namespace fs = std::filesystem;
 
 /// A folder that stands for "/": what /proc/self/cgroup says, and files below /sys/fs/cgroup.
 struct FakeRoot {
-  studio::TemporaryFolder folder;
+  TemporaryFolder folder;
   explicit FakeRoot(const std::string& groups) {
     fs::create_directories(folder.path() / "proc/self");
-    studio::write_text(folder.path() / "proc/self/cgroup", groups);
+    write_text(folder.path() / "proc/self/cgroup", groups);
   }
   void limit(const std::string& file, const std::string& text) const {
     const fs::path path = folder.path() / "sys/fs/cgroup" / file;
     fs::create_directories(path.parent_path());
-    studio::write_text(path, text + "\n");
+    write_text(path, text + "\n");
   }
   const fs::path& path() const { return folder.path(); }
 };

@@ -84,12 +84,6 @@ class Archive {
 using Numbers = std::vector<double>;
 using Shape = std::vector<hsize_t>;
 
-void write_journal(const fs::path& folder, const std::vector<Record>& records) {
-  JournalWriter writer(folder / "journal.rift");
-  for (const auto& record : records) writer.write(record);
-  writer.close();
-}
-
 /// One lane, three moments.
 std::vector<Record> one_lane() {
   return {RunHeader{R"({"version":"0.1.0","preset":"[crack]\n","seed":7,"machine":{"simd":"avx2"}})"},
@@ -106,7 +100,7 @@ std::vector<Record> one_lane() {
 
 TEST(Archive, DeclaresItselfAsVtkhdfAsksFor) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), one_lane());
+  small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
 
@@ -140,7 +134,7 @@ TEST(Archive, DeclaresItselfAsVtkhdfAsksFor) {
 
 TEST(Archive, StoresTheLatticeOnce) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), one_lane());
+  small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
 
@@ -173,7 +167,7 @@ TEST(Archive, StoresTheLatticeOnce) {
 
 TEST(Archive, StepsLeadToEachMomentsRows) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), one_lane());
+  small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
   const std::string steps = "/VTKHDF/Steps/";
@@ -219,9 +213,9 @@ TEST(Archive, StepsLeadToEachMomentsRows) {
 
 TEST(Archive, EachLaneHasItsArraysAndTheStepsAreShared) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(),
-                {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), small_run::frame(0, 1),
-                 small_run::frame(1, 0), small_run::frame(2, 0), small_run::frame(2, 1)});
+  small_run::write_journal(
+      scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), small_run::frame(0, 1),
+                       small_run::frame(1, 0), small_run::frame(2, 0), small_run::frame(2, 1)});
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
   EXPECT_FALSE(archive.has("/VTKHDF/PointData/displacement"));
@@ -242,7 +236,7 @@ TEST(Archive, HoldsOnlyTheFieldsThatWereAskedFor) {
   frame.damage_factor.clear();
   auto late = small_run::frame(2, 0);
   late.damage_factor.clear();
-  write_journal(scratch.path(), {small_run::geometry(), frame, late});
+  small_run::write_journal(scratch.path(), {small_run::geometry(), frame, late});
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
   EXPECT_TRUE(archive.has("/VTKHDF/PointData/displacement"));
@@ -255,7 +249,7 @@ TEST(Archive, HoldsOnlyTheFieldsThatWereAskedFor) {
 
 TEST(Archive, WithoutFramesIsStatic) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry()});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry()});
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
   EXPECT_EQ(archive.dataset("/VTKHDF/Points").shape, (Shape{4, 3}));
@@ -266,7 +260,7 @@ TEST(Archive, WithoutFramesIsStatic) {
 
 TEST(Archive, HoldsTheBooksBesideTheMesh) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), one_lane());
+  small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
   EXPECT_EQ(archive.values("/series/step"), (Numbers{1, 2}));
@@ -293,7 +287,7 @@ TEST(Archive, HoldsTheBooksBesideTheMesh) {
 
 TEST(Archive, FieldsOverTimeAreCompressed) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), one_lane());
+  small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
   const hid_t dataset = H5Dopen2(archive.id(), "/VTKHDF/PointData/displacement", H5P_DEFAULT);
@@ -316,7 +310,7 @@ TEST(Archive, LargeFramesComeBackWhole) {
     records.emplace_back(frame);
   }
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), records);
+  small_run::write_journal(scratch.path(), records);
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
   const auto displacement = archive.dataset("/VTKHDF/PointData/displacement");
@@ -329,7 +323,7 @@ TEST(Archive, LargeFramesComeBackWhole) {
 
 TEST(Archive, ComesFromWhatIsWholeOfADamagedJournal) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), one_lane());
+  small_run::write_journal(scratch.path(), one_lane());
   auto bytes = small_run::bytes_of(scratch / "journal.rift");
   small_run::put_bytes(scratch / "journal.rift", bytes.substr(0, bytes.size() - 200));
   assemble_archive(scratch.path());
@@ -340,7 +334,7 @@ TEST(Archive, ComesFromWhatIsWholeOfADamagedJournal) {
 
 TEST(Archive, WithoutAGeometryIsRefusedAndLeavesNothing) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), {RunHeader{"{}"}});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}});
   try {
     assemble_archive(scratch.path());
     FAIL() << "an archive of nothing";

@@ -50,16 +50,10 @@ std::vector<Snapshot> read_dump(const fs::path& path) {
   return snapshots;
 }
 
-void write_journal(const fs::path& folder, const std::vector<Record>& records) {
-  JournalWriter writer(folder / journal_name);
-  for (const Record& record : records) writer.write(record);
-  writer.close();
-}
-
 TEST(ExportOvito, ElementsComeBackWithTheirFieldsAtEveryMoment) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(),
-                {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), small_run::frame(3, 0)});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0),
+                                            small_run::frame(3, 0)});
   EXPECT_EQ(export_ovito(scratch.path()), scratch / "ovito");
   const auto snapshots = read_dump(scratch / "ovito/run.dump");
   ASSERT_EQ(snapshots.size(), 2U);
@@ -85,8 +79,8 @@ TEST(ExportOvito, ElementsComeBackWithTheirFieldsAtEveryMoment) {
 
 TEST(ExportOvito, OnlyBeamsThatBearSomethingAreListed) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(),
-                {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), small_run::frame(3, 0)});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0),
+                                            small_run::frame(3, 0)});
   export_ovito(scratch.path());
   const auto snapshots = read_dump(scratch / "ovito/beams.dump");
   ASSERT_EQ(snapshots.size(), 2U);
@@ -100,8 +94,8 @@ TEST(ExportOvito, AFrameWithoutDamageHasNoSnapshotOfBeams) {
   const small_run::Scratch scratch;
   Frame bare = small_run::frame(1, 0);
   bare.damage_factor.clear();
-  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), bare,
-                                 small_run::frame(3, 0)});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0),
+                                            bare, small_run::frame(3, 0)});
   export_ovito(scratch.path());
   EXPECT_EQ(read_dump(scratch / "ovito/run.dump").size(), 3U);
   EXPECT_EQ(read_dump(scratch / "ovito/beams.dump").size(), 2U);
@@ -109,8 +103,9 @@ TEST(ExportOvito, AFrameWithoutDamageHasNoSnapshotOfBeams) {
 
 TEST(ExportOvito, EachLaneHasFilesOfItsOwn) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), {RunHeader{R"({"lanes":2})"}, small_run::geometry(), small_run::frame(0, 0),
-                                 small_run::frame(0, 1), small_run::frame(5, 1)});
+  small_run::write_journal(scratch.path(),
+                           {RunHeader{R"({"lanes":2})"}, small_run::geometry(), small_run::frame(0, 0),
+                            small_run::frame(0, 1), small_run::frame(5, 1)});
   export_ovito(scratch.path());
   EXPECT_EQ(read_dump(scratch / "ovito/run_lane0.dump").size(), 1U);
   EXPECT_EQ(read_dump(scratch / "ovito/beams_lane1.dump").at(1).step, 5);
@@ -118,7 +113,7 @@ TEST(ExportOvito, EachLaneHasFilesOfItsOwn) {
 
 TEST(ExportOvito, ARunWithoutFramesGivesItsElementsUnloaded) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry()});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry()});
   export_ovito(scratch.path());
   const auto snapshots = read_dump(scratch / "ovito/run.dump");
   ASSERT_EQ(snapshots.size(), 1U);
@@ -132,8 +127,8 @@ TEST(ExportOvito, LeavesNoDumpOfAnEarlierExport) {
   fs::create_directories(scratch / "ovito");
   for (const char* name : {"run.dump", "beams_lane7.dump", "notes.txt"})
     small_run::put_bytes(scratch.path() / "ovito" / name, "earlier");
-  write_journal(scratch.path(), {RunHeader{R"({"lanes":2})"}, small_run::geometry(), small_run::frame(0, 0),
-                                 small_run::frame(0, 1)});
+  small_run::write_journal(scratch.path(), {RunHeader{R"({"lanes":2})"}, small_run::geometry(),
+                                            small_run::frame(0, 0), small_run::frame(0, 1)});
   export_ovito(scratch.path());
   EXPECT_TRUE(fs::exists(scratch / "ovito/run_lane1.dump"));
   EXPECT_FALSE(fs::exists(scratch / "ovito/run.dump"));

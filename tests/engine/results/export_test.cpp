@@ -74,15 +74,9 @@ Vtp parse_vtp(const fs::path& path) {
   return vtp;
 }
 
-void write_journal(const fs::path& folder, const std::vector<Record>& records) {
-  JournalWriter writer(folder / "journal.rift");
-  for (const auto& record : records) writer.write(record);
-  writer.close();
-}
-
 TEST(ExportPvd, AFrameReadsBackWhole) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0)});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0)});
   EXPECT_EQ(export_pvd(scratch.path()), scratch / "pvd/run.pvd");
   auto vtp = parse_vtp(scratch / "pvd/frame_000000.vtp");
 
@@ -120,13 +114,13 @@ TEST(ExportPvd, AFrameReadsBackWhole) {
 
 TEST(ExportVtkhdf, IsTheRunsOwnOrMadeOfWhatIsWhole) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0)});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0)});
   EXPECT_EQ(export_vtkhdf(scratch.path()), scratch / "paraview/run.vtkhdf");
   EXPECT_GT(fs::file_size(scratch / "paraview/run.vtkhdf"), 1000U);
   EXPECT_FALSE(fs::exists(scratch / "run.vtkhdf")) << "that is of a run that has ended";
   const small_run::Scratch finished;
-  write_journal(finished.path(),
-                {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0), RunEnd{"{}"}});
+  small_run::write_journal(finished.path(),
+                           {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0), RunEnd{"{}"}});
   small_run::put_bytes(finished / "run.vtkhdf", "its own");
   EXPECT_EQ(export_vtkhdf(finished.path()), finished / "run.vtkhdf");
   EXPECT_EQ(bytes_of(finished / "run.vtkhdf"), "its own");
@@ -138,8 +132,9 @@ TEST(ExportVtkhdf, IsTheRunsOwnOrMadeOfWhatIsWhole) {
 
 TEST(ExportPvd, TheCollectionNamesEachMomentAndItsTime) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0),
-                                 small_run::frame(0, 1), small_run::frame(3, 0), small_run::frame(3, 1)});
+  small_run::write_journal(
+      scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), small_run::frame(0, 1),
+                       small_run::frame(3, 0), small_run::frame(3, 1)});
   const auto text = bytes_of(export_pvd(scratch.path()));
   EXPECT_NE(text.find("<VTKFile type=\"Collection\""), std::string::npos);
   EXPECT_NE(text.find("timestep=\"0\" group=\"\" part=\"0\" file=\"frame_000000.vtp\""), std::string::npos)
@@ -158,7 +153,7 @@ TEST(ExportPvd, LeavesNoFrameOfAnEarlierExport) {
   fs::create_directories(scratch / "pvd");
   small_run::put_bytes(scratch / "pvd/frame_000007.vtp", "earlier");
   small_run::put_bytes(scratch / "pvd/notes.txt", "mine");
-  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0)});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0)});
   export_pvd(scratch.path());
   EXPECT_TRUE(fs::exists(scratch / "pvd/frame_000000.vtp"));
   EXPECT_FALSE(fs::exists(scratch / "pvd/frame_000007.vtp"));
@@ -167,7 +162,7 @@ TEST(ExportPvd, LeavesNoFrameOfAnEarlierExport) {
 
 TEST(Export, IntoAFolderThatAnotherProcessWritesIsRefused) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0)});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0)});
   fs::create_directories(scratch / "csv");
   const FolderLock lock(scratch / "csv");
   EXPECT_THROW(export_csv(scratch.path()), WorldError);
@@ -175,7 +170,7 @@ TEST(Export, IntoAFolderThatAnotherProcessWritesIsRefused) {
 
 TEST(ExportPvd, WithoutFramesShowsTheGeometry) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry()});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry()});
   export_pvd(scratch.path());
   const auto vtp = parse_vtp(scratch / "pvd/frame_000000.vtp");
   EXPECT_EQ(vtp.arrays.at("PointData/radius").as<float>().size(), 4U);
@@ -186,9 +181,10 @@ TEST(ExportCsv, WritesEachTable) {
   const small_run::Scratch scratch;
   auto loading = small_run::sample(0, 0, 0.01);
   loading.phase = Phase::loading;
-  write_journal(scratch.path(),
-                {RunHeader{"{}"}, small_run::geometry(), loading, small_run::sample(2, 0, 0.02),
-                 ReleaseEvent{2, 0, 2e-8, 0.015, 3e-9}, RateCurve{0, {{0.02, 0.5, 0.25, 0.625, 0.75}}}});
+  small_run::write_journal(
+      scratch.path(),
+      {RunHeader{"{}"}, small_run::geometry(), loading, small_run::sample(2, 0, 0.02),
+       ReleaseEvent{2, 0, 2e-8, 0.015, 3e-9}, RateCurve{0, {{0.02, 0.5, 0.25, 0.625, 0.75}}}});
   EXPECT_EQ(export_csv(scratch.path()), scratch / "csv");
   EXPECT_EQ(bytes_of(scratch / "csv/events.csv"),
             "beam,lane,time_s,position_m,energy_j\n2,0,2e-08,0.015,3e-09\n");
@@ -212,14 +208,14 @@ TEST(Export, SaysWhatIsMissing) {
               "cannot open " + (scratch / "journal.rift").string() + ": No such file or directory");
   }
   EXPECT_FALSE(fs::exists(scratch / "csv"));
-  write_journal(scratch.path(), {RunHeader{"{}"}});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}});
   EXPECT_THROW(export_pvd(scratch.path()), WorldError);
 }
 
 TEST(Export, WorksFromARunThatWasCutShort) {
   const small_run::Scratch scratch;
-  write_journal(scratch.path(),
-                {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), small_run::frame(1, 0)});
+  small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0),
+                                            small_run::frame(1, 0)});
   const auto bytes = bytes_of(scratch / "journal.rift");
   small_run::put_bytes(scratch / "journal.rift", bytes.substr(0, bytes.size() - 1));
   export_pvd(scratch.path());

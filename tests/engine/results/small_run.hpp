@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/results/journal.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/results/schema.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -56,6 +58,13 @@ inline std::string bytes_of(const std::filesystem::path& path) { return read_tex
 
 inline void put_bytes(const std::filesystem::path& path, const std::string& bytes) {
   write_text(path, bytes);
+}
+
+/// A run's journal that holds these records.
+inline void write_journal(const std::filesystem::path& folder, const std::vector<Record>& records) {
+  JournalWriter writer(folder / journal_name);
+  for (const Record& record : records) writer.write(record);
+  writer.close();
 }
 
 }  // namespace rift::results::small_run

@@ -1,6 +1,8 @@
 #include "engine/scene/derived_ranges.hpp"
 
-#include "tests/studio/commands/range_sweep.hpp"
+#include "engine/scene/preset.hpp"
+#include "tests/engine/scene/range_ends.hpp"
+#include "tests/expectations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,8 +34,8 @@ TEST(DerivedRange, IsThatOfAllThatFollowsFromTheScene) {
                                       {"loading.displacement=1e-300", "a strain of"},
                                       {"crack.damage_zone_ratio=5e-324", "a damage zone of"}}) {
     const std::string text = issues_of({given});
-    EXPECT_TRUE(studio::contains(text, std::string("--set ") + given + ": with "));
-    EXPECT_TRUE(studio::contains(text, number));
+    EXPECT_TRUE(contains(text, std::string("--set ") + given + ": with "));
+    EXPECT_TRUE(contains(text, number));
   }
 }
 
@@ -47,16 +49,16 @@ TEST(DerivedRange, PointsAtTheGivenKeyThatIsFurthestFromUsual) {
 TEST(DerivedRange, IsLeftByTwoKeysEachOfWhichIsFine) {
   EXPECT_EQ(issues_of({"material.young_modulus=1e13"}), "");
   EXPECT_EQ(issues_of({"material.rayleigh_speed=10"}), "");
-  EXPECT_TRUE(studio::contains(issues_of({"material.young_modulus=1e13", "material.rayleigh_speed=10 mm/s"}),
-                               "a density of"));
+  EXPECT_TRUE(contains(issues_of({"material.young_modulus=1e13", "material.rayleigh_speed=10 mm/s"}),
+                       "a density of"));
 }
 
 TEST(DerivedRange, OfTheStrainIsThatOfTheArithmetic) {
   EXPECT_EQ(issues_of({"loading.displacement=1e-20"}), "");
-  EXPECT_TRUE(studio::contains(issues_of({"loading.displacement=1e-20", "solver.precision=single"}),
-                               "which must lie in [1e-15, 1e+06]"));
-  EXPECT_TRUE(studio::contains(issues_of({"loading.displacement=1e-20", "solver.kinematics=corotational"}),
-                               "which must lie in [1e-10, 1e+06]"));
+  EXPECT_TRUE(contains(issues_of({"loading.displacement=1e-20", "solver.precision=single"}),
+                       "which must lie in [1e-15, 1e+06]"));
+  EXPECT_TRUE(contains(issues_of({"loading.displacement=1e-20", "solver.kinematics=corotational"}),
+                       "which must lie in [1e-10, 1e+06]"));
 }
 
 TEST(DerivedRange, OfNothingIsAskedWhereAKeyOfItIsWrongItself) {
@@ -67,7 +69,7 @@ TEST(DerivedRange, OfNothingIsAskedWhereAKeyOfItIsWrongItself) {
 TEST(EveryKey, AtTheEndsOfItsRangeIsReadOrRefusedByItsName) {
   int read = 0, refused = 0;
   for (const Parameter& row : parameters())
-    for (const std::string& value : studio::ends_of(row)) {
+    for (const std::string& value : ends_of(row)) {
       const std::string given = std::string(row.key) + "=" + value;
       Preset preset;
       ASSERT_NO_THROW(preset = read_preset_text("", "x.toml", {given})) << given;

@@ -15,13 +15,13 @@ std::string texts(const Preset& preset) {
   return lines;
 }
 
-/// All complaints about a preset called x.toml.
-std::string complaints(const char* text, const std::vector<std::string>& overrides = {}) {
+/// All complaints_of_preset about a preset called x.toml.
+std::string complaints_of_preset(const char* text, const std::vector<std::string>& overrides = {}) {
   return texts(read_preset_text(text, "x.toml", overrides));
 }
 
 TEST(PresetErrors, AreAllReportedAtOnceInTheOrderOfTheFile) {
-  EXPECT_EQ(complaints(R"(
+  EXPECT_EQ(complaints_of_preset(R"(
 [specimen]
 elements = 0
 height = "-3 mm"
@@ -35,7 +35,7 @@ damage_zone_ratio = 0
 stiffness = "calibratd"
 poisson_ratio = nan
 )",
-                       {"solver.beta=1.05"}),
+                                 {"solver.beta=1.05"}),
             "x.toml:3: specimen.elements = 0: must lie in [2, 5000000]\n"
             "x.toml:4: specimen.height = \"-3 mm\": must lie in (0, 100] m\n"
             "x.toml:7: crack.velocity = \"5 c_r\": must lie in (0, 2] c_r\n"
@@ -49,10 +49,11 @@ poisson_ratio = nan
 
 TEST(PresetErrors, NameTheExpectedTypeAndTheOneGiven) {
   EXPECT_EQ(
-      complaints("[specimen]\nlength = true\nelements = \"many\"\nradius_spread = \"0.1\"\nseed = [1]\n"
-                 "[loading]\nmethod = 3\n[output]\nfields = \"damage\"\nwindow = 0.3\n"
-                 "[crack]\nvelocity = 0.5\npath = false\nrelaxation = false\n[solver]\ndt = 1979-05-27\n"
-                 "[damping.alpha]\n"),
+      complaints_of_preset(
+          "[specimen]\nlength = true\nelements = \"many\"\nradius_spread = \"0.1\"\nseed = [1]\n"
+          "[loading]\nmethod = 3\n[output]\nfields = \"damage\"\nwindow = 0.3\n"
+          "[crack]\nvelocity = 0.5\npath = false\nrelaxation = false\n[solver]\ndt = 1979-05-27\n"
+          "[damping.alpha]\n"),
       "x.toml:2: specimen.length = true: expected a length such as \"2 mm\" or a number of m, got true or "
       "false\n"
       "x.toml:3: specimen.elements = \"many\": expected a whole number, got text\n"
@@ -74,7 +75,7 @@ TEST(PresetErrors, NameTheExpectedTypeAndTheOneGiven) {
 
 TEST(PresetErrors, NameUnitsThatAreUnknownOrMissing) {
   EXPECT_EQ(
-      complaints(
+      complaints_of_preset(
           "[material]\nyoung_modulus = \"10 Gpa\"\nrayleigh_speed = \"2200\"\n[crack]\nvelocity = \"1\"\n"),
       "x.toml:2: material.young_modulus = \"10 Gpa\": unknown unit 'Gpa' for a pressure: use GPa, MPa, kPa "
       "or Pa\n"
@@ -84,7 +85,7 @@ TEST(PresetErrors, NameUnitsThatAreUnknownOrMissing) {
 
 TEST(PresetErrors, PointFromUnknownNamesToTheNearestOne) {
   EXPECT_EQ(
-      complaints(
+      complaints_of_preset(
           "lenght = 3\nspecimen = 4\n[crak]\nx = 1\n[studdy]\n[[lane]]\n[damping]\nbeta = 1\nxyzzy = 2\n"),
       "x.toml:1: unknown key 'lenght', did you mean 'specimen.length'?\n"
       "x.toml:2: specimen = 4: expected a table [specimen], got a whole number\n"
@@ -96,7 +97,7 @@ TEST(PresetErrors, PointFromUnknownNamesToTheNearestOne) {
 }
 
 TEST(PresetErrors, ListTheTablesWhereNoneIsNear) {
-  EXPECT_EQ(complaints("[geometry]\n"),
+  EXPECT_EQ(complaints_of_preset("[geometry]\n"),
             "x.toml:1: unknown table [geometry]: a preset has specimen, material, loading, crack, damping, "
             "solver, output, calibration, film, study and lanes\n");
 }
@@ -123,15 +124,15 @@ TEST(PresetErrors, OfSyntaxHaveLineAndColumn) {
 }
 
 TEST(PresetErrors, SayThatDecimalsHaveAPoint) {
-  EXPECT_EQ(
-      complaints("[specimen]\nlength = \"60,5 mm\"\n[crack]\nvelocity = \"0,5 c_r\"\npath = \"0,5 H\"\n",
-                 {"solver.beta=0,5", "material.young_modulus=3,2 GPa"}),
-      "x.toml:2: specimen.length = \"60,5 mm\": decimals have a point, as in \"60.5 mm\"\n"
-      "x.toml:4: crack.velocity = \"0,5 c_r\": decimals have a point, as in \"0.5 c_r\"\n"
-      "x.toml:5: crack.path = \"0,5 H\": decimals have a point, as in \"0.5 H\"\n"
-      "--set solver.beta=0,5: expected a number, got text: decimals have a point\n"
-      "--set material.young_modulus=3,2 GPa: decimals have a point, as in \"3.2 GPa\"\n");
-  const std::string bare = complaints("[solver]\nbeta = 0,5\n");
+  EXPECT_EQ(complaints_of_preset(
+                "[specimen]\nlength = \"60,5 mm\"\n[crack]\nvelocity = \"0,5 c_r\"\npath = \"0,5 H\"\n",
+                {"solver.beta=0,5", "material.young_modulus=3,2 GPa"}),
+            "x.toml:2: specimen.length = \"60,5 mm\": decimals have a point, as in \"60.5 mm\"\n"
+            "x.toml:4: crack.velocity = \"0,5 c_r\": decimals have a point, as in \"0.5 c_r\"\n"
+            "x.toml:5: crack.path = \"0,5 H\": decimals have a point, as in \"0.5 H\"\n"
+            "--set solver.beta=0,5: expected a number, got text: decimals have a point\n"
+            "--set material.young_modulus=3,2 GPa: decimals have a point, as in \"3.2 GPa\"\n");
+  const std::string bare = complaints_of_preset("[solver]\nbeta = 0,5\n");
   EXPECT_TRUE(bare.ends_with(": decimals have a point\n")) << bare;
 }
 
@@ -150,8 +151,8 @@ TEST(PresetErrors, OfOverridesAreFoundBesideASyntaxError) {
 
 TEST(OverrideErrors, AreWrittenAsTyped) {
   EXPECT_EQ(
-      complaints("", {"crack.velocity=5", "foo", "crack.velocty=1 c_r", "damage_zone_ratio=3", "=3",
-                      "loading.method=\"both\"", "crack.end="}),
+      complaints_of_preset("", {"crack.velocity=5", "foo", "crack.velocty=1 c_r", "damage_zone_ratio=3", "=3",
+                                "loading.method=\"both\"", "crack.end="}),
       "--set foo: expected key=value\n"
       "--set crack.velocty=1 c_r: unknown key 'crack.velocty', did you mean 'crack.velocity'?\n"
       "--set damage_zone_ratio=3: unknown key 'damage_zone_ratio', did you mean 'crack.damage_zone_ratio'?\n"

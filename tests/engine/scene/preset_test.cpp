@@ -30,7 +30,7 @@ void expect_same(Scene a, Scene b) {
     EXPECT_TRUE(std::visit(same, row.slot(a), row.slot(b))) << row.key;
 }
 
-Scene scene_of(const std::vector<std::string>& overrides) {
+Scene scene_with(const std::vector<std::string>& overrides) {
   const Preset preset = read_preset_text("", "x.toml", overrides);
   for (const Issue& issue : preset.issues) ADD_FAILURE() << to_text(issue);
   return preset.scene;
@@ -72,7 +72,7 @@ TEST(Preset, RemembersWhereEachKeyWasSet) {
 }
 
 TEST(Preset, GivenAlternativeTakesThePlaceOfTheDefault) {
-  const Scene scene = scene_of({"specimen.thickness=3 mm", "material.density=700"});
+  const Scene scene = scene_with({"specimen.thickness=3 mm", "material.density=700"});
   EXPECT_EQ(scene.specimen.thickness, 0.003);
   EXPECT_FALSE(scene.specimen.layers);
   EXPECT_EQ(scene.material.density, 700.0);
@@ -101,8 +101,9 @@ TEST(Override, ReplacesTheFileAndTheLastOneWins) {
 }
 
 TEST(Override, TakesBareWordsQuotedTextAndLists) {
-  const Scene scene = scene_of({"crack.velocity=0.3 c_r", "crack.technique=simple", "loading.method=\"ramp\"",
-                                "output.window = [0.1, 0.3]", "solver.dt='20 ns'"});
+  const Scene scene =
+      scene_with({"crack.velocity=0.3 c_r", "crack.technique=simple", "loading.method=\"ramp\"",
+                  "output.window = [0.1, 0.3]", "solver.dt='20 ns'"});
   EXPECT_EQ(scene.crack.velocity, (std::vector<VelocityPiece>{{{0.3, true}, {}}}));
   EXPECT_EQ(scene.crack.technique, Technique::simple);
   EXPECT_EQ(scene.loading.method, LoadingMethod::ramp);
@@ -127,48 +128,48 @@ TEST(PresetText, ReadsBackToTheDefaultScene) {
 }
 
 TEST(PresetText, ReadsBackToAnySceneBitForBit) {
-  const Scene scene = scene_of({"specimen.length=0.30000000000000004",
-                                "specimen.height=33.3333333333 mm",
-                                "specimen.thickness=0.0031415926535897",
-                                "specimen.elements=12345",
-                                "specimen.radius_spread=0.1",
-                                "specimen.coordination=5.7",
-                                "specimen.contact_tolerance=1.01",
-                                "specimen.seed=9007199254740991",
-                                "material.young_modulus=12345678901.234567",
-                                "material.poisson_ratio=0.27",
-                                "material.plane=strain",
-                                "material.density=667.1234567890123",
-                                "material.stiffness=explicit",
-                                "material.micro_young_modulus=219 GPa",
-                                "material.micro_poisson_ratio=0.1",
-                                "material.micro_radius_ratio=0.3",
-                                "loading.displacement=1.7 mm",
-                                "loading.method=ramp",
-                                "loading.ramp_steps=17",
-                                "loading.hold_steps=0",
-                                "loading.ramp_beta=0.95",
-                                "crack.velocity=0.2 c_r until 50 mm, 1100.5 m/s",
-                                "crack.path=0.0123456789012345",
-                                "crack.start=7 mm",
-                                "crack.end=111 mm",
-                                "crack.technique=simple",
-                                "crack.relaxation=1.7",
-                                "crack.damage_zone_ratio=8",
-                                "damping.alpha=0.001",
-                                "damping.region=surface",
-                                "damping.surface_width=2.5",
-                                "solver.dt=2.35e-8",
-                                "solver.beta=0.99",
-                                "output.samples=500",
-                                "output.frames=0",
-                                "output.fields=[]",
-                                "output.window=[0.15, 0.25]"});
+  const Scene scene = scene_with({"specimen.length=0.30000000000000004",
+                                  "specimen.height=33.3333333333 mm",
+                                  "specimen.thickness=0.0031415926535897",
+                                  "specimen.elements=12345",
+                                  "specimen.radius_spread=0.1",
+                                  "specimen.coordination=5.7",
+                                  "specimen.contact_tolerance=1.01",
+                                  "specimen.seed=9007199254740991",
+                                  "material.young_modulus=12345678901.234567",
+                                  "material.poisson_ratio=0.27",
+                                  "material.plane=strain",
+                                  "material.density=667.1234567890123",
+                                  "material.stiffness=explicit",
+                                  "material.micro_young_modulus=219 GPa",
+                                  "material.micro_poisson_ratio=0.1",
+                                  "material.micro_radius_ratio=0.3",
+                                  "loading.displacement=1.7 mm",
+                                  "loading.method=ramp",
+                                  "loading.ramp_steps=17",
+                                  "loading.hold_steps=0",
+                                  "loading.ramp_beta=0.95",
+                                  "crack.velocity=0.2 c_r until 50 mm, 1100.5 m/s",
+                                  "crack.path=0.0123456789012345",
+                                  "crack.start=7 mm",
+                                  "crack.end=111 mm",
+                                  "crack.technique=simple",
+                                  "crack.relaxation=1.7",
+                                  "crack.damage_zone_ratio=8",
+                                  "damping.alpha=0.001",
+                                  "damping.region=surface",
+                                  "damping.surface_width=2.5",
+                                  "solver.dt=2.35e-8",
+                                  "solver.beta=0.99",
+                                  "output.samples=500",
+                                  "output.frames=0",
+                                  "output.fields=[]",
+                                  "output.window=[0.15, 0.25]"});
   const Preset again = read_preset_text(preset_text(scene), "again.toml");
   for (const Issue& issue : again.issues) ADD_FAILURE() << to_text(issue);
   expect_same(again.scene, scene);
-  expect_same(read_preset_text(preset_text(scene_of({"solver.dt_fraction=0.17"})), "again.toml").scene,
-              scene_of({"solver.dt_fraction=0.17"}));
+  expect_same(read_preset_text(preset_text(scene_with({"solver.dt_fraction=0.17"})), "again.toml").scene,
+              scene_with({"solver.dt_fraction=0.17"}));
 }
 
 TEST(PresetText, KeepsATitleWithQuotesAndLineBreaks) {

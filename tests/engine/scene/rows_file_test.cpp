@@ -25,8 +25,8 @@ struct Folder {
   }
 };
 
-/// The complaints about x.csv as [crack] `key` of a plate of 100 mm, without the folder's name.
-std::string complaints(const char* key, const std::string& csv, const std::string& more = {}) {
+/// The complaints_of_rows about x.csv as [crack] `key` of a plate of 100 mm, without the folder's name.
+std::string complaints_of_rows(const char* key, const std::string& csv, const std::string& more = {}) {
   const Folder folder;
   folder.write("x.csv", csv);
   const std::string preset = folder.write(
@@ -91,33 +91,34 @@ TEST(HistoryFile, NamesEveryDefectWithItsLine) {
        "m/s]\n"},
   };
   for (const Defect& defect : defects) {
-    EXPECT_EQ(complaints("history", defect.csv), defect.complaint) << defect.csv;
+    EXPECT_EQ(complaints_of_rows("history", defect.csv), defect.complaint) << defect.csv;
   }
 }
 
 TEST(HistoryFile, ThatLeavesThePlateIsNamed) {
-  EXPECT_EQ(complaints("history", head + "0;1\n100;99\n200;120\n", "smoothing = \"none\"\n"),
+  EXPECT_EQ(complaints_of_rows("history", head + "0;1\n100;99\n200;120\n", "smoothing = \"none\"\n"),
             "x.toml:4: crack.history = \"x.csv\": goes on to 120 mm, beyond the end of the plate, 100 mm\n");
 }
 
 TEST(HistoryFile, ThatGoesBackIsNoNoiseWhereNothingIsSmoothed) {
-  EXPECT_EQ(complaints("history", "time [us];position [mm];uncertainty [mm]\n0;1;1\n1;4;1\n2;3;1\n3;5;1\n",
-                       "smoothing = \"none\"\n"),
-            "x.csv:4: position falls from 4 mm to 3 mm: noise asks for crack.smoothing = \"monotone\"\n");
+  EXPECT_EQ(
+      complaints_of_rows("history", "time [us];position [mm];uncertainty [mm]\n0;1;1\n1;4;1\n2;3;1\n3;5;1\n",
+                         "smoothing = \"none\"\n"),
+      "x.csv:4: position falls from 4 mm to 3 mm: noise asks for crack.smoothing = \"monotone\"\n");
 }
 
 TEST(HistoryFile, ContradictsWhatSaysTheSameOtherwise) {
   const std::string good = head + "0;10\n10;14\n20;20\n";
-  EXPECT_EQ(complaints("history", good), "");
-  EXPECT_EQ(complaints("history", good, "velocity = \"0.3 c_r\"\n"),
+  EXPECT_EQ(complaints_of_rows("history", good), "");
+  EXPECT_EQ(complaints_of_rows("history", good, "velocity = \"0.3 c_r\"\n"),
             "x.toml:4: crack.history = \"x.csv\": excludes crack.velocity (line 5): give one of them\n");
   EXPECT_EQ(
-      complaints("history", good, "start = \"5 mm\"\n"),
+      complaints_of_rows("history", good, "start = \"5 mm\"\n"),
       "x.toml:5: crack.start = \"5 mm\": the history begins at 10 mm: leave crack.start out, or cut the "
       "history there\n");
-  EXPECT_EQ(complaints("history", good, "smoothing = \"none\"\nend = \"30 mm\"\n"),
+  EXPECT_EQ(complaints_of_rows("history", good, "smoothing = \"none\"\nend = \"30 mm\"\n"),
             "x.toml:6: crack.end = \"30 mm\": lies beyond the history, which ends at 20 mm\n");
-  EXPECT_EQ(complaints("history", good, "toughness = [[\"0 c_r\", \"1 J/m2\"]]\n"),
+  EXPECT_EQ(complaints_of_rows("history", good, "toughness = [[\"0 c_r\", \"1 J/m2\"]]\n"),
             "x.toml:4: crack.history = \"x.csv\": excludes crack.toughness (line 5): give one of them\n");
 }
 
@@ -145,7 +146,7 @@ TEST(HistoryFile, OfAClocksTimeStampsIsNamedOnce) {
   for (int k = 0; k < 1000; ++k)
     csv += "1467394337.00" + std::to_string(1000 + k) + ";" + std::to_string(k) + "\n";
   EXPECT_EQ(
-      complaints("history", csv),
+      complaints_of_rows("history", csv),
       "x.csv:2: time 1467394337 s counts from a clock's epoch: subtract the first row's time from all, in "
       "the program that recorded them, before their last digits are lost: times must lie within 1000 s\n");
 }
@@ -182,8 +183,8 @@ TEST(HistoryFile, OfNoPlaceOrNoSizeIsNamed) {
             "x.toml:2: crack.history = \"gone.csv\": gone.csv: no such file");
   std::string many = "x [mm];y [mm]\n";
   for (int k = 0; k <= 10000; ++k) many += std::to_string(k) + ";20\n";
-  EXPECT_EQ(complaints("path", many), "x.csv:10002: more than 10000 rows: thin them out\n");
-  EXPECT_EQ(complaints("history", std::string((std::size_t{64} << 20) + 1, '#')),
+  EXPECT_EQ(complaints_of_rows("path", many), "x.csv:10002: more than 10000 rows: thin them out\n");
+  EXPECT_EQ(complaints_of_rows("history", std::string((std::size_t{64} << 20) + 1, '#')),
             "x.toml:4: crack.history = \"x.csv\": x.csv: larger than 64 MiB: thin its rows out\n");
 }
 
@@ -204,16 +205,17 @@ TEST(HistoryRows, WrittenInThePresetAreCheckedAsThoseOfAFile) {
 }
 
 TEST(PathFile, NamesPointsThatCannotBe) {
-  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n60;50\n100;20\n"),
+  EXPECT_EQ(complaints_of_rows("path", "x [mm];y [mm]\n0;20\n60;50\n100;20\n"),
             "x.csv:3: (60 mm, 50 mm) lies outside the plate, 100 mm x 40 mm\n");
-  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n0;20\n"),
+  EXPECT_EQ(complaints_of_rows("path", "x [mm];y [mm]\n0;20\n0;20\n"),
             "x.csv:3: is the same point as the row before\n");
-  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n"), "x.csv:2: is the only point: a path needs two\n");
+  EXPECT_EQ(complaints_of_rows("path", "x [mm];y [mm]\n0;20\n"),
+            "x.csv:2: is the only point: a path needs two\n");
   EXPECT_EQ(
-      complaints("path", "x [mm];y [mm]\n0;20\n30;20\n"),
+      complaints_of_rows("path", "x [mm];y [mm]\n0;20\n30;20\n"),
       "x.toml:4: crack.path = \"x.csv\": the measuring window, 20 mm to 40 mm, ends beyond the end of the "
       "path, 30 mm\n");
-  EXPECT_EQ(complaints("path", "x [mm];y [mm]\n0;20\n100;30\n"), "");
+  EXPECT_EQ(complaints_of_rows("path", "x [mm];y [mm]\n0;20\n100;30\n"), "");
   const Preset straight = read_preset_text("[crack]\npath_shape = \"spline\"\n", "x.toml");
   EXPECT_EQ(to_text(straight.issues.at(0)),
             "x.toml:2: crack.path_shape = \"spline\": goes with a crack.path through points only");
@@ -235,7 +237,7 @@ TEST(ToughnessFile, IsAgainstVelocityOrPosition) {
             (CriticalRate{velocity, {{0.0, 1500.0}, {700.0, 4000.0}}}));
   EXPECT_EQ(read("position [mm];release_rate [N/mm]\n10;1.5\n90;4\n"),
             (CriticalRate{position, {{0.01, 1500.0}, {0.09, 4000.0}}}));
-  EXPECT_EQ(complaints("toughness", "velocity [c_r];release_rate [J/m2]\n0.2;5\n0.1;-3\n"),
+  EXPECT_EQ(complaints_of_rows("toughness", "velocity [c_r];release_rate [J/m2]\n0.2;5\n0.1;-3\n"),
             "x.csv:3: release rate -3 J/m2 must lie above 0\n"
             "x.csv:3: velocity 0.1 does not lie above the 0.2 of the row before\n");
 }

@@ -15,7 +15,7 @@ std::string complaints(const std::vector<std::string>& overrides) {
   return lines;
 }
 
-Scene scene_of(const std::vector<std::string>& overrides) {
+Scene shape_of(const std::vector<std::string>& overrides) {
   const Preset preset = read_preset_text("", "x.toml", overrides);
   EXPECT_TRUE(preset.issues.empty()) << complaints(overrides);
   return preset.scene;
@@ -23,11 +23,11 @@ Scene scene_of(const std::vector<std::string>& overrides) {
 
 TEST(Shapes, FillTheirBox) {
   const lattice::Box cylinder =
-      box_of(scene_of({"specimen.shape=cylinder", "specimen.length=10 mm", "specimen.height=20 mm"}));
+      box_of(shape_of({"specimen.shape=cylinder", "specimen.length=10 mm", "specimen.height=20 mm"}));
   EXPECT_NEAR(cylinder.volume(), 500e-9 * std::numbers::pi, 1e-20);
-  const lattice::Box sphere = box_of(scene_of({"specimen.shape=sphere", "specimen.length=10 mm"}));
+  const lattice::Box sphere = box_of(shape_of({"specimen.shape=sphere", "specimen.length=10 mm"}));
   EXPECT_EQ(sphere.height, 10e-3);
-  const lattice::Box box = box_of(scene_of({"specimen.shape=periodic", "specimen.thickness=30 mm"}));
+  const lattice::Box box = box_of(shape_of({"specimen.shape=periodic", "specimen.thickness=30 mm"}));
   EXPECT_EQ(box.thickness, 30e-3);
   EXPECT_EQ(box.walls, lattice::Walls::periodic);
 }
@@ -70,7 +70,7 @@ TEST(Radii, ThatContradictAreRefused) {
 }
 
 TEST(ExpectedRadius, KnowsHowLogNormalRadiiSpread) {
-  const Scene scene = scene_of({"specimen.shape=sphere", "specimen.length=10 mm", "specimen.radii=log-normal",
+  const Scene scene = shape_of({"specimen.shape=sphere", "specimen.length=10 mm", "specimen.radii=log-normal",
                                 "specimen.radius_spread=0.3", "specimen.elements=1000"});
   // (4/3) pi R^3 exp(3 0.3^2) N = 0.615 (pi / 6) D^3
   EXPECT_NEAR(expected_mean_radius_m(scene), 5e-3 * std::cbrt(0.615 / 1000.0 / std::exp(0.27)), 1e-12);

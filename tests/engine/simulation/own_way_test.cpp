@@ -143,8 +143,8 @@ TEST(OwnWay, GoesOnFromACheckpointOfARestingTipToTheSameBits) {
     return orders;
   };
   observer.sample = [&](const results::Sample& s) { from.books.push_back(s); };
-  observer.checkpoint = [&](const auto& make, bool stopping) {
-    if (stopping) from.checkpoint = make();
+  observer.checkpoint = [&](const auto& make, CheckpointMoment moment) {
+    if (moment == CheckpointMoment::before_stop) from.checkpoint = make();
   };
   ASSERT_EQ(march(p, observer, {.threads = 1}).outcome, Outcome::stopped);
   const RunResult again = march(p, {}, {.threads = 1}, &from);

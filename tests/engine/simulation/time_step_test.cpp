@@ -9,7 +9,7 @@
 namespace rift::simulation {
 namespace {
 
-std::string refusal(const std::vector<std::string>& overrides) {
+std::string refusal_of_step(const std::vector<std::string>& overrides) {
   try {
     small_plate(overrides);
   } catch (const scene::InputError& error) {
@@ -56,12 +56,13 @@ TEST(ChooseStep, TakesTheStepOrTheFractionOfThePreset) {
 TEST(ChooseStep, RefusesAStepAboveTheCriticalOneWithBothNumbers) {
   const double critical = small_plate().step.critical;
   EXPECT_EQ(
-      refusal({"solver.dt=1e-6"}),
+      refusal_of_step({"solver.dt=1e-6"}),
       fmt::format("--set solver.dt=1e-6: makes a step of 1e-06 s, and the critical step of this lattice is "
                   "{:.4g} s",
                   critical));
-  EXPECT_EQ(refusal({fmt::format("solver.dt={}", critical * (1.0 + 1e-9))}).substr(0, 15), "--set solver.dt");
-  EXPECT_EQ(refusal({fmt::format("solver.dt={}", critical * (1.0 - 1e-9))}), "not refused");
+  EXPECT_EQ(refusal_of_step({fmt::format("solver.dt={}", critical * (1.0 + 1e-9))}).substr(0, 15),
+            "--set solver.dt");
+  EXPECT_EQ(refusal_of_step({fmt::format("solver.dt={}", critical * (1.0 - 1e-9))}), "not refused");
 }
 
 TEST(ChooseStep, RefusesAStepThatOnlyDampingMakesUnstable) {
@@ -69,16 +70,16 @@ TEST(ChooseStep, RefusesAStepThatOnlyDampingMakesUnstable) {
   const Prepared p = small_plate(damped);
   ASSERT_LT(p.step.critical_damped, 0.99 * p.step.critical);
   EXPECT_EQ(
-      refusal({"solver.dt_fraction=0.999", damped[0], damped[1]}),
+      refusal_of_step({"solver.dt_fraction=0.999", damped[0], damped[1]}),
       fmt::format("--set solver.dt_fraction=0.999: makes a step of {:.4g} s, and the critical step of this "
                   "lattice with this damping is {:.4g} s ({:.4g} s undamped)",
                   0.999 * p.step.critical, p.step.critical_damped, p.step.critical));
-  EXPECT_EQ(refusal({"solver.dt_fraction=0.999"}), "not refused");
+  EXPECT_EQ(refusal_of_step({"solver.dt_fraction=0.999"}), "not refused");
 }
 
 // The default step is half the undamped limit; where damping makes even that unstable, alpha is to blame.
 TEST(ChooseStep, BlamesTheDampingWhereEvenTheDefaultStepIsTooLong) {
-  EXPECT_TRUE(refusal({"damping.alpha=1", "damping.region=all", "crack.technique=simple"})
+  EXPECT_TRUE(refusal_of_step({"damping.alpha=1", "damping.region=all", "crack.technique=simple"})
                   .starts_with("--set damping.alpha=1: makes a step of "));
 }
 

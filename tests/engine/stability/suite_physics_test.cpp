@@ -3,6 +3,7 @@
 #include "engine/stability/free_vibration.hpp"
 #include "engine/stability/small_lattices.hpp"
 #include "engine/stability/suite.hpp"
+#include "tests/shared_cache.hpp"
 
 #include <gtest/gtest.h>
 

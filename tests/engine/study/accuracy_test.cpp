@@ -253,7 +253,7 @@ TEST(Accuracy, LeavesOutWhatCannotBe) {
   EXPECT_EQ(line_of(a, Knob::together, "0.6 of critical, single, 25 samples").cannot_be, "a reason");
 }
 
-const simulation::BuildInfo build{"0.1.0", "a compiler"};
+const simulation::BuildInfo accuracy_build{"0.1.0", "a compiler"};
 
 /// 500 elements, damped so much that only small steps are stable.
 AccuracyPlan tiny_plan() {
@@ -284,7 +284,7 @@ dt_fraction = 0.5
   return plan;
 }
 
-StudyOptions into(const std::filesystem::path& folder) {
+StudyOptions accuracy_into(const std::filesystem::path& folder) {
   StudyOptions options;
   options.folder = folder;
   options.threads = 1;
@@ -301,21 +301,24 @@ TEST(AccuracyRun, SaysWhatCannotRunAndGoesOn) {
     last = done;
     return true;
   };
-  const AccuracyRun run = try_variants(tiny_plan(), into(folder.path()), shared_cache(), build, observer);
+  const AccuracyRun run =
+      try_variants(tiny_plan(), accuracy_into(folder.path()), shared_cache(), accuracy_build, observer);
   ASSERT_EQ(run.tried.size(), 3u);
   EXPECT_TRUE(run.tried[0].row.is_object());
   EXPECT_TRUE(run.tried[1].row.is_object());
   EXPECT_TRUE(run.tried[2].row.is_null());
   EXPECT_TRUE(contains(run.tried[2].variant.cannot_be, "solver.dt_fraction makes a step of"));
   EXPECT_EQ(run.computed, 2);
-  const AccuracyRun again = try_variants(tiny_plan(), into(folder.path()), shared_cache(), build, {});
+  const AccuracyRun again =
+      try_variants(tiny_plan(), accuracy_into(folder.path()), shared_cache(), accuracy_build, {});
   EXPECT_EQ(again.computed, 0);
   EXPECT_EQ(again.tried[1].row, run.tried[1].row);  // its wall time too
 }
 
 TEST(AccuracyRun, GivesEachVariantAPassOfItsOwn) {
   const TemporaryFolder folder;
-  const AccuracyRun run = try_variants(tiny_plan(), into(folder.path()), shared_cache(), build, {});
+  const AccuracyRun run =
+      try_variants(tiny_plan(), accuracy_into(folder.path()), shared_cache(), accuracy_build, {});
   ASSERT_TRUE(run.tried.front().row.is_object());
   for (const Tried& t : not_empty(run.tried))
     EXPECT_EQ(t.row.is_object() ? t.row.at("lanes").get<int>() : 1, 1);
@@ -325,14 +328,15 @@ TEST(AccuracyRun, ThrowsWhereTheSceneItselfCannotBe) {
   const TemporaryFolder folder;
   AccuracyPlan plan = tiny_plan();
   plan.variants.front().scene.solver.dt_fraction = 0.99;
-  EXPECT_THROW(try_variants(plan, into(folder.path()), shared_cache(), build, {}), scene::InputError);
+  EXPECT_THROW(try_variants(plan, accuracy_into(folder.path()), shared_cache(), accuracy_build, {}),
+               scene::InputError);
 }
 
 TEST(AccuracyRun, FillsARegisterInOnePass) {
   const TemporaryFolder folder;
   const AccuracyPlan plan = tiny_plan();
-  const std::vector<SummaryRow> rows =
-      fill_lanes(plan, plan.variants.front().scene, into(folder.path()), shared_cache(), build, {});
+  const std::vector<SummaryRow> rows = fill_lanes(
+      plan, plan.variants.front().scene, accuracy_into(folder.path()), shared_cache(), accuracy_build, {});
   ASSERT_EQ(static_cast<int>(rows.size()), lanes_of_many(scene::Precision::double_precision));
   for (const SummaryRow& row : rows) EXPECT_EQ(row.at("lanes"), rows.size());
 }

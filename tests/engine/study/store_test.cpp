@@ -1,6 +1,6 @@
 #include "engine/study/store.hpp"
 
-#include "tests/studio/run_rift.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,6 @@
 
 namespace rift::study {
 namespace {
-
-using studio::TemporaryFolder;
-using studio::write_text;
 
 TEST(StudyResult, ThatNestsDeepCountsAsAbsentWithANote) {
   const TemporaryFolder folder;

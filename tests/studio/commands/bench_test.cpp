@@ -6,7 +6,7 @@
 namespace rift::studio {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 // Speeds themselves are not tested: machines differ, and so do minutes.
 TEST(Bench, TellsSpeedPeaksAndThePriceOfSinglePrecision) {

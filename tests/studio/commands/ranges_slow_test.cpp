@@ -27,7 +27,7 @@ TEST_P(EveryKey, AloneAtTheEndsOfItsRangeIsComputedOrRefused) {
   int swept = 0;
   for (const scene::Parameter& row : scene::parameters()) {
     if (scene::table_of(row) != GetParam()) continue;
-    for (const std::string& value : ends_of(row)) {
+    for (const std::string& value : scene::ends_of(row)) {
       ++swept;
       EXPECT_EQ(sweep.complaint({{std::string(row.key), value}}), "");
     }
