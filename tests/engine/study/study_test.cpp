@@ -127,7 +127,7 @@ void expect_as_run_alone(const scene::Preset& preset, const StudyResult& result,
 TEST(Study, ACallThatIsStoppedInAPassIsGoneOnWithFromThere) {
   std::string text = undamped_text();
   text.replace(text.find("[study]"), std::string::npos,
-               "[study]\ncrack_velocity = [\"0.02 c_r\", \"0.03 c_r\", \"0.9 c_r\"]\n");
+               "[study]\ncrack_velocity = [\"0.002 c_r\", \"0.003 c_r\", \"0.9 c_r\"]\n");
   const scene::Preset preset = preset_from(text);
   const TemporaryFolder folder;
   StudyResult result;

@@ -21,7 +21,7 @@ Ran run_and_signal(const TinyPlate& plate, const std::string& before, const std:
                    signals + "; do kill -$s $p; done; wait $p; exit $?)");
 }
 
-const std::string slow = "--set 'crack.velocity=0.002 c_r' --checkpoint '1 h'";
+const std::string slow = "--set 'crack.velocity=0.002 c_r' --checkpoint '3600 s'";
 
 TEST(BatchSignals, SaveACheckpointAndEndWith128PlusTheirNumber) {
   for (const auto& [name, number] :
@@ -51,7 +51,8 @@ TEST(BatchSignals, AFileBeyondTheLargestSizeIsAnErrorOfTheDiskInAPlainSentence) 
 TEST(BatchSignals, EveryCommandThatComputesHearsThem) {
   const TinyPlate plate;
   const std::string large =
-      "--set specimen.elements=60000 --set specimen.length='500 mm' --set specimen.height='100 mm'";
+      "--set specimen.elements=60000 --set specimen.length='500 mm' --set specimen.height='100 mm' --set "
+      "crack.end='400 mm'";
   for (const std::string command : {"pack '" + plate.preset().string() + "' --quiet " + large,
                                     "check '" + plate.preset().string() + "' --quiet " + large,
                                     std::string("bench --quiet --elements 1000 --seconds 2")}) {

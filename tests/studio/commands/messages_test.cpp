@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Some seconds of marching, so that progress is said.
-constexpr const char* some_seconds = "--threads 1 --set 'crack.velocity=0.02 c_r' ";
+constexpr const char* some_seconds = "--threads 1 --set 'crack.velocity=0.003 c_r' ";
 // Minutes on any machine.
 constexpr const char* very_long =
     "--threads 1 --set solver.dt_fraction=0.003 --set 'crack.velocity=0.01 c_r' --set output.samples=50000 ";

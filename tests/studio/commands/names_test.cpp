@@ -57,7 +57,7 @@ class HostileNames : public testing::Test {
           ++pages;
           EXPECT_TRUE(is_harmless(read_text(entry.path()))) << entry.path().filename();
         }
-    EXPECT_GT(pages, 3);
+    EXPECT_GT(pages, 1);
   }
 
   TinyPlate plate_;

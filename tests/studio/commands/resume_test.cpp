@@ -23,7 +23,7 @@ struct Twice {
   }
   void begin_anew() const { fs::remove_all(plate.out()); }
   Ran resume(const std::string& arguments = "--quiet") const {
-    return run_rift("resume '" + plate.out().string() + "' " + arguments, plate.environment());
+    return run_rift("resume '" + plate.out().string() + "' --threads 1 " + arguments, plate.environment());
   }
   void expect_same() const {
     EXPECT_EQ(read_text(whole() / "series.csv"), read_text(plate.out() / "series.csv"));

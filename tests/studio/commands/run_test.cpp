@@ -167,9 +167,10 @@ TEST(RunOut, OfARunThatGoesOnIsNotReplaced) {
   const TinyPlate plate;
   const std::string run = "env " + plate.environment() + " '" RIFT_EXE "' run '" + plate.preset().string() +
                           "' --out '" + plate.out().string() + "' ";
-  const Ran ran = run_shell("(" + run + slow + ">/dev/null; echo first $?) & for k in $(seq 600); do [ -e '" +
-                            (plate.out() / "series.csv").string() + "' ] && break; sleep 0.02; done; " + run +
-                            "--quiet --force --set crack.technique=simple >/dev/null; echo second $?; wait");
+  const Ran ran =
+      run_shell("((" + run + slow + ">/dev/null; echo first $?) & for k in $(seq 600); do [ -e '" +
+                (plate.out() / "series.csv").string() + "' ] && break; sleep 0.02; done; " + run +
+                "--quiet --force --set crack.technique=simple >/dev/null; echo second $?; wait)");
   EXPECT_EQ(ran.out, "second 1\nfirst 0\n");
   EXPECT_EQ(ran.err, "rift: cannot write into " + plate.out().string() + ": another process is writing it\n");
   EXPECT_EQ(summary_in(plate.out()).at("scenarios")[0].at("technique"), "progressive");
@@ -388,7 +389,8 @@ TEST(RunStopped, WhilePackingLeavesNoFolder) {
                       "--set specimen.length=0.2 --set specimen.height=0.04 --set crack.end=0.08");
   EXPECT_EQ(ran.exit_code, 130) << ran.err;
   EXPECT_EQ(ran.out, "");
-  EXPECT_EQ(ran.err, "rift run: stopped while packing; nothing was written\n");
+  EXPECT_EQ(ran.err,
+            "rift run: stopped while packing: nothing was written, and the same command starts anew\n");
   EXPECT_FALSE(fs::exists(plate.out()));
   EXPECT_FALSE(fs::exists(plate.path() / "cache" / "rift"));
 }

@@ -138,7 +138,6 @@ TEST(StudyCommand, ThatWasStoppedNamesOnlyWhatIsThere) {
 
 TEST(StudyCommand, RemovesWhatAKilledProcessHasLeft) {
   const TinyStudy plate;
-  fs::create_directories(plate.out() / "runs");
   ASSERT_EQ(plate.study().exit_code, 0);
   const Ran gone = run_shell("sh -c 'echo $$'");
   const std::string name = results::temporary_name(plate.out() / "runs" / "a.json").filename().string();
