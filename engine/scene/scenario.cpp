@@ -37,7 +37,7 @@ void settle_damping(Scene& scene, bool alpha_given, bool region_given, Chosen ch
 
 Scenario scenario_of(const Base& base, std::span<const Setting> settings, Chosen chosen) {
   Scenario scenario{
-      {base.preset.scene, base.preset.origins, {}, base.preset.name, {}, {}, {}, base.preset.rows},
+      {base.preset.scene, base.preset.origins, {}, base.preset.name, {}, {}, {}, base.preset.rows, {}},
       base.unsound};
   for (const Setting& setting : settings) put(scenario, setting);
   const auto given = [&](std::string_view key) {

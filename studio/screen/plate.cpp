@@ -11,8 +11,8 @@ namespace {
 /// Means over the boxes of a grid, rows from the top.
 class Grid {
  public:
-  Grid(int columns, int rows)
-      : width(columns), height(rows), sum_(static_cast<std::size_t>(columns) * rows), count_(sum_.size()) {}
+  Grid(int across, int down)
+      : width(across), height(down), sum_(static_cast<std::size_t>(across) * down), count_(sum_.size()) {}
 
   /// Adds a value to the box it lies in and to those whose middles its disc covers.
   void add(double column, double row, double radius_x, double radius_y, double value) {

@@ -17,7 +17,7 @@
 namespace rift::studio {
 namespace {
 
-double number(const study::SummaryRow& row, const char* key) {
+double number_in_row(const study::SummaryRow& row, const char* key) {
   return row.is_object() && row.contains(key) && row[key].is_number() ? row[key].get<double>() : std::nan("");
 }
 
@@ -160,7 +160,7 @@ void StudyScreen::draw_grid(Canvas& canvas, const Area& area) const {
       const int x = area.x + label + static_cast<int>(c) * wide;
       if (found == cell.end() || x + wide > area.x + area.width) continue;
       const study::SummaryRow& row = shown_[found->second];
-      const double ratio = number(row, "ratio"), off = number(row, "error_broberg");
+      const double ratio = number_in_row(row, "ratio"), off = number_in_row(row, "error_broberg");
       if (!row.is_object()) {
         canvas.text(x, y, fmt::format("{:>{}}", ".", wide - 1), {Ink::dim});
       } else {
@@ -186,7 +186,8 @@ void StudyScreen::draw_velocities(Canvas& canvas, const Area& area, Glyphs glyph
   std::map<std::string, std::vector<std::array<double, 2>>> by_name;
   const std::size_t axis = column_axis(preset_);
   for (std::size_t k = 0; k < shown_.size(); ++k) {
-    const double v = number(shown_[k], "crack_velocity_over_cr"), ratio = number(shown_[k], "ratio");
+    const double v = number_in_row(shown_[k], "crack_velocity_over_cr"),
+                 ratio = number_in_row(shown_[k], "ratio");
     if (std::isnan(v) || std::isnan(ratio)) continue;
     by_name[row_name(preset_.study[k], axis)].push_back({v, ratio});
     fastest = std::max(fastest, v), most = std::max(most, std::min(ratio, 3.0));
@@ -213,7 +214,8 @@ void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) c
   std::vector<Curve> curves;
   double low = 1e9, high = -1e9, small = 1e9, large = -1e9;
   for (const study::SummaryRow& row : shown_) {
-    const double seconds = number(row, "wall_fracture_s"), error = std::abs(number(row, "error_broberg"));
+    const double seconds = number_in_row(row, "wall_fracture_s"),
+                 error = std::abs(number_in_row(row, "error_broberg"));
     if (!(seconds > 0) || !(error > 0)) continue;
     const double x = std::log10(seconds), y = std::log10(error);
     low = std::min(low, x), high = std::max(high, x), small = std::min(small, y), large = std::max(large, y);
