@@ -10,6 +10,8 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -17,9 +19,22 @@ namespace rift::studio {
 
 /// What a command left behind: its texts and its exit code (128 + n where signal n ended it).
 struct Ran {
-  std::string out, err;
+  std::string out;
+  std::string err;       ///< without the lines of progress, which only a slow machine sees
+  std::string progress;  ///< those lines
   int exit_code = -1;
 };
+
+/// Sorts the plain lines of progress out of what a program wrote to standard error.
+inline void sort_error_text(const std::string& text, Ran& ran) {
+  static const std::regex progress(R"(.* \d+ %  (for .* so far|.* left, done at \d\d:\d\d).*)");
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool ended = !lines.eof();
+    const bool is_progress = line.size() < 300 && std::regex_match(line, progress);
+    (is_progress ? ran.progress : ran.err) += ended ? line + "\n" : line;
+  }
+}
 
 /// Runs a shell command whose last part may be any program. Standard input is empty; standard output and
 /// error are a pipe and a file, never a terminal.
@@ -33,7 +48,7 @@ inline Ran run_shell(const std::string& command) {
   for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
   const int status = pclose(pipe);
   ran.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  ran.err = read_text(err);
+  sort_error_text(read_text(err), ran);
   return ran;
 }
 
