@@ -1,5 +1,8 @@
 #include "engine/mechanics/static_system.hpp"
 
+#include "engine/mechanics/rigid_patches.hpp"
+
+#include <Eigen/IterativeLinearSolvers>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -59,28 +62,34 @@ std::vector<Vector6> motions_in(const StaticSystem& system, const Eigen::VectorX
   return q;
 }
 
-StaticSolver::StaticSolver(const StaticSystem& system) : system_(system) {
+struct StaticSolver::ConjugateGradients
+    : Eigen::ConjugateGradient<StaticSystem::Matrix, Eigen::Lower | Eigen::Upper, RigidPatches> {};
+
+StaticSolver::StaticSolver(const StaticSystem& system)
+    : system_(system), iteration_(std::make_unique<ConjugateGradients>()) {
   constexpr double patch_edge = 6.0;  // edge in mean radii: the quickest of 4, 6, 8, 12 at 20,000
-  solver_.preconditioner().place(system.centre, system.mean_radius, patch_edge * system.mean_radius);
-  solver_.compute(system.k);
-  if (solver_.info() != Eigen::Success)
+  iteration_->preconditioner().place(system.centre, system.mean_radius, patch_edge * system.mean_radius);
+  iteration_->compute(system.k);
+  if (iteration_->info() != Eigen::Success)
     throw StaticsError("the lattice's stiffness is not positive definite");
 }
 
+StaticSolver::~StaticSolver() = default;
+
 Eigen::VectorXd StaticSolver::solve(const Eigen::VectorXd& load, double tolerance, const FractionTold& told) {
-  solver_.setTolerance(tolerance);
-  solver_.preconditioner().seen = [&, at_first = load.norm(),
-                                   done = 0.0](const Eigen::VectorXd& left) mutable {
+  iteration_->setTolerance(tolerance);
+  iteration_->preconditioner().seen = [&, at_first = load.norm(),
+                                       done = 0.0](const Eigen::VectorXd& left) mutable {
     if (!told) return;
     const double digits = std::log(left.norm() / at_first) / std::log(tolerance);
     if (digits > done) done = std::min(digits, 1.0);  // not so for NaN
     tell_or_stop(told, done, "solving the statics");
   };
-  Eigen::VectorXd unknown = solver_.solve(load);
-  if (solver_.info() != Eigen::Success || !unknown.allFinite())
+  Eigen::VectorXd unknown = iteration_->solve(load);
+  if (iteration_->info() != Eigen::Success || !unknown.allFinite())
     throw StaticsError(fmt::format(
         "the statics did not converge: relative residual {:.3g} after {} iterations (limit {:.3g})",
-        solver_.error(), solver_.iterations(), tolerance));
+        iteration_->error(), iteration_->iterations(), tolerance));
   return unknown;
 }
 

@@ -2,11 +2,11 @@
 
 #include "engine/interrupted.hpp"
 #include "engine/lattice/lattice.hpp"
-#include "engine/mechanics/rigid_patches.hpp"
 
-#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -20,7 +20,7 @@ struct StaticsError : std::runtime_error {
 /// K q = f over the free elements of a lattice, in the unknowns (u, R theta) with R the mean radius, which
 /// puts forces and moments on one scale.
 struct StaticSystem {
-  using Matrix = RigidPatches::Matrix;
+  using Matrix = Eigen::SparseMatrix<double>;
   std::vector<int> number;              // of each element among the free ones, -1 where held
   std::vector<Eigen::Vector3d> centre;  // of the free ones [m]
   double mean_radius = 0;               // R [m]
@@ -44,13 +44,15 @@ std::vector<Vector6> motions_in(const StaticSystem& system, const Eigen::VectorX
 class StaticSolver {
  public:
   explicit StaticSolver(const StaticSystem& system);
+  ~StaticSolver();
   /// Throws StaticsError where the relative residual stays above the tolerance, Interrupted. What is told is
   /// done by the digits of the residual.
   Eigen::VectorXd solve(const Eigen::VectorXd& load, double tolerance, const FractionTold& told = {});
 
  private:
+  struct ConjugateGradients;  // Eigen's, which takes long to compile
   const StaticSystem& system_;
-  Eigen::ConjugateGradient<StaticSystem::Matrix, Eigen::Lower | Eigen::Upper, RigidPatches> solver_;
+  std::unique_ptr<ConjugateGradients> iteration_;
 };
 
 }  // namespace rift::mechanics

@@ -1,3 +1,4 @@
+#include "tests/engine/mechanics/dense.hpp"
 #include "tests/engine/mechanics/hand_made.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
@@ -79,8 +80,8 @@ TEST(FaceContact, IsNowhereStifferThanTheBeam) {
     }
     const mechanics::Matrix12 beyond =
         mechanics::stiffness_of(beam) - fracture::face_stiffness(beam) * gap.transpose() * gap;
-    const Eigen::SelfAdjointEigenSolver<mechanics::Matrix12> modes(beyond);
-    EXPECT_GT(modes.eigenvalues()[0], -1e-12 * modes.eigenvalues()[11]);
+    const Eigen::VectorXd mode = mechanics::hand_made::modes_of(beyond, Eigen::MatrixXd::Identity(12, 12)).value;
+    EXPECT_GT(mode[0], -1e-12 * mode[11]);
   }
 }
 

@@ -246,7 +246,9 @@ TEST(Notch, WithoutLengthCutsNoBeamThatIsCrossedAtItsEnd) {
     Ensemble<double> s(p.lattice, path, notch, p.step.dt, {p.lane[0].scenario});
     s.start_from(p.displacement);
     for (std::size_t k = 0; k < met.size(); ++k)
-      if (at_its_end(met[k])) EXPECT_EQ(s.factor(static_cast<int>(k), 0), left) << "notch of " << notch;
+      if (at_its_end(met[k])) {
+        EXPECT_EQ(s.factor(static_cast<int>(k), 0), left) << "notch of " << notch;
+      }
   }
 }
 

@@ -1,6 +1,8 @@
 #include "engine/ensemble/ensemble.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "tests/engine/mechanics/dense.hpp"
+
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,22 +40,15 @@ struct Vibration {
 
   Vibration() {
     const long n = 36;
-    Matrix k = Matrix::Zero(n + 12, n + 12);
-    for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
-      const mechanics::Matrix12 part = mechanics::stiffness_of(lattice.beam[b]);
-      const auto& e = lattice.ends[b];
-      for (int r : {0, 1})
-        for (int c : {0, 1}) k.block<6, 6>(6 * e[r], 6 * e[c]) += part.block<6, 6>(6 * r, 6 * c);
-    }
     mass.resize(n);
     for (int i = 0; i < 6; ++i) {
       mass.segment<3>(6 * i).setConstant(lattice.mass[i + 1]);
       mass.segment<3>(6 * i + 3).setConstant(lattice.inertia[i + 1]);
     }
-    const Matrix m = mass.asDiagonal();
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(k.block(6, 6, n, n), m);
-    mode = solver.eigenvectors();
-    omega = solver.eigenvalues().cwiseSqrt();
+    const Matrix k = mechanics::hand_made::dense_stiffness(lattice);
+    const auto modes = mechanics::hand_made::modes_of(k.block(6, 6, n, n), mass.asDiagonal().toDenseMatrix());
+    mode = modes.vector;
+    omega = modes.value.cwiseSqrt();
   }
 
   double critical() const { return 2.0 / omega[35]; }

@@ -108,7 +108,9 @@ TEST(IntensityReading, OfTwoTipsStaysOffTheOther) {
     const IntensityPoint point =
         IntensityReading(path, size, plate, ring, books(speed), scale).at(seen, grid.point);
     EXPECT_EQ(point.k.has_value(), half > 0.01) << half;
-    if (!point.k) EXPECT_EQ(point.why, NoFit::other_tip);
+    if (!point.k) {
+      EXPECT_EQ(point.why, NoFit::other_tip);
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include "engine/mechanics/damping.hpp"
 
 #include "tests/engine/mechanics/dense.hpp"
+#include "tests/engine/mechanics/hand_made.hpp"
 
 #include <gtest/gtest.h>
 

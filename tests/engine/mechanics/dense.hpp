@@ -1,32 +1,27 @@
 #pragma once
 
-#include "tests/engine/mechanics/hand_made.hpp"
+#include "engine/lattice/lattice.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
-/// Dense algebra on small lattices: what the engine's iterations are compared with.
+/// Dense algebra on small lattices: what the engine's iterations are compared with. Compiled once for all tests,
+/// for Eigen's decompositions take long to compile.
 namespace rift::mechanics::hand_made {
 
-inline Eigen::MatrixXd dense_stiffness(const lattice::Lattice& lattice) {
-  const long size = 6 * static_cast<long>(lattice.centre.size());
-  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
-    const Matrix12 beam = stiffness_of(lattice.beam[b]);
-    for (int end = 0; end < 2; ++end)
-      for (int other = 0; other < 2; ++other)
-        k.block<6, 6>(6 * lattice.ends[b][end], 6 * lattice.ends[b][other]) +=
-            beam.block<6, 6>(6 * end, 6 * other);
-  }
-  return k;
-}
+/// K over all elements, 6 N x 6 N.
+Eigen::MatrixXd dense_stiffness(const lattice::Lattice& lattice);
 
-/// Highest omega^2 of K x = omega^2 M x over the elements not gripped, by dense algebra.
-inline double highest_omega_squared(const lattice::Lattice& lattice) {
-  const Eigen::VectorXd root = mobility(lattice).cwiseSqrt();
-  const Eigen::MatrixXd symmetric = root.asDiagonal() * dense_stiffness(lattice) * root.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
-      .eigenvalues()
-      .maxCoeff();
-}
+/// Solutions of K x = lambda M x: values ascending, vectors in columns, x^T M x = 1.
+struct Modes {
+  Eigen::VectorXd value;
+  Eigen::MatrixXd vector;
+};
+Modes modes_of(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass);
+
+/// Highest omega^2 of K x = omega^2 M x over the elements not gripped.
+double highest_omega_squared(const lattice::Lattice& lattice);
+
+/// x of a x = b, with a symmetric and positive definite.
+Eigen::VectorXd solution_of(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 }  // namespace rift::mechanics::hand_made

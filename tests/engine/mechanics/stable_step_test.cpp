@@ -1,6 +1,7 @@
 #include "engine/mechanics/stable_step.hpp"
 
 #include "tests/engine/mechanics/dense.hpp"
+#include "tests/engine/mechanics/hand_made.hpp"
 
 #include <gtest/gtest.h>
 

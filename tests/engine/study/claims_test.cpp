@@ -213,9 +213,10 @@ std::set<std::string> headings_of(const char* page) {
   std::ifstream file(std::string(RIFT_SOURCE_DIR "/docs/") + page);
   std::set<std::string> names;
   for (std::string line; std::getline(file, line);)
-    if (line.starts_with("## ") && line.ends_with(")"))
+    if (line.starts_with("## ") && line.ends_with(")")) {
       EXPECT_TRUE(names.insert(line.substr(line.rfind('(') + 1, line.size() - line.rfind('(') - 2)).second)
           << line;
+    }
   return names;
 }
 

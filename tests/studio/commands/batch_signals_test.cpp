@@ -53,7 +53,7 @@ TEST(BatchSignals, EveryCommandThatComputesHearsThem) {
   const std::string large =
       "--set specimen.elements=60000 --set specimen.length='500 mm' --set specimen.height='100 mm' --set "
       "crack.end='400 mm'";
-  for (const std::string command : {"pack '" + plate.preset().string() + "' --quiet " + large,
+  for (const std::string& command : {"pack '" + plate.preset().string() + "' --quiet " + large,
                                     "check '" + plate.preset().string() + "' --quiet " + large,
                                     std::string("bench --quiet --elements 1000 --seconds 2")}) {
     const Ran ran = run_shell("env " + plate.environment() +

@@ -141,7 +141,7 @@ TEST_F(HostileNames, TakeACalibration) {
 }
 
 TEST_F(HostileNames, InAMessageStayOnItsLine) {
-  for (const std::string arguments :
+  for (const std::string& arguments :
        {"run " + quoted(place() / (hostile + "_missing")), "check " + quoted(place()),
         "run " + quoted(preset()) + " --quiet --out " + quoted(place()),
         "verify " + quoted(place() / "missing"), "resume " + quoted(place()),
