@@ -1,5 +1,5 @@
 #include "engine/base/console.hpp"
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "studio/commands/commands.hpp"
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
     rift::base::message("rift: {}\n", error.what());
     code = ExitCode::bad_input;
   } catch (const std::exception& error) {
-    rift::base::message("rift: {}\n", rift::results::plain_text(error));
+    rift::base::message("rift: {}\n", rift::base::plain_text(error));
     code = ExitCode::world_failed;
   }
   if (const int failure = rift::base::printing_failure(); failure != 0) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 
 #include <filesystem>
 #include <string>
@@ -12,8 +12,8 @@ namespace rift {
 inline std::filesystem::path shared_cache_home() { return RIFT_TEST_CACHE; }
 
 /// That folder as the engine takes it; `rift` finds the same files there by shared_cache_environment().
-inline Cache& shared_cache() {
-  static Cache cache{shared_cache_home() / "rift", {}};
+inline base::Cache& shared_cache() {
+  static base::Cache cache{shared_cache_home() / "rift", {}};
   return cache;
 }
 

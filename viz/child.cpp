@@ -1,6 +1,6 @@
 #include "viz/child.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -64,7 +64,7 @@ Child::Child(std::vector<std::string> command, bool idle) : name_(command.front(
   errors_ = memfd_create("errors", MFD_CLOEXEC);
   if (errors_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in.data()) != 0 ||
       pipe2(out.data(), O_CLOEXEC) != 0)
-    throw results::WorldError("start", name_, error_text(errno));
+    throw base::WorldError("start", name_, error_text(errno));
   input_ = in[0];
   output_ = out[0];
   std::vector<char*> arguments;
@@ -78,7 +78,7 @@ Child::Child(std::vector<std::string> command, bool idle) : name_(command.front(
   ::close(out[1]);
   if (error != 0) {
     for (int* descriptor : {&input_, &output_, &errors_}) close_if_open(*descriptor);
-    throw results::WorldError("start", name_, error_text(error));
+    throw base::WorldError("start", name_, error_text(error));
   }
   const sched_param lowest{};
   if (idle) sched_setscheduler(pid_, SCHED_IDLE, &lowest);

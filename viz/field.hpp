@@ -46,8 +46,8 @@ struct Field {
 [[nodiscard]] std::optional<std::array<double, 2>> known_range(const Field& field,
                                                                const nlohmann::ordered_json& header);
 
-/// The range of these values [SI] without the outermost hundredth, rounded up: symmetric about zero for a diverging
-/// scale, from zero for a sequential one. @param values  of one or several frames; reordered
+/// The range of these values [SI] without the outermost hundredth, rounded up: symmetric about zero for a
+/// diverging scale, from zero for a sequential one. @param values  of one or several frames; reordered
 [[nodiscard]] std::array<double, 2> range_of(const Field& field, std::vector<float>& values);
 
 }  // namespace rift::viz

@@ -1,6 +1,6 @@
 #include "viz/film.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 
 #include <fmt/format.h>
 
@@ -58,7 +58,7 @@ Film::Film(const std::filesystem::path& path, int width, int height, double fram
   try {
     ffmpeg_ = std::make_unique<Child>(
         command_for(file_.temporary(), path.extension().string(), width, height, frames_per_second), idle);
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     throw FilmFailed(error.what());
   }
 }

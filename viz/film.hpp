@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "viz/child.hpp"
 #include "viz/image.hpp"
 
@@ -35,7 +35,7 @@ class Film {
  private:
   [[noreturn]] void fail();
 
-  results::PendingFile file_;
+  base::PendingFile file_;
   std::unique_ptr<Child> ffmpeg_;
 };
 

@@ -1,7 +1,7 @@
 #include "viz/png.hpp"
 
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/world_error.hpp"
 
 #include <png.h>
 
@@ -29,19 +29,19 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::string bytes(size, '\0');
   if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0)
-    throw results::WorldError("make the picture", path, header.message);
-  results::write_whole_file(path, std::string_view(bytes).substr(0, size));
+    throw base::WorldError("make the picture", path, header.message);
+  base::write_whole_file(path, std::string_view(bytes).substr(0, size));
 }
 
 Image read_png(const std::filesystem::path& path) {
   png_image header = header_of({});
   if (png_image_begin_read_from_file(&header, path.c_str()) == 0)
-    throw results::WorldError("read", path, header.message);
+    throw base::WorldError("read", path, header.message);
   header.format = PNG_FORMAT_RGB;
   Image image{static_cast<int>(header.width), static_cast<int>(header.height), {}};
   image.rgb.resize(PNG_IMAGE_SIZE(header));
   if (png_image_finish_read(&header, nullptr, image.rgb.data(), 0, nullptr) == 0)
-    throw results::WorldError("read", path, header.message);
+    throw base::WorldError("read", path, header.message);
   return image;
 }
 

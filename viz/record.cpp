@@ -1,9 +1,9 @@
 #include "viz/record.hpp"
 
+#include "engine/base/files.hpp"
+#include "engine/base/ownership.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/journal_index.hpp"
-#include "engine/results/ownership.hpp"
 #include "viz/png.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ void make_film(const Job& job, std::span<const double> times_s, double frames_pe
 
 void make_pictures(const Job& job, std::span<const double> times_s, const std::filesystem::path& folder,
                    const Making& making) {
-  const results::OwnedFolder owned(folder);
+  const base::OwnedFolder owned(folder);
   int number = 0;
   draw_each(job, times_s, making, [&](const Image& frame) {
     if (number == 0) remove_frames(folder);

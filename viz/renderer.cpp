@@ -1,6 +1,6 @@
 #include "viz/renderer.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ Image Renderer::next() {
   }
   const Child::End end = child_->wait();
   if ((end.code != no_opengl && end.code != no_library) || !may_turn_to_egl_)
-    throw results::WorldError("draw with", program_, "it " + end.text);
+    throw base::WorldError("draw with", program_, "it " + end.text);
   may_turn_to_egl_ = false;
   start("egl");
   for (const double time_s : asked_) send(time_s);

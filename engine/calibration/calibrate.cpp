@@ -80,8 +80,8 @@ OutOfReach::OutOfReach(double wanted, std::array<double, 2> range)
 std::vector<CylinderTest> cylinders_for(const scene::Scene& scene, int elements,
                                         const std::vector<BeamShape>& beams) {
   constexpr double diameter = 20e-3;  // any: only ratios of lengths count
-  lattice::PackingRequest request = scene::request_of(scene);
-  request.box = {diameter, 2.0 * diameter, diameter, lattice::Walls::cylinder};
+  packing::PackingRequest request = scene::request_of(scene);
+  request.box = {diameter, 2.0 * diameter, diameter, packing::Shape::cylinder};
   request.elements = elements;
   std::vector<CylinderTest> tests;
   for (int k = 0; k < scene.calibration.packings; ++k) {
@@ -106,8 +106,8 @@ std::vector<Scattered> poisson_of(const std::vector<CylinderResult>& packings) {
   return over_packings(packings, [](const Response& r) { return r.poisson_ratio; });
 }
 
-Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio, Cache& cache,
-                     const CalibrationProgress& progress, int threads) {
+Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio,
+                     base::Cache& cache, const CalibrationProgress& progress, int threads) {
   constexpr double close_enough = 2e-4, share_of_scan = 0.7;
   constexpr int most_secants = 5;
   const int elements = scene.calibration.elements;

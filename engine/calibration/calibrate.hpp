@@ -48,7 +48,7 @@ std::vector<Scattered> poisson_of(const std::vector<CylinderResult>& packings);
 /// their nu is within 2e-4 of the one asked for; E_mu by proportion, nothing computed. nu_mu hardly counts
 /// and is the paper's.   [paper, appendix; Andre et al. 2012] Throws OutOfReach, and what press_cylinders()
 /// throws.
-Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio, Cache& cache,
-                     const CalibrationProgress& progress = {}, int threads = 0);
+Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio,
+                     base::Cache& cache, const CalibrationProgress& progress = {}, int threads = 0);
 
 }  // namespace rift::calibration

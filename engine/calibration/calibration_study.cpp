@@ -14,8 +14,8 @@ constexpr BeamShape paper_beams{lattice::bulk_micro_material.radius_ratio,
 /// Periodic boxes of this coordination, half as many elements as the scan's cylinders.
 std::vector<BoxTest> boxes_of(const scene::Scene& scene, double coordination) {
   constexpr double edge = 10e-3;
-  lattice::PackingRequest request = scene::request_of(scene);
-  request.box = {edge, edge, edge, lattice::Walls::periodic};
+  packing::PackingRequest request = scene::request_of(scene);
+  request.box = {edge, edge, edge, packing::Shape::periodic};
   request.elements = std::max(100, scene.calibration.elements / 2);
   request.coordination = coordination;
   request.solid_fraction = 0.0;
@@ -81,7 +81,7 @@ std::vector<Row> rows_of(const CalibrationStudy& study) {
   return rows;
 }
 
-CalibrationStudy study_calibration(const scene::Scene& scene, Cache& cache, const StudyStage& progress,
+CalibrationStudy study_calibration(const scene::Scene& scene, base::Cache& cache, const StudyStage& progress,
                                    int threads) {
   const auto stage = [&](const char* name) {
     return [&progress, name](double done) { return !progress || progress(name, done); };

@@ -20,7 +20,7 @@ using StudyStage = std::function<bool(const char* stage, double done)>;
 
 /// Convergence over the sizes of the scene's [calibration], the scan of r_mu, and homogenised boxes of as
 /// many packings. E_mu is not scanned: every modulus is proportional to it.
-CalibrationStudy study_calibration(const scene::Scene& scene, Cache& cache, const StudyStage& progress,
+CalibrationStudy study_calibration(const scene::Scene& scene, base::Cache& cache, const StudyStage& progress,
                                    int threads);
 
 /// Every result as a row, as tables and verdicts take it: "series" (size, scan, twisted or box), "elements",

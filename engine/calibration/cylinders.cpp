@@ -1,10 +1,10 @@
 #include "engine/calibration/cylinders.hpp"
 
+#include "engine/base/interrupted.hpp"
 #include "engine/calibration/each_specimen.hpp"
 #include "engine/calibration/pull.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/lattice/cached_packing.hpp"
-#include "engine/mechanics/free_body.hpp"
+#include "engine/lattice/free_body.hpp"
+#include "engine/packing/cached_packing.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 std::string key_of(const CylinderTest& test) {
   constexpr int version = 1;
-  std::string key = fmt::format("cylinder {} {} tolerance {:a}", version, lattice::key_of(test.packing),
+  std::string key = fmt::format("cylinder {} {} tolerance {:a}", version, packing::key_of(test.packing),
                                 test.contact_tolerance);
   for (const BeamShape& b : test.beams)
     key += fmt::format(" beams {:a} {:a}", b.radius_ratio, b.poisson_ratio);
@@ -38,16 +38,16 @@ CylinderResult result_of(const CylinderTest& test, const std::vector<double>& n)
   return r;
 }
 
-CylinderResult press(const CylinderTest& test, Cache& cache, const CalibrationProgress& progress) {
+CylinderResult press(const CylinderTest& test, base::Cache& cache, const CalibrationProgress& progress) {
   constexpr double share_of_packing = 0.6;
   bool found = false;
-  const lattice::Packing packing = lattice::cached_packing(
+  const packing::Packing packing = packing::cached_packing(
       test.packing, cache, found, [&](double done) { return progress(share_of_packing * done); }, 1);
-  const lattice::Box& box = test.packing.box;
-  const lattice::Specimen specimen = lattice::make_free_specimen(packing, box, test.contact_tolerance);
+  const packing::Box& box = test.packing.box;
+  const packing::Specimen specimen = packing::make_free_specimen(packing, box, test.contact_tolerance);
   CylinderResult result{test.packing,
                         specimen.packing.coordination,
-                        core_coordination(packing, box, lattice::contacts(packing, box, 1.0),
+                        core_coordination(packing, box, packing::contacts(packing, box, 1.0),
                                           4.0 * specimen.packing.mean_radius),
                         specimen.packing.solid_fraction,
                         specimen.rattlers,
@@ -56,7 +56,7 @@ CylinderResult press(const CylinderTest& test, Cache& cache, const CalibrationPr
   for (const BeamShape& beams : test.beams) {
     const lattice::Lattice lattice =
         lattice::make_lattice(specimen, {1.0, beams.poisson_ratio, beams.radius_ratio}, 1.0);
-    mechanics::FreeBody body(lattice);
+    lattice::FreeBody body(lattice);
     const auto all = static_cast<double>(test.beams.size());
     const auto tell = [&, before = static_cast<double>(result.responses.size())](double done) {
       return progress(share_of_packing + (1.0 - share_of_packing) * (before + done) / all);
@@ -64,37 +64,38 @@ CylinderResult press(const CylinderTest& test, Cache& cache, const CalibrationPr
     const Pulled pressed = pull(lattice, body, 1, -box.section(1), tell);
     result.responses.push_back({pressed.gauge_modulus, pressed.young_modulus,
                                 0.5 * (pressed.poisson_ratio.x() + pressed.poisson_ratio.z())});
-    tell_or_stop(tell, 1.0, "pressing cylinders");
+    base::tell_or_stop(tell, 1.0, "pressing cylinders");
   }
   return result;
 }
 
-CylinderResult pressed_or_recalled(const CylinderTest& test, Cache& cache, const CalibrationProgress& tell) {
+CylinderResult pressed_or_recalled(const CylinderTest& test, base::Cache& cache,
+                                   const CalibrationProgress& tell) {
   const std::string key = key_of(test);
-  if (const auto known = recall(cache, "cylinder", key);
+  if (const auto known = base::recall(cache, "cylinder", key);
       known && known->size() == numbers_before_responses + 3 * test.beams.size()) {
-    if (!tell(1.0)) throw Interrupted("pressing cylinders");
+    if (!tell(1.0)) throw base::Interrupted("pressing cylinders");
     return result_of(test, *known);
   }
   CylinderResult result = press(test, cache, tell);
-  remember(cache, "cylinder", key, numbers_of(result));
+  base::remember(cache, "cylinder", key, numbers_of(result));
   return result;
 }
 
 }  // namespace
 
-double core_coordination(const lattice::Packing& packing, const lattice::Box& box,
+double core_coordination(const packing::Packing& packing, const packing::Box& box,
                          const std::vector<std::array<int, 2>>& contacts, double away) {
   std::vector<int> degree(packing.radius.size());
   for (const auto& [i, j] : contacts) ++degree[i], ++degree[j];
   double sum = 0.0, members = 0.0;
   for (std::size_t i = 0; i < degree.size(); ++i)
-    if (lattice::wall_push(box, packing.centre[i], away).isZero(0.0)) sum += degree[i], members += 1.0;
+    if (packing::wall_push(box, packing.centre[i], away).isZero(0.0)) sum += degree[i], members += 1.0;
   if (members > 0.0) return sum / members;
   return 2.0 * static_cast<double>(contacts.size()) / static_cast<double>(degree.size());
 }
 
-std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, Cache& cache,
+std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, base::Cache& cache,
                                             const CalibrationProgress& progress, int threads) {
   return each_specimen(tests, cache, progress, threads, pressed_or_recalled);
 }

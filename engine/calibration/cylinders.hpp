@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "engine/calibration/side_by_side.hpp"
-#include "engine/lattice/packing.hpp"
+#include "engine/packing/packing.hpp"
 
 #include <array>
 #include <string>
@@ -25,13 +25,13 @@ struct Response {
 
 /// One packing with all the beams that are tried in it.
 struct CylinderTest {
-  lattice::PackingRequest packing;  // in a cylinder
+  packing::PackingRequest packing;  // in a cylinder
   double contact_tolerance = 1;
   std::vector<BeamShape> beams;
 };
 
 struct CylinderResult {
-  lattice::PackingRequest packing;
+  packing::PackingRequest packing;
   double coordination = 0, core_coordination = 0;  // of all elements; of those away from the walls
   double solid_fraction = 0;
   int rattlers = 0;
@@ -43,12 +43,12 @@ struct CylinderResult {
 /// cylinders are pressed at once, one a thread, the largest first. Results in the order of the tests, the
 /// same whatever the threads. Throws PackingError, StaticsError or Interrupted.
 /// @param[in] threads  0 for one per available CPU
-std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, Cache& cache,
+std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, base::Cache& cache,
                                             const CalibrationProgress& progress = {}, int threads = 0);
 
 /// Mean of the coordination of the elements further than `away` from the walls [as the box]; of all elements
 /// where none is.
-double core_coordination(const lattice::Packing& packing, const lattice::Box& box,
+double core_coordination(const packing::Packing& packing, const packing::Box& box,
                          const std::vector<std::array<int, 2>>& contacts, double away);
 
 }  // namespace rift::calibration

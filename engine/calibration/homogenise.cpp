@@ -1,6 +1,6 @@
 #include "engine/calibration/homogenise.hpp"
 
-#include "engine/mechanics/free_body.hpp"
+#include "engine/lattice/free_body.hpp"
 
 #include <Eigen/Dense>
 
@@ -21,21 +21,21 @@ Eigen::Matrix3d unit_strain(int a) {
 
 /// The motions of a beam's ends where the whole box is strained: those of the elements, and the far end moved
 /// by the strain over the beam, whichever image of the element it joins.
-mechanics::BeamStrain strain_in(const mechanics::Beam& beam, const Eigen::Matrix3d& strain,
-                                const mechanics::Vector6& q_i, const mechanics::Vector6& q_j) {
-  mechanics::Vector6 far = q_j;
+lattice::BeamStrain strain_in(const lattice::Beam& beam, const Eigen::Matrix3d& strain,
+                              const lattice::Vector6& q_i, const lattice::Vector6& q_j) {
+  lattice::Vector6 far = q_j;
   far.head<3>() += strain * (beam.length * beam.axis);
-  return mechanics::strain_of(beam, q_i, far);
+  return lattice::strain_of(beam, q_i, far);
 }
 
 /// Forces of the beams on the elements where nothing has moved yet but the box.
-std::vector<mechanics::Vector6> loads_of_strain(const lattice::Lattice& lattice,
-                                                const Eigen::Matrix3d& strain) {
-  std::vector<mechanics::Vector6> load(lattice.centre.size(), mechanics::Vector6::Zero());
+std::vector<lattice::Vector6> loads_of_strain(const lattice::Lattice& lattice,
+                                              const Eigen::Matrix3d& strain) {
+  std::vector<lattice::Vector6> load(lattice.centre.size(), lattice::Vector6::Zero());
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
-    mechanics::Vector6 far = mechanics::Vector6::Zero();
+    lattice::Vector6 far = lattice::Vector6::Zero();
     far.head<3>() = strain * (lattice.beam[b].length * lattice.beam[b].axis);
-    const mechanics::BeamLoads l = mechanics::loads_of(lattice.beam[b], mechanics::Vector6::Zero(), far);
+    const lattice::BeamLoads l = lattice::loads_of(lattice.beam[b], lattice::Vector6::Zero(), far);
     const auto& [i, j] = lattice.ends[b];
     load[i].head<3>() += l.force_i, load[i].tail<3>() += l.moment_i;
     load[j].head<3>() -= l.force_i, load[j].tail<3>() += l.moment_j;
@@ -59,23 +59,23 @@ std::array<double, 2> reuss(const Matrix6& stiffness) {
 
 }  // namespace
 
-Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const FractionTold& told) {
-  assert(lattice.box.walls == lattice::Walls::periodic);
-  mechanics::FreeBody body(lattice);
-  std::array<std::vector<mechanics::Vector6>, 6> motion;
+Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const base::FractionTold& told) {
+  assert(lattice.box.shape == packing::Shape::periodic);
+  lattice::FreeBody body(lattice);
+  std::array<std::vector<lattice::Vector6>, 6> motion;
   constexpr double tolerance = 1e-10;
   for (int a = 0; a < 6; ++a)
     motion[a] = body.at_rest(loads_of_strain(lattice, unit_strain(a)), tolerance,
                              [&](double done) { return !told || told((a + done) / 6.0); });
   Matrix6 stiffness = Matrix6::Zero();
   for (std::size_t k = 0; k < lattice.beam.size(); ++k) {
-    const mechanics::Beam& beam = lattice.beam[k];
+    const lattice::Beam& beam = lattice.beam[k];
     const auto& [i, j] = lattice.ends[k];
-    std::array<mechanics::BeamStrain, 6> strain;
+    std::array<lattice::BeamStrain, 6> strain;
     for (int a = 0; a < 6; ++a) strain[a] = strain_in(beam, unit_strain(a), motion[a][i], motion[a][j]);
     for (int a = 0; a < 6; ++a)
       for (int b = 0; b < 6; ++b)
-        stiffness(a, b) += 2.0 * mechanics::bilinear_energy(beam, strain[a], strain[b]);
+        stiffness(a, b) += 2.0 * lattice::bilinear_energy(beam, strain[a], strain[b]);
   }
   return stiffness / lattice.box.volume();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/interrupted.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/lattice/lattice.hpp"
 
 namespace rift::calibration {
@@ -11,7 +11,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Stiffness tensor of a lattice that repeats itself [Pa]: six unit strains, each with the motions that leave
 /// every element in balance, and C_ab = (2 / V) sum over beams of their bilinear energy.
 /// Cost of six solutions with one matrix; throws StaticsError. Asserts a periodic box.
-Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const FractionTold& told = {});
+Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const base::FractionTold& told = {});
 
 /// The isotropic solid nearest to a tensor, and how far from it the tensor is.
 struct Isotropic {

@@ -1,6 +1,6 @@
 #include "engine/calibration/pull.hpp"
 
-#include "engine/mechanics/free_body.hpp"
+#include "engine/lattice/free_body.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -22,21 +22,21 @@ std::array<End, 2> ends_of(const lattice::Lattice& lattice, int axis) {
   std::array<End, 2> ends;
   const double edge = lattice.box.size()[axis];
   for (int i = 0; i < static_cast<int>(lattice.centre.size()); ++i) {
-    const double at = lattice.centre[i][axis], depth = lattice::grip_depth * lattice.radius[i];
+    const double at = lattice.centre[i][axis], depth = packing::grip_depth * lattice.radius[i];
     if (at <= depth) ends[0].member.push_back(i);
     if (edge - at <= depth) ends[1].member.push_back(i);
   }
   for (const End& end : ends)
     if (end.member.size() < 3)
-      throw lattice::PackingError(
+      throw packing::PackingError(
           fmt::format("too few elements: {} at an end, 3 are needed to pull at", end.member.size()));
   return ends;
 }
 
 /// Of all forces along the axis on the members with the resultant in the middle of the section, the most
 /// even.
-void load_end(std::vector<mechanics::Vector6>& load, const lattice::Lattice& lattice, const End& end,
-              int axis, double force) {
+void load_end(std::vector<lattice::Vector6>& load, const lattice::Lattice& lattice, const End& end, int axis,
+              double force) {
   const int across[2] = {(axis + 1) % 3, (axis + 2) % 3};
   const Eigen::Vector3d middle = 0.5 * lattice.box.size();
   Eigen::MatrixXd sums(3, end.member.size());  // force, and the two moments over the mean radius
@@ -52,16 +52,16 @@ void load_end(std::vector<mechanics::Vector6>& load, const lattice::Lattice& lat
 
 }  // namespace
 
-std::vector<mechanics::Vector6> end_loads(const lattice::Lattice& lattice, int axis, double force) {
+std::vector<lattice::Vector6> end_loads(const lattice::Lattice& lattice, int axis, double force) {
   const auto ends = ends_of(lattice, axis);
-  std::vector<mechanics::Vector6> load(lattice.centre.size(), mechanics::Vector6::Zero());
+  std::vector<lattice::Vector6> load(lattice.centre.size(), lattice::Vector6::Zero());
   load_end(load, lattice, ends[0], axis, -force);
   load_end(load, lattice, ends[1], axis, force);
   return load;
 }
 
 Eigen::Matrix3d gradient_in_middle(const lattice::Lattice& lattice,
-                                   const std::vector<mechanics::Vector6>& motion, int axis) {
+                                   const std::vector<lattice::Vector6>& motion, int axis) {
   const Eigen::Vector3d middle = 0.5 * lattice.box.size();
   const double reach = 0.25 * lattice.box.size()[axis];
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
@@ -77,8 +77,8 @@ Eigen::Matrix3d gradient_in_middle(const lattice::Lattice& lattice,
   return fit.bottomRows<3>().transpose() / reach;
 }
 
-Pulled pull(const lattice::Lattice& lattice, mechanics::FreeBody& body, int axis, double force,
-            const FractionTold& told) {
+Pulled pull(const lattice::Lattice& lattice, lattice::FreeBody& body, int axis, double force,
+            const base::FractionTold& told) {
   constexpr double tolerance = 1e-10;
   Pulled result;
   result.motion = body.at_rest(end_loads(lattice, axis, force), tolerance, told);

@@ -1,6 +1,6 @@
 #include "engine/calibration/side_by_side.hpp"
 
-#include "engine/process_limits.hpp"
+#include "engine/base/process_limits.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -63,7 +63,7 @@ void side_by_side(const std::vector<double>& work, int threads, const Calibratio
   };
   {
     std::vector<std::jthread> helpers;
-    for (int thread = 1; thread < threads_or_all_cpus(threads); ++thread)
+    for (int thread = 1; thread < base::threads_or_all_cpus(threads); ++thread)
       helpers.emplace_back(work_off, thread);
     work_off(0);
   }

@@ -1,9 +1,9 @@
 #include "engine/calibration/waves.hpp"
 
+#include "engine/base/interrupted.hpp"
+#include "engine/base/process_limits.hpp"
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/fracture/crack_path.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/process_limits.hpp"
 
 #include <Eigen/Dense>
 
@@ -20,8 +20,8 @@ using std::numbers::pi;
 /// A wave to throw, and what is expected of it.
 struct Throw {
   Wave wave;
-  double frequency = 0;                      // omega expected [rad/s]
-  std::vector<mechanics::Vector6> velocity;  // N [m/s, rad/s]
+  double frequency = 0;                    // omega expected [rad/s]
+  std::vector<lattice::Vector6> velocity;  // N [m/s, rad/s]
 };
 
 /// How far from the middle, as a share of the length, a plate is watched.
@@ -34,8 +34,8 @@ double expected_speed(WaveKind kind, const theory::WaveSpeeds& speeds) {
 }
 
 /// v along one axis of cos(k y), turning as the continuum does.
-mechanics::Vector6 across(WaveKind kind, double k, double y) {
-  mechanics::Vector6 v = mechanics::Vector6::Zero();
+lattice::Vector6 across(WaveKind kind, double k, double y) {
+  lattice::Vector6 v = lattice::Vector6::Zero();
   if (kind == WaveKind::dilatational) {
     v[1] = std::cos(k * y);
   } else {
@@ -46,11 +46,11 @@ mechanics::Vector6 across(WaveKind kind, double k, double y) {
 }
 
 /// The standing Rayleigh wave at a depth below the edge: a p-part that decays with q, an s-part with s.
-mechanics::Vector6 along_edge(const theory::WaveSpeeds& c, double k, double x, double depth) {
+lattice::Vector6 along_edge(const theory::WaveSpeeds& c, double k, double x, double depth) {
   const double q = k * std::sqrt(1.0 - std::pow(c.rayleigh / c.dilatational, 2.0));
   const double s = k * std::sqrt(1.0 - std::pow(c.rayleigh / c.shear, 2.0));
   const double p_part = std::exp(-q * depth), s_part = std::exp(-s * depth), mean = k * k + s * s;
-  mechanics::Vector6 v = mechanics::Vector6::Zero();
+  lattice::Vector6 v = lattice::Vector6::Zero();
   v[0] = (p_part - 2.0 * q * s / mean * s_part) * std::sin(k * x);
   v[1] = -q / k * (p_part - 2.0 * k * k / mean * s_part) * std::cos(k * x);
   // The s-part alone turns: omega_z = (dv_y/dx - dv_x/dy) / 2, d/dy = -d/ddepth
@@ -139,8 +139,8 @@ std::vector<Swing> watch(const lattice::Lattice& plate, double dt, double durati
   const fracture::CrackPath below = fracture::straight_path(plate.box.length, -plate.box.height);  // no crack
   ensemble::Ensemble<double> ensemble(plate, below, -1.0, dt,
                                       std::vector<fracture::LaneScenario>(throws.size()),
-                                      {.threads = threads_or_all_cpus(threads)});
-  ensemble.start_from(std::vector<mechanics::Vector6>(plate.centre.size(), mechanics::Vector6::Zero()));
+                                      {.threads = base::threads_or_all_cpus(threads)});
+  ensemble.start_from(std::vector<lattice::Vector6>(plate.centre.size(), lattice::Vector6::Zero()));
   for (std::size_t k = 0; k < throws.size(); ++k)
     ensemble.throw_lane(static_cast<int>(k), throws[k].velocity);
   std::vector<int> middle;
@@ -158,7 +158,7 @@ std::vector<Swing> watch(const lattice::Lattice& plate, double dt, double durati
                ensemble.motion(i, static_cast<int>(k)).head<2>().dot(throws[k].velocity[i].head<2>());
       swings[k].time.push_back(n * dt), swings[k].value.push_back(sum);
     }
-    if (!go_on(static_cast<double>(n) / steps)) throw Interrupted("measuring waves");
+    if (!go_on(static_cast<double>(n) / steps)) throw base::Interrupted("measuring waves");
   }
   return swings;
 }
@@ -170,7 +170,7 @@ std::vector<Wave> measured_waves(const lattice::Lattice& plate, double dt, const
   constexpr std::size_t lanes = 8;
   constexpr double largest_misfit = 0.1;
   lattice::Lattice free = plate;
-  std::fill(free.grip.begin(), free.grip.end(), lattice::Grip::none);
+  std::fill(free.grip.begin(), free.grip.end(), packing::Grip::none);
   const std::vector<Throw> throws = all_throws(free, expected);
   std::vector<Wave> waves;
   for (std::size_t first = 0; first < throws.size(); first += lanes) {

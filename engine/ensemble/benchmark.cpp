@@ -1,7 +1,7 @@
 #include "engine/ensemble/benchmark.hpp"
 
-#include "engine/lattice/neighbours.hpp"
-#include "engine/mechanics/forces.hpp"
+#include "engine/lattice/forces.hpp"
+#include "engine/packing/neighbours.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,7 +24,7 @@ constexpr double linear_drift_flops = 30, corotational_drift_flops = 75;
 
 template <class Real>
 double bytes_of_beam(const BenchCase& c, double beams_per_element) {
-  const bool linear = c.kinematics == scene::Kinematics::linear;
+  const bool linear = c.kinematics == lattice::Kinematics::linear;
   const double row =
       c.scenarios == 1
           ? (linear ? sizeof(BeamGroup<Real, 7>) : sizeof(BeamGroup<Real, 10>)) / 4.0
@@ -39,12 +39,12 @@ class PlainMarch {
   explicit PlainMarch(const lattice::Lattice& lattice)
       : q_(6 * lattice.mass.size(), 0.0), v_(q_), f_(q_), per_mass_(q_) {
     for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b)
-      rows_.push_back(mechanics::row_of(lattice, b));
+      rows_.push_back(lattice::row_of(lattice, b));
     for (std::size_t k = 0; k < per_mass_.size(); ++k)
       per_mass_[k] = 1.0 / (k % 6 < 3 ? lattice.mass[k / 6] : lattice.inertia[k / 6]);
   }
   void step() {
-    mechanics::add_beam_forces(rows_, q_.data(), f_.data());
+    lattice::add_beam_forces(rows_, q_.data(), f_.data());
     for (std::size_t k = 0; k < q_.size(); ++k) {
       v_[k] += dt_ * per_mass_[k] * f_[k];
       q_[k] += dt_ * v_[k];
@@ -55,7 +55,7 @@ class PlainMarch {
  private:
   static constexpr double dt_ = 1e-8;
   std::vector<double> q_, v_, f_, per_mass_;
-  std::vector<mechanics::BeamRow> rows_;
+  std::vector<lattice::BeamRow> rows_;
 };
 
 /// Steps per second in each of the runs, ascending.
@@ -79,11 +79,11 @@ std::vector<double> rates_of_runs(const Step& step, int runs, double seconds) {
 }
 
 /// A shape that moves every element, so that no kernel meets a zero; small, since it is not the point.
-std::vector<mechanics::Vector6> waves(const lattice::Lattice& lattice) {
-  std::vector<mechanics::Vector6> q;
+std::vector<lattice::Vector6> waves(const lattice::Lattice& lattice) {
+  std::vector<lattice::Vector6> q;
   for (const Eigen::Vector3d& x : lattice.centre) {
     const double phase = 300.0 * x.x() + 500.0 * x.y() + 100.0 * x.z();
-    mechanics::Vector6 m;
+    lattice::Vector6 m;
     m << std::sin(phase), std::cos(phase), std::sin(2 * phase), std::cos(2 * phase), std::sin(3 * phase), 1.0;
     q.push_back(1e-7 * m);
   }
@@ -100,9 +100,9 @@ std::vector<double> ensemble_rates(const BenchCase& c, const lattice::Lattice& l
                           1e-8, std::vector<fracture::LaneScenario>(c.scenarios, idle), marching);
   ensemble.release_from(waves(lattice));
   if (c.beta != 1.0) ensemble.set_beta(c.beta);
-  std::vector<mechanics::DampedBeam> damped;
+  std::vector<lattice::DampedBeam> damped;
   for (int b = 0; b < static_cast<int>(c.damped * static_cast<double>(lattice.beam.size())); ++b)
-    damped.push_back(mechanics::damped_beam(lattice, b, -1, false));
+    damped.push_back(lattice::damped_beam(lattice, b, -1, false));
   ensemble.start_crack(damped);
   return rates_of_runs(
       [&] {
@@ -120,7 +120,7 @@ lattice::Lattice bench_lattice(int elements) {
       std::max(2, static_cast<int>(std::lround(std::sqrt(elements / 2.0 * 5.0 / (std::sqrt(3.0) / 2.0)))));
   const int rows = std::max(2, elements / 2 / columns);
   const double d = 0.2 / columns / (std::sqrt(3.0) / 2.0);
-  lattice::Specimen s;
+  packing::Specimen s;
   s.box = {0.2, rows * d, 2.0 * d};
   std::vector<double> reach;
   for (int c = 0; c < columns; ++c)
@@ -130,11 +130,11 @@ lattice::Lattice bench_lattice(int elements) {
                               d * (r + (c % 2 ? 0.5 : 0.0)), layer * d * std::sqrt(2.0 / 3.0));
         s.radius.push_back(0.5 * d);
         reach.push_back(0.51 * d);
-        s.grip.push_back(r == 0          ? lattice::Grip::bottom
-                         : r == rows - 1 ? lattice::Grip::top
-                                         : lattice::Grip::none);
+        s.grip.push_back(r == 0          ? packing::Grip::bottom
+                         : r == rows - 1 ? packing::Grip::top
+                                         : packing::Grip::none);
       }
-  std::vector<std::array<int, 2>> pairs = lattice::pairs_within_reach(s.centre, reach);
+  std::vector<std::array<int, 2>> pairs = packing::pairs_within_reach(s.centre, reach);
   std::mt19937_64 random(7);
   const double keep = 3.0 * static_cast<double>(s.centre.size()) / static_cast<double>(pairs.size());
   std::erase_if(pairs, [&](const auto&) { return static_cast<double>(random() >> 11) * 0x1.0p-53 > keep; });
@@ -144,7 +144,7 @@ lattice::Lattice bench_lattice(int elements) {
 }
 
 MachinePeaks machine_peaks(InstructionSet instructions, int threads) {
-  lattice::Crew crew(threads, threads);
+  base::ThreadPool crew(threads, threads);
   MachinePeaks peaks;
   const std::size_t share = (std::size_t{1} << 24);  // doubles a thread and array: 128 MB
   std::vector<std::vector<double>> a(threads), b(threads), c(threads);
@@ -175,7 +175,7 @@ MachinePeaks machine_peaks(InstructionSet instructions, int threads) {
 
 BenchResult time_case(const BenchCase& bench, int runs, double seconds) {
   const lattice::Lattice lattice = bench_lattice(bench.elements);
-  const bool single = bench.precision == scene::Precision::single_precision;
+  const bool single = bench.precision == Precision::single_precision;
   BenchResult result;
   result.of = bench;
   result.beams = lattice.beam.size();
@@ -191,7 +191,7 @@ BenchResult time_case(const BenchCase& bench, int runs, double seconds) {
   result.element_steps_per_s = result.median() * lanes * static_cast<double>(lattice.mass.size());
   for (double& rate : result.beam_steps_per_s) rate *= beams * lanes;
   const double per_element = beams / static_cast<double>(lattice.mass.size());
-  const bool linear = bench.kinematics == scene::Kinematics::linear;
+  const bool linear = bench.kinematics == lattice::Kinematics::linear;
   result.bytes_per_beam =
       single ? bytes_of_beam<float>(bench, per_element) : bytes_of_beam<double>(bench, per_element);
   result.flops_per_beam = (linear ? linear_flops : corotational_flops) +

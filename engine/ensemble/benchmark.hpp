@@ -24,8 +24,8 @@ MachinePeaks machine_peaks(InstructionSet instructions, int threads);
 /// One thing to time.
 struct BenchCase {
   std::string name;
-  scene::Kinematics kinematics = scene::Kinematics::linear;
-  scene::Precision precision = scene::Precision::double_precision;
+  lattice::Kinematics kinematics = lattice::Kinematics::linear;
+  Precision precision = Precision::double_precision;
   int scenarios = 1, threads = 1, elements = 20000;
   InstructionSet instructions = InstructionSet::baseline;
   bool plain = false;  // beam by beam, without the kernels: what the others are measured against

@@ -15,11 +15,11 @@ Ensemble<Real>::Ensemble(const lattice::Lattice& lattice, const fracture::CrackP
       dt_(dt),
       marching_(marching),
       lanes_(marching.lanes ? marching.lanes : lanes_for<Real>(static_cast<int>(scenarios.size()))),
-      numbers_(marching.kinematics == scene::Kinematics::linear ? 6 : 7),
+      numbers_(marching.kinematics == lattice::Kinematics::linear ? 6 : 7),
       kernel_(kernel_for<Real>(marching.instructions, marching.kinematics, lanes_)),
       scenario_(std::move(scenarios)),
       met_(fracture::crossings(path, lattice)),
-      base_(lattice.centre.size(), mechanics::Vector6::Zero()),
+      base_(lattice.centre.size(), lattice::Vector6::Zero()),
       cut_(cut_evenly(lattice, marching.threads)),
       born_(scenario_.size(), 0),
       crack_start_(scenario_.size(), 0),
@@ -42,19 +42,19 @@ Ensemble<Real>::Ensemble(const lattice::Lattice& lattice, const fracture::CrackP
     normal_.push_back(
         fracture::normal_between(path, lattice.centre[i].head<2>(), lattice.centre[j].head<2>()));
   }
-  crew_ =
-      std::make_unique<lattice::Crew>(static_cast<int>(cut_.size()) - 1, static_cast<int>(cut_.size()) - 1);
+  crew_ = std::make_unique<base::ThreadPool>(static_cast<int>(cut_.size()) - 1,
+                                             static_cast<int>(cut_.size()) - 1);
   for (std::size_t i = 0; i < lattice.mass.size(); ++i) {
-    const bool free = lattice.grip[i] == lattice::Grip::none;
+    const bool free = lattice.grip[i] == packing::Grip::none;
     mass_.insert(mass_.end(), {lattice.mass[i], lattice.inertia[i]});
     for (const double m : {lattice.mass[i], lattice.inertia[i]})
       per_mass_.push_back(free ? static_cast<Real>(1.0 / m) : Real(0));
-    top_.push_back(lattice.grip[i] == lattice::Grip::top);
+    top_.push_back(lattice.grip[i] == packing::Grip::top);
   }
 }
 
 template <class Real>
-void Ensemble<Real>::start_from(const std::vector<mechanics::Vector6>& base) {
+void Ensemble<Real>::start_from(const std::vector<lattice::Vector6>& base) {
   base_ = base;
   find_beams_at_top();
   steps_done_ = 0;
@@ -66,10 +66,10 @@ void Ensemble<Real>::start_from(const std::vector<mechanics::Vector6>& base) {
 }
 
 template <class Real>
-void Ensemble<Real>::release_from(const std::vector<mechanics::Vector6>& moved) {
-  start_from(std::vector<mechanics::Vector6>(moved.size(), mechanics::Vector6::Zero()));
+void Ensemble<Real>::release_from(const std::vector<lattice::Vector6>& moved) {
+  start_from(std::vector<lattice::Vector6>(moved.size(), lattice::Vector6::Zero()));
   for (std::size_t i = 0; i < moved.size(); ++i) {
-    const mechanics::Pose pose = mechanics::pose_of(moved[i]);
+    const lattice::Pose pose = lattice::pose_of(moved[i]);
     const Eigen::Vector4d turn(pose.turn.w(), pose.turn.x(), pose.turn.y(), pose.turn.z());
     for (int lane = 0; lane < lanes_; ++lane)
       for (int c = 0; c < numbers_; ++c)
@@ -87,7 +87,7 @@ void Ensemble<Real>::release_from(const std::vector<mechanics::Vector6>& moved) 
 }
 
 template <class Real>
-void Ensemble<Real>::throw_lane(int lane, const std::vector<mechanics::Vector6>& velocity) {
+void Ensemble<Real>::throw_lane(int lane, const std::vector<lattice::Vector6>& velocity) {
   for (std::size_t i = 0; i < velocity.size(); ++i)
     for (int c = 0; c < 6; ++c) v_[(i * 6 + c) * lanes_ + lane] = static_cast<Real>(velocity[i][c]);
   weighed_at_ = velocities_at_ = -1;
@@ -103,7 +103,7 @@ void Ensemble<Real>::put_to_rest(int lane) {
     for (int c = 0; c < 6; ++c) v_[(row * 6 + c) * lanes_ + lane] = 0;
     Eigen::Vector4d turn(1, 0, 0, 0);
     if (numbers_ == 7 && row < base_.size()) {
-      const Eigen::Quaterniond base = mechanics::pose_of(base_[row]).turn;
+      const Eigen::Quaterniond base = lattice::pose_of(base_[row]).turn;
       turn = {base.w(), base.x(), base.y(), base.z()};
     }
     for (int c = 0; c < numbers_; ++c)
@@ -147,7 +147,7 @@ void Ensemble<Real>::build_parts() {
     PartRows<Real>& rows = part_[p];
     for (std::size_t g = 0; g < rows.ghost.size(); ++g)
       set_base(rows.first_ghost_row + static_cast<int>(g), rows.ghost[g]);
-    const bool linear = marching_.kinematics == scene::Kinematics::linear;
+    const bool linear = marching_.kinematics == lattice::Kinematics::linear;
     PartView<Real>& view = rows.view;
     view.begin = cut_[p], view.end = cut_[p + 1];
     view.q = q_.data(), view.v = v_.data(), view.rate = rate_.empty() ? nullptr : rate_.data();
@@ -200,14 +200,14 @@ void Ensemble<Real>::set_lane_numbers(int lane) {
 }
 
 template <class Real>
-void Ensemble<Real>::start_crack(const std::vector<mechanics::DampedBeam>& damped) {
+void Ensemble<Real>::start_crack(const std::vector<lattice::DampedBeam>& damped) {
   std::fill(crack_start_.begin(), crack_start_.end(), steps_done_);
   cracking_ = true;
   damp(damped);
 }
 
 template <class Real>
-void Ensemble<Real>::damp(const std::vector<mechanics::DampedBeam>& damped) {
+void Ensemble<Real>::damp(const std::vector<lattice::DampedBeam>& damped) {
   if (damped.empty()) return;
   add_up_spent();
   const std::vector<double> contact = by_element(&PartRows<Real>::contact_before);
@@ -301,9 +301,9 @@ template <class Real>
 void Ensemble<Real>::soften() {
   for (const Softening& c : softening_) {
     const std::size_t at = at_crossing(c.crossing, c.lane);
-    const mechanics::Beam& beam = lattice_->beam[met_[c.crossing].beam];
-    const mechanics::BeamStrain now = strain(met_[c.crossing].beam, c.lane);
-    double left_over = mechanics::bilinear_energy(beam, c.strain, now);
+    const lattice::Beam& beam = lattice_->beam[met_[c.crossing].beam];
+    const lattice::BeamStrain now = strain(met_[c.crossing].beam, c.lane);
+    double left_over = lattice::bilinear_energy(beam, c.strain, now);
     if (const auto& friction = scenario_[c.lane].friction) {
       const Eigen::Vector3d m = normal(c.crossing), slipped = slip(c.crossing, c.lane);
       const double held = fracture::bilinear_energy(
@@ -321,8 +321,8 @@ template <class Real>
 Eigen::Vector3d Ensemble<Real>::gap(int crossing, int lane) const {
   const int beam = met_[crossing].beam;
   const auto& [i, j] = lattice_->ends[beam];
-  const mechanics::Beam& form = lattice_->beam[beam];
-  if (marching_.kinematics == scene::Kinematics::corotational)
+  const lattice::Beam& form = lattice_->beam[beam];
+  if (marching_.kinematics == lattice::Kinematics::corotational)
     return fracture::face_gap(form, pose(i, lane), pose(j, lane));
   return fracture::face_gap(form, motion(i, lane), motion(j, lane));
 }
@@ -353,7 +353,7 @@ void Ensemble<Real>::set_beta(double beta) {
 }
 
 template <class Real>
-mechanics::Pose Ensemble<Real>::pose(int element, int lane) const {
+lattice::Pose Ensemble<Real>::pose(int element, int lane) const {
   const auto at = [&](int c) {
     return static_cast<double>(q_[(static_cast<std::size_t>(element) * numbers_ + c) * lanes_ + lane]);
   };
@@ -362,30 +362,30 @@ mechanics::Pose Ensemble<Real>::pose(int element, int lane) const {
 }
 
 template <class Real>
-mechanics::Vector6 Ensemble<Real>::motion(int element, int lane) const {
-  if (marching_.kinematics == scene::Kinematics::corotational)
-    return mechanics::motion_of(pose(element, lane));
-  mechanics::Vector6 m = base_[element];
+lattice::Vector6 Ensemble<Real>::motion(int element, int lane) const {
+  if (marching_.kinematics == lattice::Kinematics::corotational)
+    return lattice::motion_of(pose(element, lane));
+  lattice::Vector6 m = base_[element];
   for (int c = 0; c < 6; ++c)
     m[c] += static_cast<double>(q_[(static_cast<std::size_t>(element) * 6 + c) * lanes_ + lane]);
   return m;
 }
 
 template <class Real>
-mechanics::Vector6 Ensemble<Real>::velocity(int element, int lane) {
+lattice::Vector6 Ensemble<Real>::velocity(int element, int lane) {
   if (velocities_at_ != steps_done_) weigh(velocity_.data());
-  mechanics::Vector6 v;
+  lattice::Vector6 v;
   for (int c = 0; c < 6; ++c) v[c] = velocity_[(static_cast<std::size_t>(element) * 6 + c) * lanes_ + lane];
   return v;
 }
 
 template <class Real>
-mechanics::BeamStrain Ensemble<Real>::strain(int beam, int lane) const {
+lattice::BeamStrain Ensemble<Real>::strain(int beam, int lane) const {
   const auto& [i, j] = lattice_->ends[beam];
-  const mechanics::Beam& form = lattice_->beam[beam];
-  if (marching_.kinematics == scene::Kinematics::corotational)
-    return mechanics::strain_of(form, pose(i, lane), pose(j, lane));
-  return mechanics::strain_of(form, motion(i, lane), motion(j, lane));
+  const lattice::Beam& form = lattice_->beam[beam];
+  if (marching_.kinematics == lattice::Kinematics::corotational)
+    return lattice::strain_of(form, pose(i, lane), pose(j, lane));
+  return lattice::strain_of(form, motion(i, lane), motion(j, lane));
 }
 
 template class Ensemble<double>;

@@ -1,13 +1,12 @@
 #pragma once
 
+#include "engine/base/thread_pool.hpp"
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/ensemble/part_rows.hpp"
 #include "engine/fracture/face_contact.hpp"
 #include "engine/fracture/ledger.hpp"
 #include "engine/fracture/scenario.hpp"
-#include "engine/lattice/crew.hpp"
 #include "engine/results/checkpoint.hpp"
-#include "engine/scene/scene.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -21,13 +20,13 @@ using results::NamedNumbers;
 struct Softening {
   int crossing = 0, lane = 0;
   double before = 1, after = 1;
-  mechanics::BeamStrain strain;
+  lattice::BeamStrain strain;
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();  // of its faces, where they may touch
 };
 
 /// How an ensemble marches; none of it changes what comes out, but for the kinematics and the last bits.
 struct Marching {
-  scene::Kinematics kinematics = scene::Kinematics::linear;
+  lattice::Kinematics kinematics = lattice::Kinematics::linear;
   int threads = 1;
   InstructionSet instructions = instruction_set();
   int lanes = 0;         // of the kernel; 0 for the fewest that hold the scenarios
@@ -51,17 +50,17 @@ class Ensemble {
   /// Puts every lane at rest in an equilibrium of the lattice without the notch's beams, and opens the books.
   /// Forces of the base state are taken as balanced, not evaluated again.
   /// @param[in] base  N displacements and rotation vectors [m, rad]
-  void start_from(const std::vector<mechanics::Vector6>& base);
+  void start_from(const std::vector<lattice::Vector6>& base);
 
   /// Puts every lane at rest in any state, for what follows to pull it back.
-  void release_from(const std::vector<mechanics::Vector6>& moved);
+  void release_from(const std::vector<lattice::Vector6>& moved);
 
   /// Throws a lane out of the state at rest that start_from() put it in: the velocities of this moment, where
   /// nothing is strained beyond the base yet. @param[in] velocity  N [m/s, rad/s]
-  void throw_lane(int lane, const std::vector<mechanics::Vector6>& velocity);
+  void throw_lane(int lane, const std::vector<lattice::Vector6>& velocity);
 
   /// Starts every lane's crack: a(0) of its history is now. With it start these beams' viscous damping.
-  void start_crack(const std::vector<mechanics::DampedBeam>& damped);
+  void start_crack(const std::vector<lattice::DampedBeam>& damped);
 
   /// Puts a lane back to the base state with another scenario whose crack starts now and whose steps are
   /// counted from now; the others do not notice. The damped beams must be those of start_crack().
@@ -72,7 +71,7 @@ class Ensemble {
   void steer(int lane, const fracture::LaneScenario& scenario);
 
   /// Damps these beams from the next step on; those that were damped before must be among them.
-  void damp(const std::vector<mechanics::DampedBeam>& damped);
+  void damp(const std::vector<lattice::DampedBeam>& damped);
 
   /// All that a later step depends on and that the scenarios do not tell, as named numbers; kept by restore()
   /// to the bit.
@@ -102,11 +101,11 @@ class Ensemble {
 
   /// Of a beam that nothing has softened [J].
   double beam_energy(int beam, int lane) const {
-    return mechanics::energy_of(lattice_->beam[beam], strain(beam, lane));
+    return lattice::energy_of(lattice_->beam[beam], strain(beam, lane));
   }
 
-  mechanics::Vector6 motion(int element, int lane) const;  // since the unloaded lattice; rotation vector
-  mechanics::Vector6 velocity(int element, int lane);      // of this moment
+  lattice::Vector6 motion(int element, int lane) const;  // since the unloaded lattice; rotation vector
+  lattice::Vector6 velocity(int element, int lane);      // of this moment
 
   /// Steps since the lane's scenario was put in.
   std::int64_t steps_done(int lane) const { return steps_done_ - born_[lane]; }
@@ -144,8 +143,8 @@ class Ensemble {
     return static_cast<double>(step - crack_start_[lane]) * dt_;
   }
   std::size_t at_crossing(int k, int lane) const { return static_cast<std::size_t>(k) * lanes_ + lane; }
-  mechanics::Pose pose(int element, int lane) const;
-  mechanics::BeamStrain strain(int beam, int lane) const;
+  lattice::Pose pose(int element, int lane) const;
+  lattice::BeamStrain strain(int beam, int lane) const;
   void find_beams_at_top();
   void put_to_rest(int lane);
   void set_lane_numbers(int lane);
@@ -169,8 +168,8 @@ class Ensemble {
   std::vector<fracture::Crossing> met_;
   std::vector<char> notched_;
   std::vector<Eigen::Vector2d> normal_;  // [crossing], empty where no faces touch
-  std::vector<mechanics::Vector6> base_;
-  std::vector<mechanics::DampedBeam> damped_;
+  std::vector<lattice::Vector6> base_;
+  std::vector<lattice::DampedBeam> damped_;
   struct AtTop {
     int beam, crossing;  // the latter -1 where the path does not cross it
   };
@@ -179,7 +178,7 @@ class Ensemble {
 
   std::vector<int> cut_;
   std::vector<PartRows<Real>> part_;
-  std::unique_ptr<lattice::Crew> crew_;
+  std::unique_ptr<base::ThreadPool> crew_;
   AlignedVector<Real> q_, v_, rate_, per_mass_, factor_, alpha_at_surface_, alpha_elsewhere_;
   AlignedVector<Real> touches_, friction_;  // [lane]
   AlignedVector<Real> slip_, slip_after_;   // [crossing][3][lane]; empty where no faces touch

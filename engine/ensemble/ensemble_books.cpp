@@ -17,8 +17,8 @@ void Ensemble<Real>::find_beams_at_top() {
     const auto& [i, j] = lattice_->ends[b];
     if ((crossing[b] >= 0 && notched_[crossing[b]]) || top_[i] == top_[j]) continue;
     at_top_.push_back({static_cast<int>(b), crossing[b]});
-    if (marching_.kinematics == scene::Kinematics::corotational) continue;
-    const mechanics::BeamLoads loads = mechanics::loads_of(lattice_->beam[b], base_[i], base_[j]);
+    if (marching_.kinematics == lattice::Kinematics::corotational) continue;
+    const lattice::BeamLoads loads = lattice::loads_of(lattice_->beam[b], base_[i], base_[j]);
     base_pull_ += top_[i] ? loads.force_i.y() : -loads.force_i.y();
   }
 }
@@ -81,10 +81,10 @@ double Ensemble<Real>::grip_force(int lane) const {
   double force = 0.0;
   for (const auto& [b, crossing] : at_top_) {
     const auto& [i, j] = lattice_->ends[b];
-    const mechanics::Beam& beam = lattice_->beam[b];
-    const mechanics::BeamLoads loads = marching_.kinematics == scene::Kinematics::linear
-                                           ? mechanics::loads_of(beam, motion(i, lane), motion(j, lane))
-                                           : mechanics::loads_of(beam, pose(i, lane), pose(j, lane));
+    const lattice::Beam& beam = lattice_->beam[b];
+    const lattice::BeamLoads loads = marching_.kinematics == lattice::Kinematics::linear
+                                         ? lattice::loads_of(beam, motion(i, lane), motion(j, lane))
+                                         : lattice::loads_of(beam, pose(i, lane), pose(j, lane));
     const double left = crossing < 0 ? 1.0 : factor(crossing, lane);
     force -= left * (top_[i] ? loads.force_i.y() : -loads.force_i.y());
   }

@@ -1,7 +1,6 @@
 #include "engine/ensemble/instruction_set.hpp"
 
 #include "engine/ensemble/kernel_sets.hpp"
-#include "engine/scene/scene.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -56,8 +55,8 @@ int lanes_for(int scenarios) {
 }
 
 template <class Real>
-Kernel<Real> kernel_for(InstructionSet set, scene::Kinematics kinematics, int lanes) {
-  const bool turning = kinematics == scene::Kinematics::corotational;
+Kernel<Real> kernel_for(InstructionSet set, lattice::Kinematics kinematics, int lanes) {
+  const bool turning = kinematics == lattice::Kinematics::corotational;
   Kernel<Real> found;
   switch (set) {
     case InstructionSet::baseline:
@@ -93,7 +92,7 @@ template int lanes_in_register<double>(InstructionSet);
 template int lanes_in_register<float>(InstructionSet);
 template int lanes_for<double>(int);
 template int lanes_for<float>(int);
-template Kernel<double> kernel_for<double>(InstructionSet, scene::Kinematics, int);
-template Kernel<float> kernel_for<float>(InstructionSet, scene::Kinematics, int);
+template Kernel<double> kernel_for<double>(InstructionSet, lattice::Kinematics, int);
+template Kernel<float> kernel_for<float>(InstructionSet, lattice::Kinematics, int);
 
 }  // namespace rift::ensemble

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "engine/ensemble/part.hpp"
+#include "engine/lattice/beam.hpp"
 
 #include <string_view>
 
-namespace rift::scene {
-enum class Kinematics;
-}
-
 namespace rift::ensemble {
+
+/// The numbers of the state; energies are summed in double.
+enum class Precision { double_precision, single_precision };
 
 /// Vector instructions that the kernels are compiled for; each includes the ones before.
 enum class InstructionSet { baseline, avx2, avx512 };
@@ -33,7 +33,7 @@ int lanes_for(int scenarios);
 
 /// @param[in] lanes  1 or most_lanes, a half or a quarter of it
 template <class Real>
-Kernel<Real> kernel_for(InstructionSet set, scene::Kinematics kinematics, int lanes);
+Kernel<Real> kernel_for(InstructionSet set, lattice::Kinematics kinematics, int lanes);
 
 /// Multiplies and adds, `rounds` times in every register; returns the floating-point operations done.
 template <class Real>

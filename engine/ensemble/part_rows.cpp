@@ -1,7 +1,6 @@
 #include "engine/ensemble/part_rows.hpp"
 
 #include "engine/fracture/face_contact.hpp"
-#include "engine/scene/scene.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -23,20 +22,20 @@ std::vector<int> sound_beams(const RowSource& s) {
 }
 
 template <class Real>
-BeamStiffness<Real> stiffness_of_row(const mechanics::Beam& b) {
+BeamStiffness<Real> stiffness_of_row(const lattice::Beam& b) {
   return {static_cast<Real>(b.axial), static_cast<Real>(b.bending), static_cast<Real>(b.twist)};
 }
 
 template <class Real>
 void set_form(LinearBeam<Real>& form, const RowSource& s, int beam) {
-  const mechanics::Beam& b = s.lattice.beam[beam];
+  const lattice::Beam& b = s.lattice.beam[beam];
   form = {static_cast<Real>(b.axis.x()), static_cast<Real>(b.axis.y()), static_cast<Real>(b.axis.z()),
           static_cast<Real>(2.0 / b.length), stiffness_of_row<Real>(b)};
 }
 
 template <class Real>
 void set_form(CorotationalBeam<Real>& form, const RowSource& s, int beam) {
-  const mechanics::Beam& b = s.lattice.beam[beam];
+  const lattice::Beam& b = s.lattice.beam[beam];
   const auto& [i, j] = s.lattice.ends[beam];
   const Eigen::Vector3d base = s.base[j].head<3>() - s.base[i].head<3>();
   form = {static_cast<Real>(b.axis.x()), static_cast<Real>(b.axis.y()), static_cast<Real>(b.axis.z()),
@@ -56,7 +55,7 @@ class Maker {
   PartRows<Real> make() {
     choose_sound();
     find_ghosts_and_specials();
-    if (s_.kinematics == scene::Kinematics::linear) {
+    if (s_.kinematics == lattice::Kinematics::linear) {
       make_rows(rows_.linear, rows_.linear_crossing);
       make_contacts(rows_.linear_contact);
       if (lanes_ == 1) make_groups(rows_.linear, rows_.linear_group);
@@ -115,7 +114,7 @@ class Maker {
     for (const int b : halo_) see(b, false);
     for (const int b : own_) see(b, false);
     for (const fracture::Crossing& c : s_.met) see(c.beam, true);
-    for (const mechanics::DampedBeam& d : s_.damped)
+    for (const lattice::DampedBeam& d : s_.damped)
       for (const auto& [element, other] : {std::pair{d.i, d.j}, std::pair{d.j, d.i}}) {
         if (owns(element))
           special.push_back(element);
@@ -165,9 +164,9 @@ class Maker {
       auto& c = crossing.emplace_back();
       c.k = k, c.i = row(i), c.j = row(j), c.extra_i = extra(i), c.extra_j = extra(j);
       set_form(c.form, s_, s_.met[k].beam);
-      if (s_.notched[k] || s_.kinematics == scene::Kinematics::corotational) continue;
-      const mechanics::BeamLoads base =
-          mechanics::loads_of(s_.lattice.beam[s_.met[k].beam], s_.base[i], s_.base[j]);
+      if (s_.notched[k] || s_.kinematics == lattice::Kinematics::corotational) continue;
+      const lattice::BeamLoads base =
+          lattice::loads_of(s_.lattice.beam[s_.met[k].beam], s_.base[i], s_.base[j]);
       for (int a = 0; a < 3; ++a) {
         c.base[a] = static_cast<Real>(base.force_i[a]);
         c.base[3 + a] = static_cast<Real>(base.moment_i[a]);
@@ -187,7 +186,7 @@ class Maker {
       c.k = k, c.i = row(i), c.j = row(j), c.extra_i = extra(i), c.extra_j = extra(j);
       set_form(c.form, s_, beam);
       for (int a = 0; a < 2; ++a) c.normal[a] = static_cast<Real>(s_.normal[k][a]);
-      if (s_.kinematics == scene::Kinematics::corotational) continue;
+      if (s_.kinematics == lattice::Kinematics::corotational) continue;
       const Eigen::Vector3d base = fracture::face_gap(s_.lattice.beam[beam], s_.base[i], s_.base[j]);
       for (int a = 0; a < 3; ++a) c.gap[a] = static_cast<Real>(base[a]);
     }
@@ -227,7 +226,7 @@ class Maker {
   }
 
   void make_damped() {
-    for (const mechanics::DampedBeam& d : s_.damped) {
+    for (const lattice::DampedBeam& d : s_.damped) {
       if (!owns(d.i) && !owns(d.j)) continue;
       rows_.damped.push_back({row(d.i), row(d.j), extra(d.i), extra(d.j), d.crossing, d.at_surface ? 1 : 0,
                               static_cast<Real>(d.axis.x()), static_cast<Real>(d.axis.y()),

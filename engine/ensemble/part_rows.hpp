@@ -3,25 +3,21 @@
 #include "engine/ensemble/aligned.hpp"
 #include "engine/ensemble/part.hpp"
 #include "engine/fracture/crack_path.hpp"
-#include "engine/mechanics/corotational.hpp"
-#include "engine/mechanics/damping.hpp"
+#include "engine/lattice/corotational.hpp"
+#include "engine/lattice/damping.hpp"
 
 #include <vector>
-
-namespace rift::scene {
-enum class Kinematics;
-}
 
 namespace rift::ensemble {
 
 /// What the rows of all parts are made from.
 struct RowSource {
   const lattice::Lattice& lattice;
-  scene::Kinematics kinematics;
-  const std::vector<mechanics::Vector6>& base;  // N, the base state
+  lattice::Kinematics kinematics;
+  const std::vector<lattice::Vector6>& base;  // N, the base state
   const std::vector<fracture::Crossing>& met;
   const std::vector<char>& notched;  // [crossing] absent from the base state on
-  const std::vector<mechanics::DampedBeam>& damped;
+  const std::vector<lattice::DampedBeam>& damped;
   const std::vector<Eigen::Vector2d>& normal;  // [crossing] of the faces, from i to j; empty without contact
 };
 

@@ -12,8 +12,8 @@ namespace {
 
 using results::Sample;
 
-scene::CriticalRate given_law(const Experiment& found) {
-  scene::CriticalRate law{.against = scene::CriticalRate::Against::velocity_over_cr};
+fracture::CriticalRate given_law(const Experiment& found) {
+  fracture::CriticalRate law{.against = fracture::CriticalRate::Against::velocity_over_cr};
   for (const auto& [over_cr, rate, uncertainty] : found.law) law.row.push_back({over_cr, rate});
   return law;
 }
@@ -25,7 +25,7 @@ scene::Scene by_itself(const scene::Preset& preset, const Experiment& found) {
   const double began = found.width / (history::time_of_arrival(course, start + found.width) -
                                       history::time_of_arrival(course, start));
   // A load curve goes by the clock of the run, whose tip comes from a damage zone behind the start.
-  const double zone = scene.crack.technique == scene::Technique::progressive
+  const double zone = scene.crack.technique == fracture::Technique::progressive
                           ? scene.crack.damage_zone_ratio * found.mean_radius
                           : 0.0;
   for (std::array<double, 2>& row : scene.loading.curve.row) row[0] += zone / began - scene::load_time(scene);
@@ -83,8 +83,8 @@ std::vector<Application::Point> compared(const Experiment& found, const std::vec
 
 }  // namespace
 
-Application apply(const scene::Preset& preset, const Experiment& found, Cache& cache, const Parts& parts,
-                  const ExperimentProgress& progress) {
+Application apply(const scene::Preset& preset, const Experiment& found, base::Cache& cache,
+                  const Parts& parts, const ExperimentProgress& progress) {
   scene::Preset own = preset;
   own.scene = by_itself(preset, found);
   const simulation::Prepared prepared =

@@ -7,7 +7,7 @@ namespace rift::experiment {
 
 /// Lets a crack run by itself in the same plate, with the law that was found as what the material withstands,
 /// and compares it with the measured one. It begins as fast as the measured tip ran over its first window.
-Application apply(const scene::Preset& preset, const Experiment& found, Cache& cache, const Parts& parts,
-                  const ExperimentProgress& progress);
+Application apply(const scene::Preset& preset, const Experiment& found, base::Cache& cache,
+                  const Parts& parts, const ExperimentProgress& progress);
 
 }  // namespace rift::experiment

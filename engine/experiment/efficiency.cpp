@@ -30,7 +30,7 @@ scene::Scene steady(const scene::Scene& scene, double over_cr, double pulled) {
 }  // namespace
 
 std::vector<EfficiencyPoint> efficiency_of(const scene::Preset& preset, double pulled, double lowest,
-                                           double highest, Cache& cache, const Parts& parts,
+                                           double highest, base::Cache& cache, const Parts& parts,
                                            const ExperimentProgress& progress) {
   std::vector<scene::Scene> scenes;
   std::vector<EfficiencyPoint> points;

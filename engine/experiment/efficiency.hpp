@@ -9,7 +9,7 @@ namespace rift::experiment {
 /// runs steadily along the middle of the same strip, where all that is stored ahead arrives (Nilsson 1972).
 /// Lanes of one pass over the preset's own lattice, pulled by `pulled` [m].
 std::vector<EfficiencyPoint> efficiency_of(const scene::Preset& preset, double pulled, double lowest,
-                                           double highest, Cache& cache, const Parts& parts,
+                                           double highest, base::Cache& cache, const Parts& parts,
                                            const ExperimentProgress& progress);
 
 /// Straight between the points, constant beyond them; the scatter too.

@@ -1,11 +1,11 @@
 #include "engine/experiment/experiment.hpp"
 
+#include "engine/base/interrupted.hpp"
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/kept_parts.hpp"
 #include "engine/experiment/law.hpp"
 #include "engine/experiment/resampling.hpp"
-#include "engine/interrupted.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/quasi_static.hpp"
@@ -62,7 +62,7 @@ std::vector<double> rates_at(const simulation::Prepared& p, const simulation::Ru
 class Laboratory {
  public:
   Laboratory(const scene::Preset& preset, const ExperimentWishes& wishes, const std::filesystem::path& folder,
-             Cache& cache, const simulation::BuildInfo& build, const ExperimentProgress& progress)
+             base::Cache& cache, const simulation::BuildInfo& build, const ExperimentProgress& progress)
       : preset_(preset),
         wishes_(wishes),
         run_folder_(folder / "run"),
@@ -138,7 +138,7 @@ class Laboratory {
         simulation::resume_run(p, run_folder_, build_, marching, ignored, parts_.options()).result);
   }
   static simulation::RunResult checked(simulation::RunResult run) {
-    if (run.outcome == simulation::Outcome::stopped) throw Interrupted("marching the measured crack");
+    if (run.outcome == simulation::Outcome::stopped) throw base::Interrupted("marching the measured crack");
     return run;
   }
 
@@ -230,7 +230,7 @@ class Laboratory {
     std::vector<double> part_rates, rates;
     for (int k = 0; k < static_parts; ++k) {
       if (!progress_("quasi-static", static_cast<double>(k) / static_parts))
-        throw Interrupted("the quasi-static plates were solved");
+        throw base::Interrupted("the quasi-static plates were solved");
       part_rates.push_back(simulation::quasi_static_rates(p, {at[k], at[k + 1]}).front());
     }
     // Over two parts each: the few beams between two positions scatter.
@@ -278,7 +278,7 @@ class Laboratory {
   const scene::Preset& preset_;
   const ExperimentWishes& wishes_;
   const std::filesystem::path run_folder_;
-  Cache& cache_;
+  base::Cache& cache_;
   const simulation::BuildInfo& build_;
   const ExperimentProgress& progress_;
   const Parts parts_;
@@ -291,7 +291,7 @@ class Laboratory {
 }  // namespace
 
 Experiment run_experiment(const scene::Preset& preset, const ExperimentWishes& wishes,
-                          const std::filesystem::path& folder, Cache& cache,
+                          const std::filesystem::path& folder, base::Cache& cache,
                           const simulation::BuildInfo& build, const ExperimentProgress& progress) {
   begin_experiment(folder, experiment_identity(preset, wishes, build));
   return Laboratory(preset, wishes, folder, cache, build, progress).run();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "engine/scene/preset.hpp"
 #include "engine/simulation/build_info.hpp"
 #include "engine/simulation/march.hpp"
@@ -78,7 +78,7 @@ using ExperimentProgress = std::function<bool(std::string_view stage, double don
 /// with by the same one, to the same bits (kept_parts.hpp). Throws Interrupted, InputError and WorldError.
 /// @param[in] preset  without issues, with crack.history
 Experiment run_experiment(const scene::Preset& preset, const ExperimentWishes& wishes,
-                          const std::filesystem::path& folder, Cache& cache,
+                          const std::filesystem::path& folder, base::Cache& cache,
                           const simulation::BuildInfo& build, const ExperimentProgress& progress);
 
 }  // namespace rift::experiment

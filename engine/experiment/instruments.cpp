@@ -1,11 +1,12 @@
 #include "engine/experiment/instruments.hpp"
 
-#include "engine/interrupted.hpp"
+#include "engine/base/interrupted.hpp"
+#include "engine/base/ownership.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/crack_tip.hpp"
 #include "engine/results/journal_scan.hpp"
 #include "engine/results/json_input.hpp"
-#include "engine/results/ownership.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
@@ -92,7 +93,7 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
                              const std::function<void(const measurement::Grid&, const SeenField&)>& see) {
   const scene::Preset preset = simulation::preset_of_run(run);
   const std::filesystem::path journal = run / results::journal_name;
-  const results::HeldFile held(journal);
+  const base::HeldFile held(journal);
   const results::JournalScan scan = results::scan_journal(journal);
   const Json header = results::read_json(scan.header_json, journal);
   if (wishes.lane < 0 || wishes.lane >= scan.lanes)
@@ -101,7 +102,7 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
   const scene::Scene& scene = preset.lanes.empty() ? preset.scene : preset.lanes.at(wishes.lane);
   const Eigen::Vector2d size(header.at("length_m"), header.at("height_m"));
   const double radius = header.at("mean_radius_m");
-  const bool zone = scene.crack.technique == scene::Technique::progressive;
+  const bool zone = scene.crack.technique == fracture::Technique::progressive;
   const fracture::RateScale scale = scale_in(header, wishes.lane);
   Instruments seen{.grid = measurement::grid_over(size.x(), size.y(), wishes.grid * radius),
                    .subset = wishes.subset * radius,
@@ -125,7 +126,7 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
   bool any = false;
   const auto take = [&](const results::Frame& frame) {
     if (!progress(static_cast<double>(read++) / static_cast<double>(scan.frames)))
-      throw Interrupted("the frames were read");
+      throw base::Interrupted("the frames were read");
     if (frame.lane != wishes.lane || frame.displacement.empty()) return;
     const SeenField field{frame.time_s, frame.tip_m, look(camera, frame)};
     if (seen.no_intensity.empty()) seen.intensity.push_back(reading.at(field, seen.grid.point));

@@ -1,11 +1,11 @@
 #include "engine/experiment/kept_parts.hpp"
 
+#include "engine/base/files.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/base/json_text.hpp"
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/experiment/experiment.hpp"
-#include "engine/interrupted.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/simulation/record.hpp"
@@ -34,7 +34,7 @@ std::string experiment_identity(const scene::Preset& preset, const ExperimentWis
 
 bool is_under_way(const fs::path& folder, const std::string& identity) {
   if (!fs::exists(mark_file(folder))) return false;
-  const auto mark = results::json_or_discarded(results::read_whole_file(mark_file(folder)));
+  const auto mark = results::json_or_discarded(base::read_whole_file(mark_file(folder)));
   return mark.is_object() && mark.contains("identity") && mark["identity"] == identity;
 }
 
@@ -43,8 +43,8 @@ void begin_experiment(const fs::path& folder, const std::string& identity) {
   forget_parts(folder);
   results::create_run_folder(folder / "run",
                              true);  // before the mark: a run beside a mark is of its experiment
-  results::write_whole_file(mark_file(folder),
-                            base::json_text(nlohmann::json{{"identity", identity}}, 2) + "\n");
+  base::write_whole_file(mark_file(folder),
+                         base::json_text(nlohmann::json{{"identity", identity}}, 2) + "\n");
 }
 
 bool holds_parts(const fs::path& folder) {
@@ -68,7 +68,7 @@ simulation::RunResult Parts::march(const std::string& name, const simulation::Pr
   }};
   simulation::RunResult run =
       simulation::march_and_keep(prepared, observer, options_, keeping, from ? &*from : nullptr, ignored);
-  if (run.outcome == simulation::Outcome::stopped) throw Interrupted("marching the " + name);
+  if (run.outcome == simulation::Outcome::stopped) throw base::Interrupted("marching the " + name);
   return run;
 }
 

@@ -30,11 +30,10 @@ double driving_force_error(const std::vector<ReleasedBeam>& released, double tip
   return std::sqrt(squares) / (thickness * window);
 }
 
-double critical_rate(const scene::CriticalRate& toughness, double over_cr, double rayleigh_speed,
-                     double position) {
-  const double at = toughness.against == scene::CriticalRate::Against::position   ? position
-                    : toughness.against == scene::CriticalRate::Against::velocity ? over_cr * rayleigh_speed
-                                                                                  : over_cr;
+double critical_rate(const CriticalRate& toughness, double over_cr, double rayleigh_speed, double position) {
+  const double at = toughness.against == CriticalRate::Against::position   ? position
+                    : toughness.against == CriticalRate::Against::velocity ? over_cr * rayleigh_speed
+                                                                           : over_cr;
   const auto& row = toughness.row;
   if (at <= row.front()[0]) return row.front()[1];
   const auto after =
@@ -45,9 +44,9 @@ double critical_rate(const scene::CriticalRate& toughness, double over_cr, doubl
   return y0 + (y1 - y0) * (at - x0) / (x1 - x0);
 }
 
-scene::CriticalRate in_window(const scene::CriticalRate& toughness, double tip, double window) {
+CriticalRate in_window(const CriticalRate& toughness, double tip, double window) {
   constexpr int parts = 48;
-  if (toughness.against != scene::CriticalRate::Against::position) return toughness;
+  if (toughness.against != CriticalRate::Against::position) return toughness;
   double sum = 0.0;
   for (int k = 0; k < parts; ++k) {
     const double x = (k + 0.5) / parts;
@@ -56,8 +55,8 @@ scene::CriticalRate in_window(const scene::CriticalRate& toughness, double tip, 
   return {toughness.against, {{tip, sum}}};
 }
 
-double velocity_over_cr(double driving, const scene::CriticalRate& toughness, double rayleigh_speed,
-                        double position, double fastest) {
+double velocity_over_cr(double driving, const CriticalRate& toughness, double rayleigh_speed, double position,
+                        double fastest) {
   constexpr int parts = 190;  // in which a root is looked for
   const auto too_much = [&](double v) {
     return driving * response_to_velocity(v) - critical_rate(toughness, v, rayleigh_speed, position);

@@ -1,12 +1,20 @@
 #pragma once
 
-#include "engine/scene/scene.hpp"
-
+#include <array>
 #include <vector>
 
 /// How fast a crack runs that nobody tells: as fast as what it releases is what the material withstands,
 /// G_ID(v) = G_c(v)   [Freund 1990, section 7.4, "crack tip equation of motion"].
 namespace rift::fracture {
+
+/// What the material withstands: G_c [J/m2] against the tip's velocity, in m/s or in c_r, or against its
+/// position [m]; straight between the rows, constant beyond them.
+struct CriticalRate {
+  enum class Against { velocity, velocity_over_cr, position };
+  Against against = Against::velocity_over_cr;
+  std::vector<std::array<double, 2>> row = {};
+  bool operator==(const CriticalRate&) const = default;
+};
 
 /// A beam that the tip has released, and how fast it ran there.
 struct ReleasedBeam {
@@ -32,16 +40,15 @@ double driving_force_error(const std::vector<ReleasedBeam>& released, double tip
                            double thickness);
 
 /// G_c [J/m2] at a velocity and a position [m].
-double critical_rate(const scene::CriticalRate& toughness, double over_cr, double rayleigh_speed,
-                     double position);
+double critical_rate(const CriticalRate& toughness, double over_cr, double rayleigh_speed, double position);
 
 /// What is withstood in the window behind the tip, with the same weights as what is released there. Only a
 /// rate against the position is averaged: one against the velocity is of the velocity that is looked for.
-scene::CriticalRate in_window(const scene::CriticalRate& toughness, double tip, double window);
+CriticalRate in_window(const CriticalRate& toughness, double tip, double window);
 
 /// v / c_R in [0, fastest] with driving (1 - v/c_R) = G_c(v): of several the highest, for a tip that runs; 0
 /// where even at rest it does not suffice, the crack is arrested then.
-double velocity_over_cr(double driving, const scene::CriticalRate& toughness, double rayleigh_speed,
-                        double position, double fastest);
+double velocity_over_cr(double driving, const CriticalRate& toughness, double rayleigh_speed, double position,
+                        double fastest);
 
 }  // namespace rift::fracture

@@ -7,17 +7,15 @@
 
 namespace rift::fracture {
 
-double face_stiffness(const mechanics::Beam& beam) {
-  return 6.0 * beam.bending / (beam.length * beam.length);
-}
+double face_stiffness(const lattice::Beam& beam) { return 6.0 * beam.bending / (beam.length * beam.length); }
 
-Eigen::Vector3d face_gap(const mechanics::Beam& beam, const mechanics::Vector6& q_i,
-                         const mechanics::Vector6& q_j) {
+Eigen::Vector3d face_gap(const lattice::Beam& beam, const lattice::Vector6& q_i,
+                         const lattice::Vector6& q_j) {
   const Eigen::Vector3d turned = q_i.tail<3>() + q_j.tail<3>();
   return q_j.head<3>() - q_i.head<3>() - 0.5 * beam.length * turned.cross(beam.axis);
 }
 
-Eigen::Vector3d face_gap(const mechanics::Beam& beam, const mechanics::Pose& i, const mechanics::Pose& j) {
+Eigen::Vector3d face_gap(const lattice::Beam& beam, const lattice::Pose& i, const lattice::Pose& j) {
   const Eigen::Vector3d carried = i.turn * beam.axis + j.turn * beam.axis - 2.0 * beam.axis;
   return j.u - i.u - 0.5 * beam.length * carried;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/mechanics/corotational.hpp"
+#include "engine/lattice/corotational.hpp"
 
 namespace rift::fracture {
 
@@ -15,15 +15,14 @@ struct FaceContact {
 };
 
 /// k = 6 w / l^2 [N/m]
-double face_stiffness(const mechanics::Beam& beam);
+double face_stiffness(const lattice::Beam& beam);
 
 /// How far the two halves of a beam are apart in its middle, each carried by its element: u_j - u_i - l/2
 /// (theta_i + theta_j) x n [m]
-Eigen::Vector3d face_gap(const mechanics::Beam& beam, const mechanics::Vector6& q_i,
-                         const mechanics::Vector6& q_j);
+Eigen::Vector3d face_gap(const lattice::Beam& beam, const lattice::Vector6& q_i, const lattice::Vector6& q_j);
 
 /// For any rotation, R_i and R_j: u_j - u_i + l n - l/2 (R_i + R_j) n
-Eigen::Vector3d face_gap(const mechanics::Beam& beam, const mechanics::Pose& i, const mechanics::Pose& j);
+Eigen::Vector3d face_gap(const lattice::Beam& beam, const lattice::Pose& i, const lattice::Pose& j);
 
 /// @param[in] normal    m, unit, from the face of i to that of j
 /// @param[in] slip      along the face, so far [m]

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "engine/scene/scene.hpp"
-
 namespace rift::fracture {
+
+enum class Technique { simple, progressive };
 
 /// How the beams at the tip lose their stiffness.
 struct ReleaseLaw {
-  scene::Technique technique = scene::Technique::progressive;
+  Technique technique = Technique::progressive;
   double exponent =
       1.0;  // p of Y1/Y2 = (1 - b/l)^p: 1 linear (eq. 9), 1/2 square root (eq. 10), 2 quadratic (eq. 11)
   double zone_length = 0.0;  // l = L_CZM = r_l R_mean [m]; 0 for simple release

@@ -42,7 +42,7 @@ double largest_motion(const Cells& cells) {
 }  // namespace
 
 Wake wake_of(const lattice::Lattice& lattice, const std::array<double, 2>& stretch,
-             const std::vector<mechanics::Vector6>& velocity, const std::vector<double>& moved) {
+             const std::vector<lattice::Vector6>& velocity, const std::vector<double>& moved) {
   Wake wake;
   Cells cells, wide;
   double side = 4.0 * lattice.mean_radius, energy = 0.0;
@@ -53,7 +53,7 @@ Wake wake_of(const lattice::Lattice& lattice, const std::array<double, 2>& stret
       return std::pair(static_cast<long>((stretch[1] - centre.x()) / width),
                        static_cast<long>(centre.y() / width));
     };
-    const mechanics::Vector6& v = velocity[i];
+    const lattice::Vector6& v = velocity[i];
     const Eigen::Vector3d momentum = lattice.mass[i] * v.head<3>();
     energy += 0.5 * momentum.dot(v.head<3>());
     wake.rotation_j += 0.5 * lattice.inertia[i] * v.tail<3>().squaredNorm();

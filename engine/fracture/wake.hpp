@@ -23,6 +23,6 @@ struct Wake {
 /// @param[in] velocity  [m/s], [rad/s] of each element
 /// @param[in] moved     along z since the start of the run [m], of each element
 Wake wake_of(const lattice::Lattice& lattice, const std::array<double, 2>& stretch,
-             const std::vector<mechanics::Vector6>& velocity, const std::vector<double>& moved);
+             const std::vector<lattice::Vector6>& velocity, const std::vector<double>& moved);
 
 }  // namespace rift::fracture

@@ -3,7 +3,7 @@
 namespace rift::lattice {
 namespace {
 
-void add_masses(Lattice& lattice, const Specimen& specimen, double density) {
+void add_masses(Lattice& lattice, const packing::Specimen& specimen, double density) {
   double cubes = 0.0;
   for (double r : specimen.radius) cubes += r * r * r;
   for (double r : specimen.radius) {
@@ -15,7 +15,7 @@ void add_masses(Lattice& lattice, const Specimen& specimen, double density) {
 
 }  // namespace
 
-Lattice make_lattice(const Specimen& specimen, const MicroMaterial& micro, double density) {
+Lattice make_lattice(const packing::Specimen& specimen, const MicroMaterial& micro, double density) {
   Lattice lattice{.centre = specimen.centre,
                   .radius = specimen.radius,
                   .grip = specimen.grip,
@@ -30,8 +30,8 @@ Lattice make_lattice(const Specimen& specimen, const MicroMaterial& micro, doubl
   for (const auto& [i, j] : specimen.beam) {
     const double section_radius = micro.radius_ratio * 0.5 * (specimen.radius[i] + specimen.radius[j]);
     lattice.beam.push_back(
-        mechanics::make_beam(way_between(specimen.box, specimen.centre[i], specimen.centre[j]),
-                             section_radius, micro.young_modulus, micro.poisson_ratio));
+        make_beam(packing::way_between(specimen.box, specimen.centre[i], specimen.centre[j]), section_radius,
+                  micro.young_modulus, micro.poisson_ratio));
   }
   return lattice;
 }

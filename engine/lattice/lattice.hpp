@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/lattice/specimen.hpp"
-#include "engine/mechanics/beam.hpp"
+#include "engine/lattice/beam.hpp"
+#include "engine/packing/specimen.hpp"
 
 namespace rift::lattice {
 
@@ -16,16 +16,16 @@ struct MicroMaterial {
 struct Lattice {
   std::vector<Eigen::Vector3d> centre;   // N [m]
   std::vector<double> radius;            // N [m]
-  std::vector<Grip> grip;                // N
+  std::vector<packing::Grip> grip;       // N
   std::vector<double> mass, inertia;     // N [kg], [kg m2]
   std::vector<std::array<int, 2>> ends;  // B pairs i < j
-  std::vector<mechanics::Beam> beam;     // B
+  std::vector<Beam> beam;                // B
   double mean_radius = 0;                // [m] of all elements of the packing
-  Box box;
+  packing::Box box;
 };
 
 /// Masses so that their sum is density x box volume: m_i = rho V_i V_box / sum V_j, I_i = 2/5 m_i r_i^2
 /// [physics.md §1]; beams of circular section with radius r_mu (r_i + r_j) / 2   [paper, eqs. 3-6].
-Lattice make_lattice(const Specimen& specimen, const MicroMaterial& micro, double density);
+Lattice make_lattice(const packing::Specimen& specimen, const MicroMaterial& micro, double density);
 
 }  // namespace rift::lattice

@@ -1,7 +1,7 @@
 #include "engine/results/agreement.hpp"
 
+#include "engine/base/world_error.hpp"
 #include "engine/results/json_input.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +22,8 @@ void check_fit(const std::filesystem::path& path, const Geometry& geometry, cons
   const std::size_t elements = geometry.position.size();
   if (!fits(frame.displacement, elements) || !fits(frame.velocity, elements) ||
       !fits(frame.elastic_energy, elements) || !fits(frame.damage_factor, geometry.crossing.size()))
-    throw WorldError("use", path, fmt::format("the frame of step {} does not fit the geometry", frame.step));
+    throw base::WorldError("use", path,
+                           fmt::format("the frame of step {} does not fit the geometry", frame.step));
 }
 
 }  // namespace rift::results

@@ -1,15 +1,16 @@
 #include "engine/results/archive.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/cell_fields.hpp"
 #include "engine/results/columns.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/hdf5.hpp"
 #include "engine/results/journal_scan.hpp"
 #include "engine/results/json_input.hpp"
-#include "engine/results/ownership.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/results/series.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -250,11 +251,11 @@ void write_scene(Group& root, const JournalScan& scan) {
 
 void assemble_archive(const std::filesystem::path& run_folder, const std::filesystem::path& target) {
   const auto journal = run_folder / journal_name;
-  const HeldFile held(journal);
+  const base::HeldFile held(journal);
   const auto scan = scan_journal(journal);
-  if (!scan.geometry) throw WorldError("assemble an archive from", journal, "it holds no geometry");
+  if (!scan.geometry) throw base::WorldError("assemble an archive from", journal, "it holds no geometry");
 
-  PendingFile pending(target.empty() ? run_folder / archive_name : target);
+  base::PendingFile pending(target.empty() ? run_folder / archive_name : target);
   hdf5::File file(pending.temporary());
   {
     auto root = file.root();

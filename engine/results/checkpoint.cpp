@@ -1,10 +1,10 @@
 #include "engine/results/checkpoint.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/results/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/hdf5.hpp"
 #include "engine/results/json_input.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,8 +32,8 @@ std::string seal_of(const std::string& bytes) {
 }
 
 void append_seal(const fs::path& path) {
-  const std::string bytes = read_whole_file(path);
-  AppendFile file(path, bytes.size());
+  const std::string bytes = base::read_whole_file(path);
+  base::AppendFile file(path, bytes.size());
   file.append(seal_of(bytes));
   file.close();
 }
@@ -52,7 +52,7 @@ Checkpoint read_file(const fs::path& path) {
 }  // namespace
 
 std::string checkpoint_damage(const fs::path& path) {
-  const std::string bytes = read_whole_file(path);
+  const std::string bytes = base::read_whole_file(path);
   if (bytes.size() <= seal_bytes) return "too short";
   const std::string seal = bytes.substr(bytes.size() - seal_bytes);
   if (seal.compare(0, 8, seal_mark, 8) != 0) return "it does not end as a checkpoint does";
@@ -61,7 +61,7 @@ std::string checkpoint_damage(const fs::path& path) {
 
 void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) {
   const fs::path path = run_folder / checkpoint_name;
-  PendingFile pending(path);
+  base::PendingFile pending(path);
   {
     hdf5::File file(pending.temporary());
     Json index{{"notes", read_json(checkpoint.notes, path)}, {"journal_bytes", checkpoint.journal_bytes}};
@@ -77,7 +77,7 @@ void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) 
     file.close();
   }
   append_seal(pending.temporary());
-  if (fs::exists(path)) rename_file(path, run_folder / former_checkpoint_name);
+  if (fs::exists(path)) base::rename_file(path, run_folder / former_checkpoint_name);
   pending.commit();
 }
 
@@ -106,7 +106,7 @@ std::uint64_t checkpoint_journal_bytes(const fs::path& path) {
   const hdf5::InputFile file(path);
   const Json index = json_or_discarded(file.text("index"));
   if (!index.is_object() || !index.contains("journal_bytes") || !index["journal_bytes"].is_number_unsigned())
-    throw WorldError("read", path, "it names no place in the journal");
+    throw base::WorldError("read", path, "it names no place in the journal");
   return index["journal_bytes"].get<std::uint64_t>();
 }
 

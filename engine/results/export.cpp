@@ -1,14 +1,14 @@
 #include "engine/results/export.hpp"
 
+#include "engine/base/files.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/columns.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
-#include "engine/results/ownership.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/series.hpp"
 #include "engine/results/vtp.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 
@@ -63,21 +63,21 @@ std::string crack_csv(const JournalScan& scan) {
 
 fs::path export_csv(const fs::path& run_folder) {
   const auto scan = scan_journal(run_folder / journal_name);
-  OwnedFolder owned(run_folder / "csv");
+  base::OwnedFolder owned(run_folder / "csv");
   const fs::path& folder = owned.path();
-  write_whole_file(folder / "series.csv", series_csv(scan.samples, scan.rates));
-  write_whole_file(folder / "events.csv", events_csv(scan));
-  write_whole_file(folder / "rate.csv", rate_csv(scan));
-  write_whole_file(folder / "crack.csv", crack_csv(scan));
+  base::write_whole_file(folder / "series.csv", series_csv(scan.samples, scan.rates));
+  base::write_whole_file(folder / "events.csv", events_csv(scan));
+  base::write_whole_file(folder / "rate.csv", rate_csv(scan));
+  base::write_whole_file(folder / "crack.csv", crack_csv(scan));
   return folder;
 }
 
 fs::path export_pvd(const fs::path& run_folder) {
   const auto journal = run_folder / journal_name;
-  const HeldFile held(journal);
+  const base::HeldFile held(journal);
   const auto scan = scan_journal(journal);
-  if (!scan.geometry) throw WorldError("export", journal, "it holds no geometry");
-  OwnedFolder owned(run_folder / "pvd");
+  if (!scan.geometry) throw base::WorldError("export", journal, "it holds no geometry");
+  base::OwnedFolder owned(run_folder / "pvd");
   const fs::path& folder = owned.path();
 
   std::string entries;
@@ -96,7 +96,7 @@ fs::path export_pvd(const fs::path& run_folder) {
   check_same_run(held);
 
   const auto collection = folder / "run.pvd";
-  write_whole_file(
+  base::write_whole_file(
       collection,
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n" +
@@ -107,14 +107,14 @@ fs::path export_pvd(const fs::path& run_folder) {
 
 fs::path export_vtkhdf(const fs::path& run_folder) {
   const RunState state = inspect_run(run_folder);
-  if (state.condition == RunCondition::not_a_run) throw WorldError("export", run_folder, state.reason);
+  if (state.condition == RunCondition::not_a_run) throw base::WorldError("export", run_folder, state.reason);
   if (state.condition == RunCondition::finished && state.has_archive) {
     if (const fs::path former = run_folder / "paraview";
         fs::exists(former))  // of the run before it had ended
-      remove_other_exports(OwnedFolder(former).path(), "paraview", {});
+      remove_other_exports(base::OwnedFolder(former).path(), "paraview", {});
     return run_folder / archive_name;
   }
-  OwnedFolder owned(run_folder / "paraview");
+  base::OwnedFolder owned(run_folder / "paraview");
   assemble_archive(run_folder, owned.path() / archive_name);
   return owned.path() / archive_name;
 }

@@ -1,12 +1,12 @@
 #include "engine/results/export_ovito.hpp"
 
+#include "engine/base/files.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/journal_index.hpp"
 #include "engine/results/journal_scan.hpp"
-#include "engine/results/ownership.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 
@@ -87,12 +87,12 @@ void export_lane(const JournalIndex& journal, std::int32_t lane, const fs::path&
     return folder / *written.insert(lane_name(stem, lane, journal.lanes()) + ".dump").first;
   };
   const auto& entries = journal.frames(lane);
-  PendingText atoms(name("run"));
+  base::PendingText atoms(name("run"));
   if (entries.empty()) atoms.append(atoms_of(journal.geometry(), {}));
   for (const FrameEntry& entry : entries) atoms.append(atoms_of(journal.geometry(), journal.frame(entry)));
   atoms.commit();
   if (entries.empty() || journal.frame(entries.front()).damage_factor.empty()) return;
-  PendingText beams(name("beams"));
+  base::PendingText beams(name("beams"));
   for (const FrameEntry& entry : entries)
     if (const Frame frame = journal.frame(entry); !frame.damage_factor.empty())
       beams.append(beams_of(journal.geometry(), frame));
@@ -104,7 +104,7 @@ void export_lane(const JournalIndex& journal, std::int32_t lane, const fs::path&
 fs::path export_ovito(const fs::path& run_folder) {
   const JournalIndex journal(run_folder / journal_name);
   const fs::path folder = run_folder / "ovito";
-  const OwnedFolder owned(folder);
+  const base::OwnedFolder owned(folder);
   std::set<std::string> written;
   for (std::int32_t lane = 0; lane < journal.lanes(); ++lane) export_lane(journal, lane, folder, written);
   remove_other_exports(folder, "ovito", written);

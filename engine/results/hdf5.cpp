@@ -1,8 +1,8 @@
 #include "engine/results/hdf5.hpp"
 
+#include "engine/base/world_error.hpp"
 #include "engine/results/hdf5_calls.hpp"
 #include "engine/results/hdf5_driver.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -23,10 +23,10 @@ constexpr std::size_t compress_from_bytes = 4096;
 void fail(const std::string& attempt, const Place& place) {
   H5Eclear2(H5E_DEFAULT);  // the library's reasons are for those who know its insides
   const bool whole_file = place.object.empty();
-  throw WorldError(attempt + (whole_file ? "" : " " + place.object + " of"), place.file,
-                   place.disk->error != 0 ? std::generic_category().message(place.disk->error)
-                   : whole_file           ? "it is damaged, or no HDF5 file"
-                                          : "it is missing or damaged");
+  throw base::WorldError(attempt + (whole_file ? "" : " " + place.object + " of"), place.file,
+                         place.disk->error != 0 ? std::generic_category().message(place.disk->error)
+                         : whole_file           ? "it is damaged, or no HDF5 file"
+                                                : "it is missing or damaged");
 }
 
 void require(herr_t result, const std::string& attempt, const Place& place) {

@@ -11,8 +11,9 @@
 #include <vector>
 
 /// Writing HDF5 files, and reading our own: what the archive and checkpoints need of the C API, with its
-/// handles closed and its failures thrown as WorldError that names the file, the object and the system's
-/// reason. Element types: float, double, std::int32_t, std::int64_t, std::uint8_t; stored little-endian.
+/// handles closed and its failures thrown as base::WorldError that names the file, the object and the
+/// system's reason. Element types: float, double, std::int32_t, std::int64_t, std::uint8_t; stored
+/// little-endian.
 namespace rift::results::hdf5 {
 
 /// An HDF5 handle that closes itself.
@@ -119,7 +120,7 @@ struct Stored {
   std::uint64_t columns() const { return shape.size() < 2 ? 1 : shape[1]; }
 };
 
-/// A file open for reading. Sizes that the file is too small for are not believed: WorldError.
+/// A file open for reading. Sizes that the file is too small for are not believed: base::WorldError.
 class InputFile {
  public:
   explicit InputFile(const std::filesystem::path& path);

@@ -14,7 +14,7 @@ namespace rift::results::hdf5 {
 static_assert(std::is_same_v<hid_t, std::int64_t>, "HDF5 1.10 or later");
 static_assert(std::is_same_v<herr_t, int>);
 
-/// Throws WorldError with the system's reason where the disk has failed.
+/// Throws base::WorldError with the system's reason where the disk has failed.
 [[noreturn]] void fail(const std::string& attempt, const Place& place);
 /// Both throw where the call has failed, and where the disk has failed during it.
 void require(herr_t result, const std::string& attempt, const Place& place);

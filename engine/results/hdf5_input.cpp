@@ -1,6 +1,6 @@
+#include "engine/base/world_error.hpp"
 #include "engine/results/hdf5_calls.hpp"
 #include "engine/results/hdf5_driver.hpp"
-#include "engine/results/world_error.hpp"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -31,8 +31,8 @@ void require_room(std::uint64_t bytes, const Place& place) {
   std::error_code ignored;
   const auto file = std::filesystem::file_size(place.file, ignored);
   if (bytes / most_times_the_file > file)
-    throw WorldError("believe the size of " + place.object + " of", place.file,
-                     "the file is too small for it");
+    throw base::WorldError("believe the size of " + place.object + " of", place.file,
+                           "the file is too small for it");
 }
 
 Stored stored_in(hid_t dataset, const Place& place) {
@@ -124,7 +124,7 @@ std::vector<T> InputFile::numbers(const std::string& name) const {
   const Handle set = dataset(name);
   const Stored stored = stored_in(set.id(), place);
   if (stored.kind != Stored::Kind::integer && stored.kind != Stored::Kind::real)
-    throw WorldError("read " + name + " of", path_, "it holds no numbers");
+    throw base::WorldError("read " + name + " of", path_, "it holds no numbers");
   const std::uint64_t count = count_of(stored);
   require_room(count, place);
   std::vector<T> numbers(count);
@@ -144,7 +144,7 @@ std::string InputFile::text(const std::string& name) const {
   const Handle set = dataset(name);
   const Stored stored = stored_in(set.id(), place);
   if (stored.kind != Stored::Kind::text || !stored.shape.empty())
-    throw WorldError("read " + name + " of", path_, "it is no text");
+    throw base::WorldError("read " + name + " of", path_, "it is no text");
   const auto type = own(H5Dget_type(set.id()), H5Tclose, "describe", place);
   require_room(H5Tget_size(type.id()), place);
   std::string text(H5Tget_size(type.id()), '\0');
@@ -159,7 +159,7 @@ std::map<std::string, Stored> InputFile::contents() const {
   Listing listing{contents, place, {}};
   if (H5Ovisit2(file_.id(), H5_INDEX_NAME, H5_ITER_INC, list, &listing, H5O_INFO_BASIC) < 0) {
     if (listing.trouble.empty()) fail("list", place);
-    throw WorldError("list the contents of", path_, listing.trouble);
+    throw base::WorldError("list the contents of", path_, listing.trouble);
   }
   return contents;
 }
@@ -173,7 +173,7 @@ std::uint64_t InputFile::digest(const std::string& name) const {
     return XXH3_64bits(words.data(), words.size());
   }
   if (stored.kind == Stored::Kind::other || stored.kind == Stored::Kind::text || stored.shape.empty())
-    throw WorldError("read " + name + " of", path_, "rift writes no data of this type");
+    throw base::WorldError("read " + name + " of", path_, "rift writes no data of this type");
   require_room(count_of(stored), place);
   return stored.kind == Stored::Kind::integer ? digest_of<std::int64_t>(set.id(), stored, place)
                                               : digest_of<double>(set.id(), stored, place);

@@ -1,6 +1,6 @@
 #include "engine/results/journal.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 
 #include <array>
 #include <cerrno>
@@ -69,13 +69,13 @@ JournalReader::JournalReader(const std::filesystem::path& path, std::uint64_t fr
   // Opening a folder succeeds and fails only at the first read, with a poorer message.
   std::error_code error;
   size_ = std::filesystem::file_size(path, error);
-  if (error) throw WorldError("open", path, error.message());
+  if (error) throw base::WorldError("open", path, error.message());
   stream_.open(path, std::ios::binary);
-  if (!stream_) throw WorldError("open", path, std::generic_category().message(errno));
+  if (!stream_) throw base::WorldError("open", path, std::generic_category().message(errno));
 
   std::array<char, preamble_size> bytes{};
   stream_.read(bytes.data(), std::min<std::streamsize>(preamble_size, static_cast<std::streamsize>(size_)));
-  if (stream_.bad()) throw WorldError("read", path, std::generic_category().message(errno));
+  if (stream_.bad()) throw base::WorldError("read", path, std::generic_category().message(errno));
   const auto expected = preamble();
   if (std::memcmp(bytes.data(), expected.data(), std::min<std::size_t>(preamble_size, size_)) != 0) {
     std::uint32_t its = 0;
@@ -110,7 +110,7 @@ std::optional<Record> JournalReader::next() {
 
   Head head{};
   stream_.read(reinterpret_cast<char*>(&head), sizeof(head));
-  if (!stream_) throw WorldError("read", path_, std::generic_category().message(errno));
+  if (!stream_) throw base::WorldError("read", path_, std::generic_category().message(errno));
   if (head.check != head_check(head.kind, head.size))
     return stop(JournalState::damaged,
                 fmt::format("the head of the record at byte {} is damaged", good_bytes_));
@@ -122,7 +122,7 @@ std::optional<Record> JournalReader::next() {
   std::uint64_t checksum = 0;
   stream_.read(payload.data(), static_cast<std::streamsize>(payload.size()));
   stream_.read(reinterpret_cast<char*>(&checksum), sizeof(checksum));
-  if (!stream_) throw WorldError("read", path_, std::generic_category().message(errno));
+  if (!stream_) throw base::WorldError("read", path_, std::generic_category().message(errno));
   if (checksum != XXH3_64bits(payload.data(), payload.size()))
     return stop(JournalState::damaged, fmt::format("the record at byte {} is damaged", good_bytes_));
   auto record = decode(head.kind, payload);
@@ -155,7 +155,7 @@ std::optional<std::pair<Record, std::size_t>> record_at(std::string_view bytes, 
 }  // namespace
 
 std::uint64_t salvage_journal(const std::filesystem::path& from, const std::filesystem::path& to) {
-  const std::string bytes = read_whole_file(from);
+  const std::string bytes = base::read_whole_file(from);
   JournalWriter writer(to);
   std::uint64_t lost = 0;
   for (std::size_t at = std::min(preamble_size, bytes.size()); at < bytes.size();) {

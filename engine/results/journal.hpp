@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "engine/results/records.hpp"
 
 #include <cstdint>
@@ -28,7 +28,7 @@ class JournalWriter {
   void close() { file_.close(); }
 
  private:
-  AppendFile file_;
+  base::AppendFile file_;
 };
 
 /// How a journal comes to its end.

@@ -1,7 +1,8 @@
 #include "engine/results/journal_index.hpp"
 
+#include "engine/base/world_error.hpp"
 #include "engine/results/agreement.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/results/run_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ constexpr std::int32_t most_lanes = 4096;  // more is no run of ours
 JournalIndex::JournalIndex(std::filesystem::path path) : path_(std::move(path)), held_(path_) {
   extend();
   if (!header_json_.empty() && !geometry_.position.empty()) return;
-  throw WorldError("read", path_, reason_.empty() ? "it holds no geometry yet" : reason_);
+  throw base::WorldError("read", path_, reason_.empty() ? "it holds no geometry yet" : reason_);
 }
 
 void JournalIndex::extend() {
@@ -47,7 +48,7 @@ void JournalIndex::take(Record&& record, std::uint64_t offset) {
 
 JournalIndex::Lane& JournalIndex::lane(std::int32_t number) {
   if (number >= lanes())
-    throw WorldError("use", path_, fmt::format("a record of lane {} in a run of {}", number, lanes()));
+    throw base::WorldError("use", path_, fmt::format("a record of lane {} in a run of {}", number, lanes()));
   return lane_[number];
 }
 
@@ -57,7 +58,8 @@ Frame JournalIndex::frame(const FrameEntry& entry) const {
   auto record = reader.next();
   auto* frame = record ? std::get_if<Frame>(&*record) : nullptr;
   if (frame == nullptr || frame->step != entry.step)
-    throw WorldError("read", path_, fmt::format("the frame of step {} is not where it was", entry.step));
+    throw base::WorldError("read", path_,
+                           fmt::format("the frame of step {} is not where it was", entry.step));
   return std::move(*frame);
 }
 

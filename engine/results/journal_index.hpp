@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/base/ownership.hpp"
 #include "engine/results/journal.hpp"
-#include "engine/results/ownership.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -59,7 +59,7 @@ class JournalIndex {
   Lane& lane(std::int32_t number);
 
   std::filesystem::path path_;
-  HeldFile held_;
+  base::HeldFile held_;
   std::uint64_t good_bytes_ = 0;
   std::string header_json_;
   Geometry geometry_;

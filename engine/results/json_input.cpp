@@ -1,6 +1,6 @@
 #include "engine/results/json_input.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 
 namespace rift::results {
 
@@ -27,9 +27,9 @@ std::string_view trouble_with_json(std::string_view text) {
 
 nlohmann::ordered_json read_json(std::string_view text, const std::filesystem::path& path) {
   if (const std::string_view trouble = trouble_with_json(text); !trouble.empty())
-    throw WorldError("read", path, "its JSON " + std::string(trouble));
+    throw base::WorldError("read", path, "its JSON " + std::string(trouble));
   nlohmann::ordered_json value = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (value.is_discarded()) throw WorldError("read", path, "its JSON is damaged");
+  if (value.is_discarded()) throw base::WorldError("read", path, "its JSON is damaged");
   return value;
 }
 

@@ -1,10 +1,10 @@
 #include "engine/results/run_folder.hpp"
 
+#include "engine/base/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/checkpoint.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ bool is_put_aside(std::string_view name) {
 }
 
 bool is_run_file(const std::string& file) {
-  const std::string name = target_name(file);  // what a kill has left is ours as well
+  const std::string name = base::target_name(file);  // what a kill has left is ours as well
   return name == journal_name || name == archive_name || name == series_name || name == summary_name ||
          name == gauges_name || name == steering_name || has_affixes(name, "checkpoint", ".h5") ||
          is_picture(name) || is_put_aside(name);
@@ -53,7 +53,7 @@ bool is_export_folder(std::string_view name) {
 }
 
 bool is_export(std::string_view folder, const std::string& file) {
-  const std::string name = target_name(file);
+  const std::string name = base::target_name(file);
   if (folder == "csv")
     return name == "series.csv" || name == "events.csv" || name == "rate.csv" || name == "crack.csv";
   if (folder == "paraview") return name == archive_name;
@@ -73,7 +73,7 @@ std::vector<fs::path> entries(const fs::path& folder) {
   for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
        entry.increment(error))
     paths.push_back(entry->path());
-  if (error) throw WorldError("read the folder", folder, error.message());
+  if (error) throw base::WorldError("read the folder", folder, error.message());
   return paths;
 }
 
@@ -84,17 +84,17 @@ void remove_export(const fs::path& folder, const std::string& kind) {
     if (is_measured_folder(kind) && file == "charts" && fs::is_directory(path) && !fs::is_symlink(path))
       remove_export(path, file);
     else if (is_export(kind, file) && !fs::is_directory(path))
-      remove_file(path);
+      base::remove_file(path);
   }
-  if (entries(folder).empty()) remove_file(folder);
+  if (entries(folder).empty()) base::remove_file(folder);
 }
 
 /// Refuses a folder below which another process is writing an export.
 void check_exports(const fs::path& folder) {
   for (const auto& path : entries(folder))
     if (is_export_folder(path.filename().string()) && is_folder_being_written(path))
-      throw WorldError("write into", folder,
-                       "another process is writing " + path.filename().string() + " in it");
+      throw base::WorldError("write into", folder,
+                             "another process is writing " + path.filename().string() + " in it");
 }
 
 /// How to go on with the run in the folder, where that can be; asked of a folder that will not be replaced.
@@ -111,8 +111,9 @@ std::string what_to_do(const fs::path& folder) {
 }
 
 void check_contents(const fs::path& folder, bool force) {
-  if (is_being_written(folder / journal_name))  // from another node, which the folder's lock may not reach
-    throw WorldError("write into", folder, "another process is writing it");
+  if (base::is_being_written(folder /
+                             journal_name))  // from another node, which the folder's lock may not reach
+    throw base::WorldError("write into", folder, "another process is writing it");
   bool empty = true, holds_run = false;
   for (const auto& path : entries(folder)) {
     empty = false;
@@ -131,7 +132,7 @@ void remove_report(const fs::path& folder, const std::set<std::string>& names) {
   for (const auto& path : entries(folder)) {
     const std::string file = path.filename().string();
     if (file == "charts" && fs::is_directory(path) && !fs::is_symlink(path)) remove_export(path, file);
-    if (names.contains(file) && !fs::is_directory(path)) remove_file(path);
+    if (names.contains(file) && !fs::is_directory(path)) base::remove_file(path);
   }
 }
 
@@ -139,9 +140,9 @@ void remove_other_exports(const fs::path& folder, const std::string& kind,
                           const std::set<std::string>& written) {
   for (const auto& path : entries(folder)) {
     const std::string file = path.filename().string();
-    if (target_name(file) == file && is_export(kind, file) && !written.contains(file) &&
+    if (base::target_name(file) == file && is_export(kind, file) && !written.contains(file) &&
         !fs::is_directory(path))
-      remove_file(path);
+      base::remove_file(path);
   }
 }
 
@@ -160,7 +161,7 @@ void create_run_folder(const fs::path& folder, bool force) { ClaimedFolder(folde
 void clear_run_folder(const fs::path& folder) {
   for (const auto& path : entries(folder)) {
     const auto name = path.filename().string();
-    if (is_run_file(name) && !fs::is_directory(path)) remove_file(path);
+    if (is_run_file(name) && !fs::is_directory(path)) base::remove_file(path);
     if (is_export_folder(name) && fs::is_directory(path) && !fs::is_symlink(path)) remove_export(path, name);
   }
 }
@@ -196,6 +197,16 @@ RunState inspect_run(const fs::path& folder) {
     if (state.reason.empty()) state.reason = "the run has not ended: stopped, killed or still going on";
   }
   return state;
+}
+
+bool is_folder_being_written(const fs::path& folder) {
+  // The journal's lock is seen by other nodes, too, where the folder's is not.
+  return base::is_owned(folder) || base::is_being_written(folder / journal_name);
+}
+
+void check_same_run(const base::HeldFile& journal) {
+  if (!journal.is_still_there())
+    throw RunReplaced("read", journal.path(), "it was removed or replaced by another run meanwhile");
 }
 
 }  // namespace rift::results

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/results/ownership.hpp"
+#include "engine/base/ownership.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -34,7 +34,7 @@ class ClaimedFolder {
   [[nodiscard]] bool has_locks() const { return owned_.has_locks(); }
 
  private:
-  OwnedFolder owned_;
+  base::OwnedFolder owned_;
   bool force_;
 };
 
@@ -52,6 +52,19 @@ void remove_other_exports(const std::filesystem::path& folder, const std::string
 
 /// Removes from a report's folder the files of these names and its charts.
 void remove_report(const std::filesystem::path& folder, const std::set<std::string>& names);
+
+/// Whether another process writes into the folder: a run or an export into its own, a study, a report.
+/// False where there is no such folder.
+[[nodiscard]] bool is_folder_being_written(const std::filesystem::path& folder);
+
+/// A run's journal is no longer the one that was opened.
+struct RunReplaced : base::WorldError {
+  using base::WorldError::WorldError;
+};
+
+/// Throws RunReplaced where another run's journal has taken this one's place, or none is there: what was read
+/// before and what is read now do not belong together.
+void check_same_run(const base::HeldFile& journal);
 
 enum class RunCondition : std::uint8_t {
   finished,    // the run ended by itself

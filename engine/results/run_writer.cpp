@@ -1,11 +1,11 @@
 #include "engine/results/run_writer.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
 #include "engine/results/json_input.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,7 +29,8 @@ namespace {
 
 /// Removes what the end of a run had made, and what is made anew.
 const std::filesystem::path& without_end(const std::filesystem::path& folder) {
-  for (const char* name : {archive_name, summary_name, series_name, gauges_name}) remove_file(folder / name);
+  for (const char* name : {archive_name, summary_name, series_name, gauges_name})
+    base::remove_file(folder / name);
   return folder;
 }
 
@@ -47,9 +48,10 @@ std::uint64_t RunWriter::journal_bytes() const { return held_.size(); }
 
 void RunWriter::check_still_ours() const {
   if (held_.is_still_there()) return;
-  throw WorldError("go on with the run in", folder_,
-                   fmt::format("its {} was removed or replaced by another process; nothing more is written",
-                               journal_name));
+  throw base::WorldError(
+      "go on with the run in", folder_,
+      fmt::format("its {} was removed or replaced by another process; nothing more is written",
+                  journal_name));
 }
 
 void RunWriter::sample(const Sample& sample) {
@@ -83,14 +85,14 @@ void RunWriter::finish(const nlohmann::ordered_json& summary,
 
 void complete_folder(const std::filesystem::path& folder, const std::function<void()>& check) {
   const auto scan = scan_journal(folder / journal_name);
-  if (!scan.summary_json) throw WorldError("complete", folder, "its journal holds no end of the run");
+  if (!scan.summary_json) throw base::WorldError("complete", folder, "its journal holds no end of the run");
   if (check) check();
-  write_whole_file(folder / series_name, series_csv(scan.samples, scan.rates));
-  if (!scan.gauges.empty()) write_whole_file(folder / gauges_name, gauges_csv(scan.gauges));
+  base::write_whole_file(folder / series_name, series_csv(scan.samples, scan.rates));
+  if (!scan.gauges.empty()) base::write_whole_file(folder / gauges_name, gauges_csv(scan.gauges));
   assemble_archive(folder);
   if (check) check();
   const auto summary = read_json(*scan.summary_json, folder / journal_name);
-  write_whole_file(folder / summary_name, base::json_text(summary, 2) + "\n");
+  base::write_whole_file(folder / summary_name, base::json_text(summary, 2) + "\n");
 }
 
 }  // namespace rift::results

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/base/ownership.hpp"
 #include "engine/results/journal.hpp"
-#include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -50,7 +50,7 @@ class RunWriter {
 
   std::filesystem::path folder_;
   JournalWriter journal_;
-  HeldFile held_;
+  base::HeldFile held_;
   SeriesWriter series_;
 };
 

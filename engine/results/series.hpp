@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "engine/results/records.hpp"
 
 #include <filesystem>
@@ -47,7 +47,7 @@ class SeriesWriter {
   void close() { file_.close(); }
 
  private:
-  AppendFile file_;
+  base::AppendFile file_;
 };
 
 }  // namespace rift::results

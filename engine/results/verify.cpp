@@ -1,15 +1,15 @@
 #include "engine/results/verify.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/archive_check.hpp"
 #include "engine/results/checkpoint.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
 #include "engine/results/json_input.hpp"
-#include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
-#include "engine/results/world_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -37,7 +37,7 @@ fs::path name_aside(const fs::path& path) {
 void move_aside(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) return;
-  rename_file(path, name_aside(path));
+  base::rename_file(path, name_aside(path));
 }
 
 constexpr const char* header_name = "scene/header";  // of the run, in the archive
@@ -48,10 +48,10 @@ class PrivateFolder {
   PrivateFolder() {
     std::error_code error;
     const fs::path base = fs::temp_directory_path(error);
-    if (error) throw WorldError("find the folder for temporary files", "TMPDIR", error.message());
+    if (error) throw base::WorldError("find the folder for temporary files", "TMPDIR", error.message());
     std::string name = (base / "rift_verify_XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
-      throw WorldError("create a folder in", base, std::generic_category().message(errno));
+      throw base::WorldError("create a folder in", base, std::generic_category().message(errno));
     path_ = name;
   }
   ~PrivateFolder() {
@@ -78,7 +78,7 @@ class Verifier {
     leftovers();
     const bool has_journal = fs::exists(folder_ / journal_name);
     if (!has_journal && !fs::exists(folder_ / archive_name))
-      throw WorldError(
+      throw base::WorldError(
           "verify", folder_,
           fmt::format("it holds neither {} nor {}: there is no run in it", journal_name, archive_name));
     result_.run = inspect_run(folder_);
@@ -97,12 +97,13 @@ class Verifier {
   void leftovers() {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder_, error)) {
-      if (entry.path().extension() != ".part" || result_.running || !is_leftover(entry.path())) continue;
+      if (entry.path().extension() != ".part" || result_.running || !base::is_leftover(entry.path()))
+        continue;
       if (mend_) fs::remove_all(entry.path(), error);
       found(entry.path().filename().string(), mend_ ? Found::removed : Found::damaged,
             "left by a kill, of no use");
     }
-    if (error) throw WorldError("read the folder", folder_, error.message());
+    if (error) throw base::WorldError("read the folder", folder_, error.message());
   }
 
   void journal() {
@@ -132,7 +133,7 @@ class Verifier {
   void salvage(const fs::path& path) {
     const std::string reason = result_.run.reason;
     if (!mend_) return found(journal_name, Found::damaged, reason);
-    PendingFile saved(path);
+    base::PendingFile saved(path);
     fs::remove(saved.temporary());  // the salvaged journal is a new file
     const std::uint64_t lost = salvage_journal(path, saved.temporary());
     move_aside(path);
@@ -212,7 +213,7 @@ class Verifier {
           name, there ? Found::damaged : Found::missing,
           there ? "not what the journal holds: of another run, or changed" : "can be made from the journal");
     move_aside(path);
-    write_whole_file(path, expected);
+    base::write_whole_file(path, expected);
     found(name, Found::mended,
           there ? "not what the journal holds: made anew from it" : "made from the journal");
   }
@@ -220,7 +221,7 @@ class Verifier {
   void tables() {
     const fs::path series = folder_ / series_name, summary = folder_ / summary_name;
     const std::string rows = series_csv(scan_->samples, scan_->rates);
-    const std::string there_are = fs::exists(series) ? read_whole_file(series) : "";
+    const std::string there_are = fs::exists(series) ? base::read_whole_file(series) : "";
     // A kill may have come between the journal and the table, which 'rift resume' begins anew.
     const bool behind =
         result_.run.condition == RunCondition::unfinished && !mend_ && rows.starts_with(there_are);
@@ -236,18 +237,18 @@ class Verifier {
     if (!scan_->gauges.empty()) {
       const fs::path gauges = folder_ / gauges_name;
       const std::string readings = gauges_csv(scan_->gauges);
-      table(gauges_name, readings, fs::exists(gauges) && read_whole_file(gauges) == readings);
+      table(gauges_name, readings, fs::exists(gauges) && base::read_whole_file(gauges) == readings);
     }
     const auto expected = json_or_discarded(*scan_->summary_json);
     if (expected.is_discarded())
       return found(summary_name, Found::damaged, "the journal's summary is no JSON that can be read");
     const auto there =
-        fs::exists(summary) ? json_or_discarded(read_whole_file(summary)) : nlohmann::ordered_json();
+        fs::exists(summary) ? json_or_discarded(base::read_whole_file(summary)) : nlohmann::ordered_json();
     table(summary_name, base::json_text(expected, 2) + "\n", there == expected);
   }
 
   const fs::path& folder_;
-  std::optional<FolderLock> lock_;  // while something may be mended
+  std::optional<base::FolderLock> lock_;  // while something may be mended
   bool mend_ = false;
   Verification result_;
   std::optional<JournalScan> scan_;

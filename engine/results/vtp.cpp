@@ -1,7 +1,7 @@
 #include "engine/results/vtp.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/results/cell_fields.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
 
 #include <fmt/format.h>
@@ -94,7 +94,7 @@ void write_vtp(const std::filesystem::path& path, const Geometry& geometry, std:
   document.xml += "      </Points>\n";
   write_topology(document, geometry);
   document.xml += "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_";
-  write_whole_file(path, document.xml + document.appended + "\n  </AppendedData>\n</VTKFile>\n");
+  base::write_whole_file(path, document.xml + document.appended + "\n  </AppendedData>\n</VTKFile>\n");
 }
 
 }  // namespace rift::results

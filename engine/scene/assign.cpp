@@ -183,7 +183,7 @@ struct Assign {
   }
   std::string operator()(std::vector<history::HistoryPoint>* out) const { return read_history(value, *out); }
   std::string operator()(std::vector<std::array<double, 2>>* out) const { return read_points(value, *out); }
-  std::string operator()(CriticalRate* out) const { return read_critical_rate(value, *out); }
+  std::string operator()(fracture::CriticalRate* out) const { return read_critical_rate(value, *out); }
   std::string operator()(LoadCurve* out) const { return read_load_curve(value, *out); }
   template <class Enum>
   requires std::is_enum_v<Enum> std::string operator()(Enum* out) const {
@@ -236,7 +236,7 @@ struct Write {
   std::string operator()(const std::vector<std::array<double, 2>>* points) const {
     return rows_text(*points);
   }
-  std::string operator()(const CriticalRate* rate) const { return rows_text(*rate); }
+  std::string operator()(const fracture::CriticalRate* rate) const { return rows_text(*rate); }
   std::string operator()(const LoadCurve* curve) const { return rows_text(*curve); }
   std::string operator()(const std::vector<std::string>* words) const {
     std::string out;
@@ -269,7 +269,7 @@ struct Allowed {
     return "rows of time and position, in time and never backward";
   }
   std::string operator()(const std::vector<std::array<double, 2>>*) const { return "points in the plate"; }
-  std::string operator()(const CriticalRate*) const {
+  std::string operator()(const fracture::CriticalRate*) const {
     return "rows of velocity (or position) and release rate, both at least 0 and the first rising";
   }
   std::string operator()(const LoadCurve*) const {

@@ -74,7 +74,7 @@ const Parameter& parameter_of(const Axis& axis) {
 
 bool applies(const Scene& scene, const Axis& axis) {
   const bool of_zone = axis.key == "crack.relaxation" || axis.key == "crack.damage_zone_ratio";
-  return !of_zone || scene.crack.technique == Technique::progressive;
+  return !of_zone || scene.crack.technique == fracture::Technique::progressive;
 }
 
 std::string axis_text(const Scene& scene, const Axis& axis) {

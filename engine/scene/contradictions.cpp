@@ -86,19 +86,20 @@ void check_damping(Checks& c) {
 /// Which keys a shape takes; false where its sizes cannot be told.
 bool check_shape(Checks& c) {
   if (!c.sound({"specimen.shape"})) return false;
-  const Shape shape = c.scene.specimen.shape;
+  const packing::Shape shape = c.scene.specimen.shape;
   const auto excluded = [&](const char* key, const char* why) {
     if (c.given(key)) c.say(key, why);
   };
-  if (shape != Shape::plate) excluded("specimen.layers", "goes with specimen.shape = \"plate\" only");
-  if (shape == Shape::cylinder || shape == Shape::sphere)
+  if (shape != packing::Shape::plate)
+    excluded("specimen.layers", "goes with specimen.shape = \"plate\" only");
+  if (shape == packing::Shape::cylinder || shape == packing::Shape::sphere)
     excluded("specimen.thickness", "is that of a box: of a round shape specimen.length is the diameter");
-  if (shape == Shape::sphere) excluded("specimen.height", "a sphere has one size, specimen.length");
+  if (shape == packing::Shape::sphere) excluded("specimen.height", "a sphere has one size, specimen.length");
   if (!needs_calibration(c.scene))
     for (const char* key :
          {"calibration.sizes", "calibration.packings", "calibration.elements", "calibration.radius_ratios"})
       excluded(key, "goes with specimen.shape = \"cylinder\" or material.stiffness = \"calibrated\" only");
-  const bool needs_thickness = shape == Shape::block || shape == Shape::periodic;
+  const bool needs_thickness = shape == packing::Shape::block || shape == packing::Shape::periodic;
   if (needs_thickness && !c.given("specimen.thickness"))
     c.say("specimen.shape", "needs specimen.thickness as well");
   return !needs_thickness || c.given("specimen.thickness");
@@ -107,7 +108,7 @@ bool check_shape(Checks& c) {
 void check_radii(Checks& c) {
   constexpr double widest_log_normal = 0.4;  // one sphere in a thousand is then 3.5 times the mean
   if (!c.sound({"specimen.radii", "specimen.radius_spread"})) return;
-  if (c.scene.specimen.radii == lattice::Radii::log_normal &&
+  if (c.scene.specimen.radii == packing::Radii::log_normal &&
       c.scene.specimen.radius_spread > widest_log_normal)
     c.say("specimen.radius_spread",
           fmt::format("of log-normal radii must lie in [0, {}]", widest_log_normal));
@@ -122,7 +123,7 @@ void check_sizes(Checks& c) {
   if (c.given("specimen.thickness") && c.given("specimen.layers")) return;  // which one counts is not known
   const double diameter = 2 * expected_mean_radius_m(c.scene), thickness = thickness_m(c.scene);
   const std::string element = fmt::format("one element, {} across on average", millimetres(diameter));
-  if (c.scene.specimen.shape == Shape::periodic) {
+  if (c.scene.specimen.shape == packing::Shape::periodic) {
     if (box_of(c.scene).size().minCoeff() < 3 * diameter)
       c.say("specimen.elements", fmt::format("too few: a periodic box must be wider than three elements, {} "
                                              "across on average, for none to touch its own image",
@@ -135,7 +136,7 @@ void check_sizes(Checks& c) {
           fmt::format("{}is thinner than {}: make it thicker, or raise specimen.elements",
                       by_layers ? fmt::format("a plate of {} ", millimetres(thickness)) : "", element));
   }
-  const lattice::Box box = box_of(c.scene);
+  const packing::Box box = box_of(c.scene);
   if (std::min(box.length, box.height) < diameter) {
     c.say("specimen.elements",
           fmt::format("too few for specimen.length and specimen.height: the {} is smaller than {}",
@@ -293,7 +294,7 @@ bool check_window_of_two(Checks& c) {
   const auto [lower, upper] = window_over_length(c.scene);
   const double length = c.scene.specimen.length, least = shortest_window_m(c.scene);
   if ((upper - lower) * length >= least) return true;
-  const bool progressive = c.scene.crack.technique == Technique::progressive;
+  const bool progressive = c.scene.crack.technique == fracture::Technique::progressive;
   c.say(progressive ? "crack.damage_zone_ratio" : "specimen.elements",
         fmt::format("leaves two tips (crack.tips) no window: five {} end at a half length of {}, the first "
                     "echo is back at "
@@ -342,7 +343,7 @@ void check_crack_way(Checks& c) {
   if (!c.sound({"specimen.length", "crack.start", "crack.end", "crack.tips", "crack.history",
                 "crack.toughness", "crack.path"}))
     return;
-  if (c.scene.specimen.shape == Shape::block && !c.given("specimen.thickness")) return;
+  if (c.scene.specimen.shape == packing::Shape::block && !c.given("specimen.thickness")) return;
   if (!check_ends(c)) return;
   // The default window depends on the velocity, a velocity in m/s on c_r.
   if (!c.sound({"crack.velocity", "output.window"}) || !knows_rayleigh_speed(c)) return;

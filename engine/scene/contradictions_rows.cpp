@@ -143,8 +143,8 @@ std::vector<Issue> history_issues(const Preset& preset) {
 }
 
 std::vector<Issue> toughness_issues(const Preset& preset) {
-  const CriticalRate& rate = preset.scene.crack.toughness;
-  const bool by_position = rate.against == CriticalRate::Against::position;
+  const fracture::CriticalRate& rate = preset.scene.crack.toughness;
+  const bool by_position = rate.against == fracture::CriticalRate::Against::position;
   const char* name = by_position ? "position" : "velocity";
   Rows r{preset, "crack.toughness"};
   for (std::size_t k = 0; k < rate.row.size() && !r.is_full(); ++k) {

@@ -13,26 +13,16 @@
 namespace rift::scene {
 
 bool can_crack(const Scene& scene) {
-  return scene.specimen.shape == Shape::plate || scene.specimen.shape == Shape::block;
+  return scene.specimen.shape == packing::Shape::plate || scene.specimen.shape == packing::Shape::block;
 }
 
-lattice::Box box_of(const Scene& scene) {
+packing::Box box_of(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
-  switch (s.shape) {
-    case Shape::cylinder:
-      return {s.length, s.height, s.length, lattice::Walls::cylinder};
-    case Shape::sphere:
-      return {s.length, s.length, s.length, lattice::Walls::sphere};
-    case Shape::periodic:
-      return {s.length, s.height, thickness_m(scene), lattice::Walls::periodic};
-    case Shape::plate:
-    case Shape::block:
-      break;
-  }
-  return {s.length, s.height, thickness_m(scene)};
+  const double height = s.shape == packing::Shape::sphere ? s.length : s.height;
+  return {s.length, height, thickness_m(scene), s.shape};
 }
 
-lattice::PackingRequest request_of(const Scene& scene) {
+packing::PackingRequest request_of(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
   return {.box = box_of(scene),
           .elements = s.elements,
@@ -45,7 +35,7 @@ lattice::PackingRequest request_of(const Scene& scene) {
 
 double thickness_m(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
-  if (s.shape == Shape::cylinder || s.shape == Shape::sphere) return s.length;
+  if (s.shape == packing::Shape::cylinder || s.shape == packing::Shape::sphere) return s.length;
   if (s.thickness) return *s.thickness;
   assert(s.layers);
   const double elements_per_area = s.elements / (s.length * s.height);
@@ -56,12 +46,12 @@ double expected_mean_radius_m(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
   const double spread2 = s.radius_spread * s.radius_spread;
   const double cube =
-      s.radii == lattice::Radii::uniform ? 1 + spread2 : std::exp(3 * spread2);  // <r^3> / R^3
+      s.radii == packing::Radii::uniform ? 1 + spread2 : std::exp(3 * spread2);  // <r^3> / R^3
   return std::cbrt(0.615 * box_of(scene).volume() / (s.elements * 4.0 / 3.0 * std::numbers::pi * cube));
 }
 
 double expected_zone_m(const Scene& scene) {
-  if (scene.crack.technique == Technique::simple) return 0.0;
+  if (scene.crack.technique == fracture::Technique::simple) return 0.0;
   return scene.crack.damage_zone_ratio * expected_mean_radius_m(scene);
 }
 

@@ -11,9 +11,9 @@ namespace rift::scene {
 bool can_crack(const Scene& scene);
 
 /// The space that the packing fills.
-lattice::Box box_of(const Scene& scene);
+packing::Box box_of(const Scene& scene);
 
-lattice::PackingRequest request_of(const Scene& scene);
+packing::PackingRequest request_of(const Scene& scene);
 
 /// Thickness of the plate [m]: as given, or B = 2 mm sqrt(20,000 L H / (N 200 mm 40 mm)) (layers/2)^(3/2)
 /// [physics.md §1], which keeps `layers` elements through the thickness for any N.

@@ -91,8 +91,8 @@ struct DerivedList {
 
 std::vector<std::string> size_keys(const Scene& scene) {
   const Scene::Specimen& s = scene.specimen;
-  if (s.shape == Shape::sphere) return {"specimen.length"};
-  if (s.shape == Shape::cylinder) return {"specimen.height", "specimen.length"};
+  if (s.shape == packing::Shape::sphere) return {"specimen.length"};
+  if (s.shape == packing::Shape::cylinder) return {"specimen.height", "specimen.length"};
   return {"specimen.height", "specimen.length", s.thickness ? "specimen.thickness" : "specimen.layers"};
 }
 
@@ -106,7 +106,7 @@ void add_sizes(DerivedList& list) {
   list.add("a thickness", length_range, "m", keys, [&] { return thickness_m(scene); });
   keys.emplace_back("specimen.radius_spread");
   list.add("a mean radius", length_range, "m", keys, [&] { return expected_mean_radius_m(scene); });
-  if (scene.crack.technique == Technique::simple) return;
+  if (scene.crack.technique == fracture::Technique::simple) return;
   keys.insert(keys.begin(), "crack.damage_zone_ratio");
   list.add("a damage zone", damage_zone_range, "m", keys, [&] { return expected_zone_m(scene); });
 }
@@ -148,8 +148,8 @@ void add_strain(DerivedList& list) {
 }  // namespace
 
 Range strain_range(const Scene& scene) {
-  if (scene.solver.kinematics == Kinematics::corotational) return {1e-10, 1e6};
-  return {scene.solver.precision == Precision::single_precision ? 1e-15 : 1e-30, 1e6};
+  if (scene.solver.kinematics == lattice::Kinematics::corotational) return {1e-10, 1e6};
+  return {scene.solver.precision == ensemble::Precision::single_precision ? 1e-15 : 1e-30, 1e6};
 }
 
 std::optional<Issue> range_issue(const Preset& preset, const Scene& scene, const DerivedNumber& number) {

@@ -8,10 +8,10 @@ Needs needs_of(const Scene& scene) {
   Needs needs;
   needs.damping = scene.damping.alpha > 0 && scene.damping.region != DampingRegion::none;
   needs.numerical_damping = scene.solver.beta < 1;
-  needs.damage_zone = scene.crack.technique == Technique::progressive;
+  needs.damage_zone = scene.crack.technique == fracture::Technique::progressive;
   needs.ramp = scene.loading.method == LoadingMethod::ramp;
   needs.moving_grip = grip_moves(scene);
-  needs.corotation = scene.solver.kinematics == Kinematics::corotational;
+  needs.corotation = scene.solver.kinematics == lattice::Kinematics::corotational;
   needs.contact = scene.crack.friction.has_value();
   needs.step_books =
       needs.damping || needs.numerical_damping || needs.ramp || needs.moving_grip || needs.contact;
@@ -21,7 +21,8 @@ Needs needs_of(const Scene& scene) {
 }
 
 bool needs_calibration(const Scene& scene) {
-  return scene.specimen.shape == Shape::cylinder || scene.material.stiffness == StiffnessChoice::calibrated;
+  return scene.specimen.shape == packing::Shape::cylinder ||
+         scene.material.stiffness == StiffnessChoice::calibrated;
 }
 
 std::vector<std::string> left_out(const Scene& scene) {

@@ -116,7 +116,8 @@ void take_override(Reading& reading, std::string_view text) {
 /// What is given takes the place of the default that excludes it.
 void drop_excluded_defaults(Preset& preset) {
   const auto given = [&](const char* key) { return preset.origins.contains(key); };
-  const bool has_layers = preset.scene.specimen.shape == Shape::plate && !given("specimen.thickness");
+  const bool has_layers =
+      preset.scene.specimen.shape == packing::Shape::plate && !given("specimen.thickness");
   if (!has_layers && !given("specimen.layers")) preset.scene.specimen.layers.reset();
   if (given("material.density") && !given("material.rayleigh_speed"))
     preset.scene.material.rayleigh_speed.reset();

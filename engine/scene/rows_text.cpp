@@ -65,12 +65,12 @@ const std::string* first_text(const Value& value, std::size_t column) {
 }
 
 /// What the rows of a critical rate are against, by the first of them.
-std::optional<CriticalRate::Against> against(const Value& value) {
+std::optional<fracture::CriticalRate::Against> against(const Value& value) {
   const std::string* text = first_text(value, 0);
   if (!text) return {};
-  if (text->ends_with("c_r")) return CriticalRate::Against::velocity_over_cr;
-  if (read_quantity(*text, Dimension::speed).value) return CriticalRate::Against::velocity;
-  if (read_quantity(*text, Dimension::length).value) return CriticalRate::Against::position;
+  if (text->ends_with("c_r")) return fracture::CriticalRate::Against::velocity_over_cr;
+  if (read_quantity(*text, Dimension::speed).value) return fracture::CriticalRate::Against::velocity;
+  if (read_quantity(*text, Dimension::length).value) return fracture::CriticalRate::Against::position;
   return {};
 }
 
@@ -141,27 +141,27 @@ std::string rows_text(const std::vector<history::HistoryPoint>& rows) {
   });
 }
 
-std::string read_critical_rate(const Value& value, CriticalRate& out) {
+std::string read_critical_rate(const Value& value, fracture::CriticalRate& out) {
   constexpr auto expected = "rows such as [\"0.1 c_r\", \"900 J/m2\"] or [\"10 mm\", \"900 J/m2\"]";
   const auto of = against(value);
   if (!of) return expected_rows(expected, value);
-  CriticalRate read{.against = *of};
-  const bool over_cr = *of == CriticalRate::Against::velocity_over_cr;
-  const Cell first = *of == CriticalRate::Against::position ? Cell{"position", Dimension::length}
-                     : over_cr                              ? Cell{"velocity", Dimension::none}
-                                                            : Cell{"velocity", Dimension::speed};
+  fracture::CriticalRate read{.against = *of};
+  const bool over_cr = *of == fracture::CriticalRate::Against::velocity_over_cr;
+  const Cell first = *of == fracture::CriticalRate::Against::position ? Cell{"position", Dimension::length}
+                     : over_cr                                        ? Cell{"velocity", Dimension::none}
+                                                                      : Cell{"velocity", Dimension::speed};
   const std::array cells{first, Cell{"release rate", Dimension::release_rate}};
   std::string problem = read_rows(over_cr ? without_c_r(value) : value, cells, 2, expected, read.row);
   if (problem.empty()) out = std::move(read);
   return problem;
 }
 
-std::string rows_text(const CriticalRate& rate) {
+std::string rows_text(const fracture::CriticalRate& rate) {
   return list_of(rate.row, [&](const std::array<double, 2>& r) {
     const std::string at =
-        rate.against == CriticalRate::Against::velocity_over_cr ? fmt::format("{} c_r", r[0])
-        : rate.against == CriticalRate::Against::velocity       ? quantity_text(r[0], Dimension::speed)
-                                                                : quantity_text(r[0], Dimension::length);
+        rate.against == fracture::CriticalRate::Against::velocity_over_cr ? fmt::format("{} c_r", r[0])
+        : rate.against == fracture::CriticalRate::Against::velocity ? quantity_text(r[0], Dimension::speed)
+                                                                    : quantity_text(r[0], Dimension::length);
     return fmt::format("[\"{}\", \"{}\"]", at, quantity_text(r[1], Dimension::release_rate));
   });
 }

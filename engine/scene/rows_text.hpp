@@ -20,8 +20,8 @@ std::string read_history(const Value& value, std::vector<history::HistoryPoint>&
 std::string rows_text(const std::vector<history::HistoryPoint>& rows);
 
 /// The first row's unit says what all are against.
-std::string read_critical_rate(const Value& value, CriticalRate& out);
-std::string rows_text(const CriticalRate& rate);
+std::string read_critical_rate(const Value& value, fracture::CriticalRate& out);
+std::string rows_text(const fracture::CriticalRate& rate);
 
 /// The first row's unit says of what the curve is.
 std::string read_load_curve(const Value& value, LoadCurve& out);

@@ -19,7 +19,7 @@ void put(Scenario& scenario, const Setting& setting) {
 }
 
 void settle_damage_zone(Scene& scene, const Scene& base) {
-  if (scene.crack.technique != Technique::simple) return;
+  if (scene.crack.technique != fracture::Technique::simple) return;
   scene.crack.relaxation = base.crack.relaxation;
   scene.crack.damage_zone_ratio = base.crack.damage_zone_ratio;
 }

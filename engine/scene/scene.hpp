@@ -1,7 +1,11 @@
 #pragma once
 
+#include "engine/ensemble/instruction_set.hpp"
+#include "engine/fracture/equation_of_motion.hpp"
+#include "engine/fracture/release.hpp"
 #include "engine/history/measured_course.hpp"
-#include "engine/lattice/packing.hpp"
+#include "engine/lattice/beam.hpp"
+#include "engine/packing/packing.hpp"
 #include "engine/theory/plane.hpp"
 
 #include <array>
@@ -13,11 +17,7 @@ namespace rift::scene {
 
 enum class StiffnessChoice { in_situ, bulk, calibrated, explicit_values };
 enum class LoadingMethod { static_solve, ramp };
-enum class Technique { simple, progressive };
 enum class DampingRegion { none, surface, all };
-enum class Shape { plate, block, cylinder, sphere, periodic };
-enum class Kinematics { linear, corotational };
-enum class Precision { double_precision, single_precision };
 enum class ReleaseRateReference { strip, griffith };
 
 /// A speed [m/s], or a fraction of the Rayleigh speed c_r where `relative`.
@@ -46,15 +46,6 @@ struct CrackLine {
 
 enum class PathShape { polyline, spline };
 
-/// What the material withstands: G_c [J/m2] against the tip's velocity, in m/s or in c_r, or against its
-/// position [m]; straight between the rows, constant beyond them.
-struct CriticalRate {
-  enum class Against { velocity, velocity_over_cr, position };
-  Against against = Against::velocity_over_cr;
-  std::vector<std::array<double, 2>> row = {};
-  bool operator==(const CriticalRate&) const = default;
-};
-
 /// A measured load: displacement [m] or force [N] of the top grip against time [s], straight between the
 /// rows.
 struct LoadCurve {
@@ -69,13 +60,13 @@ struct LoadCurve {
 /// range and doc.
 struct Scene {
   struct Specimen {
-    Shape shape;
+    packing::Shape shape;
     double length, height;  // [m]; of a cylinder the diameter and the height, of a sphere the diameter
     std::optional<double>
         layers;  // elements through the thickness; fixes the thickness (physics: B ~ (L H / N)^1/2)
     std::optional<double> thickness;  // [m]; excludes layers
     int elements;
-    lattice::Radii radii;
+    packing::Radii radii;
     double radius_spread;  // uniform: within +- this fraction of the mean; log-normal: deviation of ln r
     double coordination;   // 2 contacts / N, walls not counted
     std::optional<double> solid_fraction;  // in place of the coordination
@@ -106,15 +97,15 @@ struct Scene {
     std::vector<VelocityPiece> velocity;
     std::vector<history::HistoryPoint> history;  // measured, in place of the velocity
     history::Smoothing smoothing;
-    double history_gap;       // longest time between two rows, in times of the median
-    CriticalRate toughness;   // where it has rows the crack runs by itself
-    double toughness_window;  // [mean radii] over which its release rate is smoothed
+    double history_gap;                // longest time between two rows, in times of the median
+    fracture::CriticalRate toughness;  // where it has rows the crack runs by itself
+    double toughness_window;           // [mean radii] over which its release rate is smoothed
     CrackLine path;
     PathShape path_shape;
     double start;               // [m]; of the tip, with two tips the half length
     std::optional<double> end;  // [m]; the end of the window where absent
     int tips;
-    Technique technique;
+    fracture::Technique technique;
     double relaxation;               // the exponent p of Y1/Y2 = (1 - b/l)^p
     double damage_zone_ratio;        // r_l = L_CZM / R_mean
     std::optional<double> friction;  // mu of the faces; without it they do not touch
@@ -125,8 +116,8 @@ struct Scene {
     double surface_width;  // [mean radii]
   } damping;
   struct Solver {
-    Kinematics kinematics;
-    Precision precision;
+    lattice::Kinematics kinematics;
+    ensemble::Precision precision;
     std::optional<double> dt;           // [s]; excludes dt_fraction
     std::optional<double> dt_fraction;  // of the undamped critical step
     double beta;

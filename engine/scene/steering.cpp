@@ -85,7 +85,7 @@ void take_row(SteeringReader& reading, const TomlRow& row) {
     }
     Change change{static_cast<int>(lane), step.value_or(0), entry.name, text_of(entry.value)};
     Scene scene = default_scene();
-    scene.crack.technique = Technique::progressive;
+    scene.crack.technique = fracture::Technique::progressive;
     if (std::string wrong = steer(scene, change, 0.0); !wrong.empty()) reading.say(entry, std::move(wrong));
     changes.push_back(std::move(change));
   }

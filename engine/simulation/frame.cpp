@@ -8,7 +8,7 @@
 namespace rift::simulation {
 namespace {
 
-std::array<float, 3> narrow(const mechanics::Vector6& v) {
+std::array<float, 3> narrow(const lattice::Vector6& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 

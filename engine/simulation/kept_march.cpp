@@ -1,9 +1,9 @@
 #include "engine/simulation/kept_march.hpp"
 
 #include "engine/base/json_text.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/columns.hpp"
 #include "engine/results/json_input.hpp"
-#include "engine/results/world_error.hpp"
 #include "engine/simulation/march_notes.hpp"
 
 #include <fmt/format.h>
@@ -79,7 +79,7 @@ Resumption unwrapped(results::Checkpoint checkpoint) {
 void make_folder_for_march(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw results::WorldError("create the folder", folder, error.message());
+  if (error) throw base::WorldError("create the folder", folder, error.message());
 }
 
 /// A march under way and what of it is kept.

@@ -1,6 +1,6 @@
 #include "engine/simulation/march.hpp"
 
-#include "engine/process_limits.hpp"
+#include "engine/base/process_limits.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/frame.hpp"
@@ -72,7 +72,7 @@ ensemble::Ensemble<Real> Run<Real>::make_ensemble(const Prepared& p, const March
                                     [](const LanePlan& lane) { return lane.scenario.friction.has_value(); });
   return ensemble::Ensemble<Real>(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, first,
                                   {.kinematics = p.preset.scene.solver.kinematics,
-                                   .threads = threads_or_all_cpus(options.threads),
+                                   .threads = base::threads_or_all_cpus(options.threads),
                                    .lanes = options.lanes > 0 ? ensemble::lanes_for<Real>(options.lanes) : 0,
                                    .contact = touching});
 }
@@ -218,13 +218,13 @@ fracture::Wake Run<Real>::wake(const Seat& seat) {
   const int lane = index(seat);
   const LaneUnits& units = plan(seat).units;
   const double tip = ensemble_.tip(lane);
-  std::vector<mechanics::Vector6> velocity(prepared_.lattice.centre.size());
+  std::vector<lattice::Vector6> velocity(prepared_.lattice.centre.size());
   std::vector<double> moved(velocity.size());
   for (int i = 0; i < static_cast<int>(velocity.size()); ++i) {
     velocity[i] = ensemble_.velocity(i, lane) / units.time;
     moved[i] = ensemble_.motion(i, lane).z() - prepared_.displacement[i].z();
   }
-  const lattice::Box& box = prepared_.lattice.box;
+  const packing::Box& box = prepared_.lattice.box;
   const double middle = 0.5 * fracture::length_of(prepared_.path);
   const auto x = [&](double arc) { return fracture::point_on(prepared_.path, arc).x(); };
   const std::array<double, 2> behind = prepared_.path.tips == 2
@@ -291,9 +291,9 @@ const char* name_of(Outcome outcome) {
   return "";
 }
 
-double ledger_limit(scene::Kinematics kinematics, scene::Precision precision) {
-  if (precision == scene::Precision::single_precision) return 1e-3;
-  return kinematics == scene::Kinematics::corotational ? 1e-4 : 1e-10;
+double ledger_limit(lattice::Kinematics kinematics, ensemble::Precision precision) {
+  if (precision == ensemble::Precision::single_precision) return 1e-3;
+  return kinematics == lattice::Kinematics::corotational ? 1e-4 : 1e-10;
 }
 
 void check_grip(const Prepared& p, int side_by_side) {
@@ -303,7 +303,7 @@ void check_grip(const Prepared& p, int side_by_side) {
     throw scene::InputError({scene::issue_at(p.preset, ramp ? "loading.method" : "loading.curve",
                                              "moves the grip of all lanes at once: " + why)});
   };
-  const bool in_double = p.preset.scene.solver.precision == scene::Precision::double_precision;
+  const bool in_double = p.preset.scene.solver.precision == ensemble::Precision::double_precision;
   const int most =
       in_double ? most_side_by_side<double>(p, side_by_side) : most_side_by_side<float>(p, side_by_side);
   if (static_cast<int>(p.lane.size()) > most)
@@ -319,7 +319,7 @@ void check_grip(const Prepared& p, int side_by_side) {
 RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options,
                 const Resumption* from) {
   check_grip(prepared, options.lanes);
-  if (prepared.preset.scene.solver.precision == scene::Precision::single_precision)
+  if (prepared.preset.scene.solver.precision == ensemble::Precision::single_precision)
     return Run<float>(prepared, observer, options).march(from);
   return Run<double>(prepared, observer, options).march(from);
 }

@@ -109,7 +109,7 @@ struct MarchOptions {
 };
 
 /// The books are said not to close above this residual   [physics.md §7].
-double ledger_limit(scene::Kinematics kinematics, scene::Precision precision);
+double ledger_limit(lattice::Kinematics kinematics, ensemble::Precision precision);
 
 /// Throws InputError where the grip moves in the march's time and the lanes cannot share it: they are more
 /// than go side by side (0: as many as there are kernels for), or a load curve's clock is not the same for

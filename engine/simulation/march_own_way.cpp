@@ -48,7 +48,7 @@ void Run<Real>::find_velocity(Seat& seat) {
 template <class Real>
 std::optional<double> Run<Real>::velocity_of(const Seat& seat, double tip) const {
   const double thickness = prepared_.scale.thickness * prepared_.path.tips, from = runs_from(seat);
-  const scene::CriticalRate toughness =
+  const fracture::CriticalRate toughness =
       fracture::in_window(lane_[seat.scenario].scene.crack.toughness, tip, toughness_window(seat));
   const double at_rest = fracture::critical_rate(toughness, 0.0, prepared_.rayleigh_speed, tip);
   bool beyond_doubt = false;

@@ -44,7 +44,7 @@ void Run<Real>::go_on(const Resumption& from) {
     if (s.scenario >= 0) ensemble_.steer(static_cast<int>(k), lane_[s.scenario].scenario);
   }
   if (notes.cracking) {
-    const std::vector<mechanics::DampedBeam> damped = damped_beams(prepared_, lane_);
+    const std::vector<lattice::DampedBeam> damped = damped_beams(prepared_, lane_);
     damped_ = damped.size();
     ensemble_.set_beta(scene().solver.beta);
     ensemble_.start_crack(damped);

@@ -111,7 +111,7 @@ std::string Run<Real>::make(Seat& seat, const scene::Change& change) {
 
 template <class Real>
 std::string Run<Real>::damp(LanePlan& lane, const std::vector<LanePlan>& lanes) {
-  std::vector<mechanics::DampedBeam> damped = damped_beams(prepared_, lanes);
+  std::vector<lattice::DampedBeam> damped = damped_beams(prepared_, lanes);
   const double limit = damped_limit(prepared_, damped, lanes);
   if (prepared_.step.dt >= limit)
     return fmt::format("needs steps below {:.3g} s, and those of this run are {:.3g} s",

@@ -27,8 +27,8 @@ void Run<Real>::read_books(Seat& seat) {
 
 template <class Real>
 std::string Run<Real>::what_is_wrong(const LaneResult& lane, const results::Sample& row) {
-  const bool exact = scene().solver.kinematics == scene::Kinematics::linear &&
-                     scene().solver.precision == scene::Precision::double_precision;
+  const bool exact = scene().solver.kinematics == lattice::Kinematics::linear &&
+                     scene().solver.precision == ensemble::Precision::double_precision;
   if (!(std::abs(row.residual) <= (exact ? 1e-6 : 0.1)))
     return fmt::format("the books are open by {:.3g} of the energy", row.residual);
   const double held = row.elastic_j + row.kinetic_translation_j + row.kinetic_rotation_j;
@@ -66,7 +66,7 @@ std::string Run<Real>::where_it_diverges(int lane) {
   int worst = 0;
   double most = -1.0;
   for (int i = 0; i < static_cast<int>(prepared_.lattice.centre.size()) && std::isfinite(most); ++i) {
-    const mechanics::Vector6 v = ensemble_.velocity(i, lane);
+    const lattice::Vector6 v = ensemble_.velocity(i, lane);
     const double energy = prepared_.lattice.mass[i] * v.head<3>().squaredNorm() +
                           prepared_.lattice.inertia[i] * v.tail<3>().squaredNorm();
     if (energy > most || !std::isfinite(energy)) most = energy, worst = i;

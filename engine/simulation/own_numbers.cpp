@@ -1,9 +1,9 @@
 #include "engine/simulation/own_numbers.hpp"
 
+#include "engine/base/interrupted.hpp"
 #include "engine/calibration/pull.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/lattice/cached_packing.hpp"
-#include "engine/mechanics/free_body.hpp"
+#include "engine/lattice/free_body.hpp"
+#include "engine/packing/cached_packing.hpp"
 #include "engine/scene/derived.hpp"
 
 #include <limits>
@@ -18,12 +18,12 @@ const char* name_of(calibration::WaveKind kind) {
 }
 
 /// The plate that hangs together, in the first lane's units.
-lattice::Lattice free_plate(const Prepared& p, Cache& cache, const FractionTold& told) {
+lattice::Lattice free_plate(const Prepared& p, base::Cache& cache, const base::FractionTold& told) {
   bool found = false;
   const scene::Scene& scene = p.preset.scene;
-  const lattice::PackingRequest request = scene::request_of(scene);
-  const lattice::Specimen specimen = lattice::make_free_specimen(
-      lattice::cached_packing(request, cache, found, told), request.box, scene.specimen.contact_tolerance);
+  const packing::PackingRequest request = scene::request_of(scene);
+  const packing::Specimen specimen = packing::make_free_specimen(
+      packing::cached_packing(request, cache, found, told), request.box, scene.specimen.contact_tolerance);
   lattice::MicroMaterial micro = p.micro;
   micro.young_modulus *= p.lane.front().units.energy;
   return lattice::make_lattice(specimen, micro, p.density);
@@ -37,8 +37,9 @@ double OwnNumbers::speed(calibration::WaveKind kind) const {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-OwnNumbers measure_own_numbers(const Prepared& p, Cache& cache, const StageProgress& progress, int threads) {
-  const auto telling = [&](const char* stage, double from, double share) -> FractionTold {
+OwnNumbers measure_own_numbers(const Prepared& p, base::Cache& cache, const StageProgress& progress,
+                               int threads) {
+  const auto telling = [&](const char* stage, double from, double share) -> base::FractionTold {
     return [&progress, stage, from, share](double done) {
       return !progress || progress(stage, from + share * done);
     };
@@ -47,8 +48,8 @@ OwnNumbers measure_own_numbers(const Prepared& p, Cache& cache, const StageProgr
   const lattice::Lattice plate = free_plate(p, cache, telling("packing", 0.0, 1.0));
   OwnNumbers own;
   own.nominal = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
-  tell_or_stop(telling("static pulls", 0.0, 1.0), 0.0, "pulling the plate");
-  mechanics::FreeBody body(plate);
+  base::tell_or_stop(telling("static pulls", 0.0, 1.0), 0.0, "pulling the plate");
+  lattice::FreeBody body(plate);
   const calibration::Pulled along = calibration::pull(plate, body, 0, 1.0, telling("static pulls", 0.0, 0.5));
   const calibration::Pulled across =
       calibration::pull(plate, body, 1, 1.0, telling("static pulls", 0.5, 0.5));

@@ -19,8 +19,8 @@ struct OwnNumbers {
 };
 
 /// Measures the first lane's plate with its beams. Throws as prepare() does.
-OwnNumbers measure_own_numbers(const Prepared& prepared, Cache& cache, const StageProgress& progress = {},
-                               int threads = 0);
+OwnNumbers measure_own_numbers(const Prepared& prepared, base::Cache& cache,
+                               const StageProgress& progress = {}, int threads = 0);
 
 /// With names of numbers as in summaries: "measured_young_modulus_along_pa", ..., "waves": [{"kind",
 /// "wavelength_m", "wavelength_over_radius", "speed_m_s"}].

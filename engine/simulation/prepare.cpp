@@ -1,10 +1,10 @@
 #include "engine/simulation/prepare.hpp"
 
 #include "engine/base/clock.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/lattice/cached_packing.hpp"
+#include "engine/base/interrupted.hpp"
+#include "engine/lattice/statics.hpp"
 #include "engine/lattice/stiffness.hpp"
-#include "engine/mechanics/statics.hpp"
+#include "engine/packing/cached_packing.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/lane_history.hpp"
@@ -26,22 +26,22 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void build_specimen(Prepared& p, Cache& cache, const StageProgress& progress) {
+void build_specimen(Prepared& p, base::Cache& cache, const StageProgress& progress) {
   const scene::Scene& scene = p.preset.scene;
   const auto start = Clock::now();
-  const lattice::PackingRequest request = scene::request_of(scene);
-  const auto refuse = [&](const char* key, const lattice::PackingError& error) {
+  const packing::PackingRequest request = scene::request_of(scene);
+  const auto refuse = [&](const char* key, const packing::PackingError& error) {
     return scene::InputError({scene::issue_at(p.preset, key, error.what())});
   };
-  lattice::Packing packing;
+  packing::Packing packing;
   try {
-    packing = lattice::cached_packing(request, cache, p.packing_from_cache, stage(progress, "packing"));
-  } catch (const lattice::PackingError& error) {
+    packing = packing::cached_packing(request, cache, p.packing_from_cache, stage(progress, "packing"));
+  } catch (const packing::PackingError& error) {
     throw refuse(scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination", error);
   }
   try {
-    p.specimen = lattice::make_plate(packing, request.box, scene.specimen.contact_tolerance);
-  } catch (const lattice::PackingError& error) {
+    p.specimen = packing::make_plate(packing, request.box, scene.specimen.contact_tolerance);
+  } catch (const packing::PackingError& error) {
     throw refuse("specimen.elements", error);
   }
   p.wall_packing_s = base::seconds_since(start);
@@ -113,7 +113,7 @@ StepWish step_wish(const LanePlan& lane, double rayleigh_speed) {
 class DampedLimits {
  public:
   explicit DampedLimits(const Prepared& p) : p_(p) {}
-  double of(const LanePlan& lane, std::vector<mechanics::DampedBeam> damped, const FractionTold& told) {
+  double of(const LanePlan& lane, std::vector<lattice::DampedBeam> damped, const base::FractionTold& told) {
     const std::pair kind(lane.scene.damping.region, lane.scene.damping.alpha);
     if (const auto known = limit_.find(kind); known != limit_.end()) return known->second;
     return limit_[kind] = damped_limit(p_, std::move(damped), {&lane, 1}, told);
@@ -125,7 +125,7 @@ class DampedLimits {
 };
 
 std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>& scenes,
-                              const FractionTold& told) {
+                              const base::FractionTold& told) {
   if (fracture::crossings(p.path, p.lattice).empty())
     throw scene::InputError({scene::issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
   std::vector<LanePlan> lanes;
@@ -133,7 +133,7 @@ std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>
   for (const scene::Scene& scene : scenes) {
     LanePlan lane = plan_lane(p, scene);
     StepWish wish = step_wish(lane, p.rayleigh_speed);
-    std::vector<mechanics::DampedBeam> damped = damped_beams(p, {&lane, 1});
+    std::vector<lattice::DampedBeam> damped = damped_beams(p, {&lane, 1});
     lane.beams_damped = damped.size();
     if (!damped.empty()) wish.critical_damped = limits.of(lane, std::move(damped), told);
     lane.step = choose_step(p.preset, p.stable, wish, lane.units.time);
@@ -144,12 +144,12 @@ std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>
 
 }  // namespace
 
-std::vector<mechanics::DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan> lanes) {
+std::vector<lattice::DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan> lanes) {
   const auto any = [&](scene::DampingRegion region) {
     return std::any_of(lanes.begin(), lanes.end(),
                        [&](const LanePlan& lane) { return lane.scene.damping.region == region; });
   };
-  std::vector<mechanics::DampedBeam> damped;
+  std::vector<lattice::DampedBeam> damped;
   const bool everywhere = any(scene::DampingRegion::all);
   if (!everywhere && !any(scene::DampingRegion::surface)) return damped;
   std::vector<int> crossing(p.lattice.beam.size(), -1);
@@ -161,14 +161,14 @@ std::vector<mechanics::DampedBeam> damped_beams(const Prepared& p, std::span<con
     at_surface[i] = fracture::distance_to(p.path, p.lattice.centre[i].head<2>()) <= near;
   for (int b = 0; b < static_cast<int>(p.lattice.beam.size()); ++b) {
     const bool surface = at_surface[p.lattice.ends[b][0]] || at_surface[p.lattice.ends[b][1]];
-    if (surface || everywhere) damped.push_back(mechanics::damped_beam(p.lattice, b, crossing[b], surface));
+    if (surface || everywhere) damped.push_back(lattice::damped_beam(p.lattice, b, crossing[b], surface));
   }
   return damped;
 }
 
 fracture::ReleaseLaw release_law(const scene::Scene& scene, const lattice::Lattice& lattice) {
   fracture::ReleaseLaw law{.technique = scene.crack.technique, .exponent = scene.crack.relaxation};
-  if (law.technique == scene::Technique::progressive)
+  if (law.technique == fracture::Technique::progressive)
     law.zone_length = scene.crack.damage_zone_ratio * lattice.mean_radius;
   return law;
 }
@@ -183,14 +183,14 @@ double lattice_speed(const Prepared& p, const scene::Speed& speed, const LaneUni
   return scene::speed_m_s(speed, p.rayleigh_speed) * units.time;
 }
 
-double damped_limit(const Prepared& p, std::vector<mechanics::DampedBeam> damped,
-                    std::span<const LanePlan> lanes, const FractionTold& told) {
-  mechanics::ViscousDamping damping(std::move(damped));
+double damped_limit(const Prepared& p, std::vector<lattice::DampedBeam> damped,
+                    std::span<const LanePlan> lanes, const base::FractionTold& told) {
+  lattice::ViscousDamping damping(std::move(damped));
   for (const LanePlan& lane : lanes) {
     damping.alpha_at_surface = std::max(damping.alpha_at_surface, lane.scenario.alpha_at_surface);
     damping.alpha_elsewhere = std::max(damping.alpha_elsewhere, lane.scenario.alpha_elsewhere);
   }
-  return mechanics::damped_critical_step(p.lattice, damping, p.stable.critical, told);
+  return lattice::damped_critical_step(p.lattice, damping, p.stable.critical, told);
 }
 
 void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
@@ -217,7 +217,7 @@ double wave_speed_ratio(const Prepared& prepared, const LanePlan& lane) {
   return std::sqrt(prepared.strip_modulus * lane.units.energy / continuum_strip_modulus(lane.scene));
 }
 
-Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& lanes, Cache& cache,
+Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& lanes, base::Cache& cache,
                  const StageProgress& progress) {
   Prepared p;
   p.preset = preset;
@@ -235,19 +235,19 @@ Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& l
     const auto start = Clock::now();
     build_prestress(p, cache, progress);
     p.wall_prestress_s = base::seconds_since(start);
-    tell_or_stop(stage(progress, "pre-stress"), 1.0, "solving the pre-stress");
-  } catch (const mechanics::StaticsError& error) {
+    base::tell_or_stop(stage(progress, "pre-stress"), 1.0, "solving the pre-stress");
+  } catch (const lattice::StaticsError& error) {
     throw scene::InputError({scene::issue_at(p.preset, load_key(scene), error.what())});
   }
   p.gauge = gauges_of(p);
-  p.stable = mechanics::stable_step(p.lattice, stage(progress, "critical step"));
+  p.stable = lattice::stable_step(p.lattice, stage(progress, "critical step"));
   refuse_out_of_range(p, critical_step_numbers(p));
   take_lanes(p, planned(p, lanes, stage(progress, "critical step with damping")));
   for (int k = 0; k < static_cast<int>(p.lane.size()); ++k) check_steering(p, p.lane, k, 0);
   return p;
 }
 
-Prepared prepare(const scene::Preset& preset, Cache& cache, const StageProgress& progress) {
+Prepared prepare(const scene::Preset& preset, base::Cache& cache, const StageProgress& progress) {
   return prepare(preset, {preset.scene}, cache, progress);
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/release_rate.hpp"
 #include "engine/fracture/scenario.hpp"
-#include "engine/interrupted.hpp"
 #include "engine/measurement/gauge.hpp"
 #include "engine/simulation/lane_units.hpp"
 #include "engine/simulation/schedule.hpp"
@@ -21,7 +21,7 @@ namespace rift::simulation {
 using StageProgress = std::function<bool(std::string_view stage, double done)>;
 
 /// What tells of one stage; `progress` must outlive it.
-inline FractionTold stage(const StageProgress& progress, const char* name) {
+inline base::FractionTold stage(const StageProgress& progress, const char* name) {
   return [&progress, name](double done) { return !progress || progress(name, done); };
 }
 
@@ -43,7 +43,7 @@ struct LanePlan {
 struct Prepared {
   scene::Preset preset;
   double density = 0, rayleigh_speed = 0;  // [kg/m3], [m/s]
-  lattice::Specimen specimen;
+  packing::Specimen specimen;
   lattice::MicroMaterial micro;  // of the lattice: scaled in situ, whose units serve "bulk" too, or explicit
   lattice::Lattice lattice;
   double strip_modulus = 0;   // of this specimen with these beams, by linear kinematics [Pa]
@@ -51,14 +51,14 @@ struct Prepared {
   double grip_force = 0;      // with which it pulls along y then [N], of the lattice
   double static_energy = 0;   // of the plate at rest, notch cut, pulled [J]
   fracture::RateScale scale;  // b, G_I0, L, tips
-  std::vector<mechanics::Vector6>
+  std::vector<lattice::Vector6>
       displacement;  // at the start of the run: at rest and pulled, or none for a ramp
   fracture::CrackPath path;
   std::vector<measurement::Gauge> gauge;
   std::vector<LanePlan> lane;
-  std::vector<mechanics::DampedBeam> damped;  // those that any lane damps
-  mechanics::StableStep stable;               // of the lattice without damping
-  TimeStep step;                              // the smallest that a lane asks for
+  std::vector<lattice::DampedBeam> damped;  // those that any lane damps
+  lattice::StableStep stable;               // of the lattice without damping
+  TimeStep step;                            // the smallest that a lane asks for
   bool packing_from_cache = false, statics_from_cache = false;
   double wall_packing_s = 0, wall_prestress_s = 0;
 };
@@ -66,11 +66,11 @@ struct Prepared {
 /// Specimen (packing cached), lattice, pre-stress (cached), crack, step and schedule of a preset without
 /// issues. Throws InputError where the lattice cannot be what the preset asks for, Interrupted where progress
 /// says stop.
-Prepared prepare(const scene::Preset& preset, Cache& cache, const StageProgress& progress = {});
+Prepared prepare(const scene::Preset& preset, base::Cache& cache, const StageProgress& progress = {});
 
 /// The same for scenarios other than the preset's own, one lane each; they differ in what lanes may differ
 /// in, or by being in-situ and bulk.
-Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& lanes, Cache& cache,
+Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& lanes, base::Cache& cache,
                  const StageProgress& progress = {});
 
 /// Goes on with other lanes over the same lattice and pre-stress, such as some of its own: damped beams, step
@@ -79,7 +79,7 @@ Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& l
 void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
 
 /// Beams whose damping can matter to any of the lanes: none, those near the path, or all.
-std::vector<mechanics::DampedBeam> damped_beams(const Prepared& prepared, std::span<const LanePlan> lanes);
+std::vector<lattice::DampedBeam> damped_beams(const Prepared& prepared, std::span<const LanePlan> lanes);
 
 /// What of a scene makes a lane's scenario, in the lattice's units: the law of its release, its damping, a
 /// speed.
@@ -88,8 +88,8 @@ void set_damping(fracture::LaneScenario& scenario, const scene::Scene& scene);
 double lattice_speed(const Prepared& prepared, const scene::Speed& speed, const LaneUnits& units);
 
 /// The largest stable step [s] where the beams are damped as much as any of the lanes damps them.
-double damped_limit(const Prepared& prepared, std::vector<mechanics::DampedBeam> damped,
-                    std::span<const LanePlan> lanes, const FractionTold& told = {});
+double damped_limit(const Prepared& prepared, std::vector<lattice::DampedBeam> damped,
+                    std::span<const LanePlan> lanes, const base::FractionTold& told = {});
 
 /// What a lane's release rate is measured against, in its own units.
 fracture::RateScale scale_of(const Prepared& prepared, const LanePlan& lane);

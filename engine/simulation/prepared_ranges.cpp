@@ -72,7 +72,7 @@ void refuse_out_of_range(const Prepared& p, const std::vector<scene::DerivedNumb
 std::vector<scene::DerivedNumber> lattice_numbers(const Prepared& p) {
   const scene::Scene& scene = p.preset.scene;
   const scene::Range range =
-      scene.solver.precision == scene::Precision::single_precision ? held_in_single : held_in_double;
+      scene.solver.precision == ensemble::Precision::single_precision ? held_in_single : held_in_double;
   const lattice::Lattice& lattice = p.lattice;
   const Keys masses = with(mass_keys(scene), {"specimen.radius_spread", "solver.precision"}),
              stiffnesses = with(stiffness_keys(scene), {"solver.precision"});
@@ -81,11 +81,11 @@ std::vector<scene::DerivedNumber> lattice_numbers(const Prepared& p) {
   add_extremes(numbers, "a mass", "kg", range, masses, lattice.mass, itself);
   add_extremes(numbers, "a moment of inertia", "kg m2", range, masses, lattice.inertia, itself);
   add_extremes(numbers, "a stiffness", "N/m", range, stiffnesses, lattice.beam,
-               [](const mechanics::Beam& beam) { return beam.axial; });
+               [](const lattice::Beam& beam) { return beam.axial; });
   add_extremes(numbers, "a bending stiffness", "N m", range, stiffnesses, lattice.beam,
-               [](const mechanics::Beam& beam) { return beam.bending; });
+               [](const lattice::Beam& beam) { return beam.bending; });
   add_extremes(numbers, "a torsional stiffness", "N m", range, stiffnesses, lattice.beam,
-               [](const mechanics::Beam& beam) { return beam.twist; });
+               [](const lattice::Beam& beam) { return beam.twist; });
   numbers.push_back({"beams of a Young's modulus", p.micro.young_modulus, scene::micro_modulus_range, "Pa",
                      stiffness_keys(scene)});
   return numbers;

@@ -1,11 +1,11 @@
 #include "engine/simulation/prestress.hpp"
 
+#include "engine/base/interrupted.hpp"
 #include "engine/calibration/calibrate.hpp"
 #include "engine/fracture/notch.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/lattice/cached_packing.hpp"
+#include "engine/lattice/statics.hpp"
 #include "engine/lattice/stiffness.hpp"
-#include "engine/mechanics/statics.hpp"
+#include "engine/packing/cached_packing.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/prepared_ranges.hpp"
 #include "engine/theory/griffith.hpp"
@@ -19,22 +19,22 @@
 namespace rift::simulation {
 namespace {
 
-std::vector<mechanics::Vector6> cached_motions(
-    const std::string& key, std::size_t elements, Cache& cache, bool& from_cache,
-    const std::function<std::vector<mechanics::Vector6>()>& solve) {
-  std::vector<mechanics::Vector6> q(elements);
-  if (const auto numbers = recall(cache, "statics", key); numbers && numbers->size() == 6 * elements) {
+std::vector<lattice::Vector6> cached_motions(const std::string& key, std::size_t elements, base::Cache& cache,
+                                             bool& from_cache,
+                                             const std::function<std::vector<lattice::Vector6>()>& solve) {
+  std::vector<lattice::Vector6> q(elements);
+  if (const auto numbers = base::recall(cache, "statics", key); numbers && numbers->size() == 6 * elements) {
     for (std::size_t i = 0; i < elements; ++i)
-      q[i] = Eigen::Map<const mechanics::Vector6>(numbers->data() + 6 * i);
+      q[i] = Eigen::Map<const lattice::Vector6>(numbers->data() + 6 * i);
     return q;
   }
   from_cache = false;
   q = solve();
-  remember(cache, "statics", key, {q.front().data(), 6 * elements});
+  base::remember(cache, "statics", key, {q.front().data(), 6 * elements});
   return q;
 }
 
-lattice::MicroMaterial reference_micro(const scene::Preset& preset, Cache& cache,
+lattice::MicroMaterial reference_micro(const scene::Preset& preset, base::Cache& cache,
                                        const StageProgress& progress) {
   const scene::Scene& scene = preset.scene;
   const scene::Scene::Material& m = scene.material;
@@ -47,7 +47,7 @@ lattice::MicroMaterial reference_micro(const scene::Preset& preset, Cache& cache
         .micro;
   } catch (const calibration::OutOfReach& error) {
     throw scene::InputError({scene::issue_at(preset, "material.poisson_ratio", error.what())});
-  } catch (const lattice::PackingError& error) {
+  } catch (const packing::PackingError& error) {
     throw scene::InputError({scene::issue_at(preset, "calibration.elements", error.what())});
   }
 }
@@ -58,14 +58,14 @@ bool is_scaled(const scene::Scene& scene) {
          scene.material.stiffness == scene::StiffnessChoice::bulk;
 }
 
-std::vector<mechanics::Vector6> scaled(const std::vector<mechanics::Vector6>& unit, double displacement) {
-  std::vector<mechanics::Vector6> q(unit);
-  for (mechanics::Vector6& v : q) v *= displacement;
+std::vector<lattice::Vector6> scaled(const std::vector<lattice::Vector6>& unit, double displacement) {
+  std::vector<lattice::Vector6> q(unit);
+  for (lattice::Vector6& v : q) v *= displacement;
   return q;
 }
 
-double energy_of_all(const lattice::Lattice& lattice, scene::Kinematics kinematics,
-                     const std::vector<char>& present, const std::vector<mechanics::Vector6>& q) {
+double energy_of_all(const lattice::Lattice& lattice, lattice::Kinematics kinematics,
+                     const std::vector<char>& present, const std::vector<lattice::Vector6>& q) {
   double energy = 0.0;
   for (std::size_t b = 0; b < lattice.beam.size(); ++b)
     if (present[b]) energy += lattice::energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
@@ -78,43 +78,43 @@ double energy_of_all(const lattice::Lattice& lattice, scene::Kinematics kinemati
 struct Statics {
   const lattice::Lattice lattice;
   const scene::Scene& scene;
-  Cache& cache;
+  base::Cache& cache;
   bool& from_cache;
   std::string lattice_key;
   const StageProgress& progress;
   int expected = 1, solved = 0;  // solutions; those that the cache holds are not counted
 
-  std::vector<mechanics::Vector6> unit(const std::vector<char>& present, const std::string& notch,
-                                       const mechanics::Pull& pull = {1.0}) {
+  std::vector<lattice::Vector6> unit(const std::vector<char>& present, const std::string& notch,
+                                     const lattice::Pull& pull = {1.0}) {
     return cached_motions("statics 2 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
                           from_cache, [&] {
-                            auto q = mechanics::stretched_at_rest(lattice, present, pull, telling());
+                            auto q = lattice::stretched_at_rest(lattice, present, pull, telling());
                             ++solved;
                             return q;
                           });
   }
-  std::vector<mechanics::Vector6> at_rest(const std::vector<char>& present, const std::string& notch,
-                                          double displacement) {
+  std::vector<lattice::Vector6> at_rest(const std::vector<char>& present, const std::string& notch,
+                                        double displacement) {
     const scene::Scene::Loading& l = scene.loading;
-    if (scene.solver.kinematics == scene::Kinematics::linear)
+    if (scene.solver.kinematics == lattice::Kinematics::linear)
       return scaled(unit(present, notch, {1.0, l.tilt, l.shear}), displacement);
-    const mechanics::Pull pull(displacement, l.tilt, l.shear);
+    const lattice::Pull pull(displacement, l.tilt, l.shear);
     const std::string key = fmt::format("corotational statics 1 of {}{} by {:a}{}", lattice_key, notch,
                                         pull.middle, key_of(pull));
     return cached_motions(key, lattice.centre.size(), cache, from_cache, [&] {
-      auto q = mechanics::stretched_at_rest_corotational(lattice, present, pull, telling());
+      auto q = lattice::stretched_at_rest_corotational(lattice, present, pull, telling());
       ++solved;
       return q;
     });
   }
-  FractionTold telling() const {
+  base::FractionTold telling() const {
     return [this](double done) {
       const double all = std::max(expected, solved + 1);
       return !progress || progress("pre-stress", (solved + done) / all);
     };
   }
   /// What of a pull is not along y and even.
-  static std::string key_of(const mechanics::Pull& pull) {
+  static std::string key_of(const lattice::Pull& pull) {
     std::string key;
     if (pull.tilt != 0.0) key += fmt::format(" tilt {:a}", pull.tilt);
     if (pull.shear != 0.0) key += fmt::format(" shear {:a}", pull.shear);
@@ -130,22 +130,22 @@ double displacement_under(double force, Statics& statics, const lattice::Lattice
   constexpr int most = 20;
   constexpr double good = 1e-10;  // of the force
   const scene::Scene::Loading& l = statics.scene.loading;
-  const double unit_force = lattice::grip_force(lattice, present, scene::Kinematics::linear,
+  const double unit_force = lattice::grip_force(lattice, present, lattice::Kinematics::linear,
                                                 statics.unit(present, notch, {1.0, l.tilt, l.shear}));
   if (!(unit_force > 0.0))
-    throw mechanics::StaticsError(
+    throw lattice::StaticsError(
         l.shear != 0.0 ? "no displacement with this loading.shear pulls: the plate turns the other way"
                        : "the notch leaves the grips nothing to pull");
   double displacement = force / unit_force;
-  const scene::Kinematics kinematics = statics.scene.solver.kinematics;
-  if (kinematics == scene::Kinematics::linear) return displacement;
+  const lattice::Kinematics kinematics = statics.scene.solver.kinematics;
+  if (kinematics == lattice::Kinematics::linear) return displacement;
   for (int k = 0; k < most; ++k) {
     const double pull =
         lattice::grip_force(lattice, present, kinematics, statics.at_rest(present, notch, displacement));
     if (std::abs(pull - force) <= good * std::abs(force)) return displacement;
     displacement *= force / pull;
   }
-  throw mechanics::StaticsError(fmt::format("no displacement holds a force of {:g} N", force));
+  throw lattice::StaticsError(fmt::format("no displacement holds a force of {:g} N", force));
 }
 
 /// @param[in] strip  energy of the pre-stressed strip over its area [J/m2]
@@ -180,11 +180,11 @@ double continuum_strip_modulus(const scene::Scene& scene) {
   return scene.material.young_modulus / (1.0 - nu * nu);
 }
 
-void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
+void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progress) {
   const scene::Scene& scene = p.preset.scene;
-  const scene::Kinematics kinematics = scene.solver.kinematics;
+  const lattice::Kinematics kinematics = scene.solver.kinematics;
   p.micro = reference_micro(p.preset, cache, progress);
-  tell_or_stop(stage(progress, "pre-stress"), 0.0, "solving the pre-stress");
+  base::tell_or_stop(stage(progress, "pre-stress"), 0.0, "solving the pre-stress");
   p.statics_from_cache = true;
   p.lattice = lattice::make_lattice(p.specimen, p.micro, p.density);
   refuse_out_of_range(p, lattice_numbers(p));
@@ -193,14 +193,14 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
                   cache,
                   p.statics_from_cache,
                   fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}",
-                              lattice::key_of(scene::request_of(scene)), scene.specimen.contact_tolerance,
+                              packing::key_of(scene::request_of(scene)), scene.specimen.contact_tolerance,
                               p.micro.young_modulus, p.micro.poisson_ratio, p.micro.radius_ratio),
                   progress};
-  const bool own_pull = kinematics == scene::Kinematics::corotational || scene.loading.tilt != 0.0 ||
+  const bool own_pull = kinematics == lattice::Kinematics::corotational || scene.loading.tilt != 0.0 ||
                         scene.loading.shear != 0.0;  // the unit one does not serve
   statics.expected = 1 + (own_pull ? 1 : 0) + (scene.crack.start > 0.0 ? 1 : 0);
   const std::vector<char> present(p.lattice.beam.size(), 1);
-  const std::vector<mechanics::Vector6> unit = statics.unit(present, "");
+  const std::vector<lattice::Vector6> unit = statics.unit(present, "");
   if (is_scaled(scene)) {
     p.micro.young_modulus *= continuum_strip_modulus(scene) / lattice::strip_modulus(p.lattice, unit, 1.0);
     p.lattice = lattice::make_lattice(p.specimen, p.micro, p.density);
@@ -225,7 +225,7 @@ void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress) {
   p.static_energy = energy_of_all(p.lattice, kinematics, notched, p.displacement);
   refuse_out_of_range(p, prestress_numbers(p));
   if (scene.loading.method == scene::LoadingMethod::ramp)
-    p.displacement.assign(p.displacement.size(), mechanics::Vector6::Zero());
+    p.displacement.assign(p.displacement.size(), lattice::Vector6::Zero());
 }
 
 }  // namespace rift::simulation

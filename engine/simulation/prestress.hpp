@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "engine/simulation/prepare.hpp"
 
 namespace rift::simulation {
@@ -9,7 +9,7 @@ namespace rift::simulation {
 /// modulus is that of small strains with either kinematics.
 /// Asks for the specimen, the density and the path. Throws InputError where no beams fit the material,
 /// StaticsError.
-void build_prestress(Prepared& p, Cache& cache, const StageProgress& progress);
+void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progress);
 
 /// What the clamped strip of a continuum with the preset's E and nu would show [Pa].
 double continuum_strip_modulus(const scene::Scene& scene);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/interrupted.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/simulation/prepare.hpp"
 
 namespace rift::simulation {
@@ -12,11 +12,11 @@ namespace rift::simulation {
 /// Cost: two static solutions. Throws StaticsError, Interrupted.
 /// @param[in] window  tip positions [m]
 double quasi_static_ratio(const Prepared& prepared, const std::array<double, 2>& window,
-                          const FractionTold& told = {});
+                          const base::FractionTold& told = {});
 
 /// -dU/da of a slow crack between each two neighbours of these tip positions [m], in J/m2: one less than
 /// positions. Cost: a static solve for each.
 std::vector<double> quasi_static_rates(const Prepared& prepared, const std::vector<double>& tip,
-                                       const FractionTold& told = {});
+                                       const base::FractionTold& told = {});
 
 }  // namespace rift::simulation

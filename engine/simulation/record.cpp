@@ -1,14 +1,14 @@
 #include "engine/simulation/record.hpp"
 
+#include "engine/base/files.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/journal_scan.hpp"
 #include "engine/results/json_input.hpp"
-#include "engine/results/ownership.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/run_writer.hpp"
-#include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/march_notes.hpp"
 #include "engine/simulation/summary.hpp"
@@ -93,7 +93,7 @@ struct Recording {
   void keep(const scene::Change& change) {
     std::vector<scene::Change>& all = steered.steering;
     if (std::find(all.begin(), all.end(), change) == all.end()) all.push_back(change);
-    results::write_whole_file(folder / results::steering_name, scene::preset_text(steered));
+    base::write_whole_file(folder / results::steering_name, scene::preset_text(steered));
   }
 };
 
@@ -129,16 +129,16 @@ Recorded record_run(const Prepared& prepared, const std::filesystem::path& folde
 Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
                     const Observer& beside, std::string& note, const MarchOptions& options,
                     double preparation_s) {
-  const results::OwnedFolder owned(folder);
+  const base::OwnedFolder owned(folder);
   if (!owned.has_locks()) note = no_locks_note(folder);
   const results::RunState state = results::inspect_run(folder);
   std::optional<results::Checkpoint> checkpoint = results::read_checkpoint(folder, state.good_bytes, note);
   if (!checkpoint) {
     const std::string steering = std::filesystem::exists(folder / results::steering_name)
-                                     ? results::read_whole_file(folder / results::steering_name)
+                                     ? base::read_whole_file(folder / results::steering_name)
                                      : std::string{};
     results::clear_run_folder(folder);
-    if (!steering.empty()) results::write_whole_file(folder / results::steering_name, steering);
+    if (!steering.empty()) base::write_whole_file(folder / results::steering_name, steering);
     return record_run(prepared, folder, build, beside, options, preparation_s);
   }
   results::RunWriter writer(folder, checkpoint->journal_bytes);
@@ -200,7 +200,7 @@ bool has_ended(const std::filesystem::path& folder) {
 bool complete_end(const std::filesystem::path& folder) {
   const results::RunState state = results::inspect_run(folder);
   if (!lanes_have_ended(folder, state) || files_of_end_are_there(folder, state)) return false;
-  const results::OwnedFolder owned(folder);
+  const base::OwnedFolder owned(folder);
   results::complete_folder(folder);
   results::remove_checkpoints(folder);
   return true;
@@ -220,7 +220,7 @@ bool is_unfinished_run_of(const std::filesystem::path& folder, const scene::Pres
 scene::Preset preset_of_run(const std::filesystem::path& folder) {
   const results::RunState state = results::inspect_run(folder);
   if (state.header_json.empty())
-    throw results::WorldError("read", folder, state.reason.empty() ? "there is no run in it" : state.reason);
+    throw base::WorldError("read", folder, state.reason.empty() ? "there is no run in it" : state.reason);
   const auto header = results::read_json(state.header_json, folder / results::journal_name);
   const std::filesystem::path steered = folder / results::steering_name;
   scene::Preset preset =

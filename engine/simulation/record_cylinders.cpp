@@ -1,11 +1,11 @@
 #include "engine/simulation/record_cylinders.hpp"
 
+#include "engine/base/interrupted.hpp"
 #include "engine/calibration/calibrate.hpp"
 #include "engine/calibration/pull.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/lattice/cached_packing.hpp"
+#include "engine/lattice/free_body.hpp"
 #include "engine/lattice/stiffness.hpp"
-#include "engine/mechanics/free_body.hpp"
+#include "engine/packing/cached_packing.hpp"
 #include "engine/results/run_writer.hpp"
 
 #include <Eigen/Geometry>
@@ -20,7 +20,7 @@ struct Scenery {
   results::Frame frame;
   double width = 0;  // [m]
 
-  void add(const lattice::Specimen& specimen, const std::vector<mechanics::Vector6>& motion) {
+  void add(const packing::Specimen& specimen, const std::vector<lattice::Vector6>& motion) {
     constexpr double gap = 0.3;  // of a diameter
     const double offset = width == 0.0 ? 0.0 : width + gap * specimen.box.length;
     const auto first = static_cast<std::int32_t>(geometry.position.size());
@@ -38,7 +38,7 @@ struct Scenery {
 };
 
 /// Takes out of a body's motion what shifts and turns its middle.
-void stand_still(std::vector<mechanics::Vector6>& motion, const lattice::Lattice& lattice) {
+void stand_still(std::vector<lattice::Vector6>& motion, const lattice::Lattice& lattice) {
   const Eigen::Matrix3d gradient = calibration::gradient_in_middle(lattice, motion, 1);
   const Eigen::Vector3d turn(0.5 * (gradient(2, 1) - gradient(1, 2)), 0.5 * (gradient(0, 2) - gradient(2, 0)),
                              0.5 * (gradient(1, 0) - gradient(0, 1)));
@@ -47,17 +47,17 @@ void stand_still(std::vector<mechanics::Vector6>& motion, const lattice::Lattice
     motion[i].head<3>() -= turn.cross(lattice.centre[i] - 0.5 * lattice.box.size());
     shift += motion[i].head<3>() / static_cast<double>(motion.size());
   }
-  for (mechanics::Vector6& q : motion) q.head<3>() -= shift;
+  for (lattice::Vector6& q : motion) q.head<3>() -= shift;
 }
 
 /// Pressed by 1 % of its height, as the mean of its ends; its middle stays.
-std::vector<mechanics::Vector6> pressed(const lattice::Specimen& specimen) {
+std::vector<lattice::Vector6> pressed(const packing::Specimen& specimen) {
   constexpr double shortening = 0.01, stress = 1e6;
   const lattice::Lattice lattice = lattice::make_lattice(specimen, lattice::bulk_micro_material, 1.0);
-  mechanics::FreeBody body(lattice);
+  lattice::FreeBody body(lattice);
   calibration::Pulled pulled = calibration::pull(lattice, body, 1, -specimen.box.section(1) * stress);
   stand_still(pulled.motion, lattice);
-  for (mechanics::Vector6& q : pulled.motion) q *= shortening / (stress / pulled.young_modulus);
+  for (lattice::Vector6& q : pulled.motion) q *= shortening / (stress / pulled.young_modulus);
   return pulled.motion;
 }
 
@@ -85,7 +85,7 @@ nlohmann::ordered_json header_for(const scene::Preset& preset, const Scenery& sc
 }  // namespace
 
 void record_cylinders(const scene::Preset& preset, const std::filesystem::path& folder,
-                      const BuildInfo& build, Cache& cache,
+                      const BuildInfo& build, base::Cache& cache,
                       const calibration::CalibrationProgress& progress) {
   Scenery scenery;
   const scene::Scene& scene = preset.scene;
@@ -93,13 +93,13 @@ void record_cylinders(const scene::Preset& preset, const std::filesystem::path& 
     const calibration::CylinderTest test =
         calibration::cylinders_for(scene, static_cast<int>(scene.calibration.sizes[k]), {}).front();
     bool found = false;
-    const lattice::Packing packing = lattice::cached_packing(test.packing, cache, found);
-    const lattice::Specimen specimen =
-        lattice::make_free_specimen(packing, test.packing.box, test.contact_tolerance);
+    const packing::Packing packing = packing::cached_packing(test.packing, cache, found);
+    const packing::Specimen specimen =
+        packing::make_free_specimen(packing, test.packing.box, test.contact_tolerance);
     scenery.add(specimen, pressed(specimen));
     if (progress &&
         !progress(static_cast<double>(k + 1) / static_cast<double>(scene.calibration.sizes.size())))
-      throw Interrupted("pressing cylinders");
+      throw base::Interrupted("pressing cylinders");
   }
   results::RunWriter writer(folder, header_for(preset, scenery, build), scenery.geometry);
   writer.frame(scenery.frame);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "engine/calibration/side_by_side.hpp"
 #include "engine/scene/preset.hpp"
 #include "engine/simulation/build_info.hpp"
@@ -13,7 +13,7 @@ namespace rift::simulation {
 /// the cylinders side by side into a run's folder, as one frame that `rift render` can draw.
 /// @param[in] folder  made by create_run_folder()
 void record_cylinders(const scene::Preset& preset, const std::filesystem::path& folder,
-                      const BuildInfo& build, Cache& cache,
+                      const BuildInfo& build, base::Cache& cache,
                       const calibration::CalibrationProgress& progress = {});
 
 }  // namespace rift::simulation

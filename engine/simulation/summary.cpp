@@ -27,7 +27,9 @@ double peak_memory_bytes() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-const char* name_of(scene::Technique t) { return t == scene::Technique::simple ? "simple" : "progressive"; }
+const char* name_of(fracture::Technique t) {
+  return t == fracture::Technique::simple ? "simple" : "progressive";
+}
 const char* name_of(scene::DampingRegion r) {
   return r == scene::DampingRegion::none ? "none" : r == scene::DampingRegion::surface ? "surface" : "all";
 }
@@ -51,7 +53,7 @@ const char* name_of(scene::ReleaseRateReference r) {
 
 void add_scenario(Json& j, const LanePlan& lane) {
   const scene::Scene& scene = lane.scene;
-  const bool progressive = scene.crack.technique == scene::Technique::progressive;
+  const bool progressive = scene.crack.technique == fracture::Technique::progressive;
   j["crack_velocity_over_cr"] =
       scene::keeps_its_velocity(scene) ? Json(scene::highest_velocity(scene)) : Json(nullptr);
   j["crack_course"] = !scene.crack.history.empty()         ? "measured"
@@ -69,8 +71,8 @@ void add_scenario(Json& j, const LanePlan& lane) {
   j["stiffness"] = name_of(scene.material.stiffness);
   j["plane"] = scene.material.plane == theory::Plane::stress ? "stress" : "strain";
   j["prestress_method"] = scene.loading.method == scene::LoadingMethod::ramp ? "ramp" : "static";
-  j["kinematics"] = scene.solver.kinematics == scene::Kinematics::linear ? "linear" : "corotational";
-  j["precision"] = scene.solver.precision == scene::Precision::double_precision ? "double" : "single";
+  j["kinematics"] = scene.solver.kinematics == lattice::Kinematics::linear ? "linear" : "corotational";
+  j["precision"] = scene.solver.precision == ensemble::Precision::double_precision ? "double" : "single";
   j["beta"] = scene.solver.beta;
   j["seed"] = scene.specimen.seed;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/mechanics/stable_step.hpp"
+#include "engine/lattice/stable_step.hpp"
 #include "engine/scene/preset.hpp"
 
 #include <optional>
@@ -29,7 +29,7 @@ struct StepWish {
 /// The step which the preset asks for, or else the default one of the wish. Throws InputError where it is not
 /// below the limit.
 /// @param[in] time_unit  a second of the lattice, in seconds of the preset   [LaneUnits]
-TimeStep choose_step(const scene::Preset& preset, const mechanics::StableStep& stable, const StepWish& wish,
+TimeStep choose_step(const scene::Preset& preset, const lattice::StableStep& stable, const StepWish& wish,
                      double time_unit = 1.0);
 
 }  // namespace rift::simulation

@@ -1,6 +1,6 @@
 #include "engine/stability/cracked_plate.hpp"
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/summary.hpp"
 
@@ -100,7 +100,7 @@ Seen refused(std::string said) {
   return seen;
 }
 
-scene::Scene with(scene::Scene scene, const SceneChange& change, scene::Precision precision) {
+scene::Scene with(scene::Scene scene, const SceneChange& change, ensemble::Precision precision) {
   scene.solver.precision = precision;
   if (change) change(scene);
   return scene;
@@ -113,11 +113,11 @@ scene::Preset plate_preset(const std::vector<std::string>& overrides) {
 }
 
 Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, const PlateChange& plate,
-           scene::Precision precision) try {
+           ensemble::Precision precision) try {
   scene::Preset preset = plate_preset(overrides);
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   preset.scene = with(preset.scene, scene, precision);
-  Cache none;
+  base::Cache none;
   simulation::Prepared p = simulation::prepare(preset, none);
   if (plate) plate(p);
   Releases releases(p);
@@ -126,14 +126,14 @@ Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, 
   return refused(error.what());
 }
 
-Seen SideBySide::of(int lane, scene::Precision precision) {
-  std::vector<Seen>& seen = seen_[precision == scene::Precision::single_precision];
+Seen SideBySide::of(int lane, ensemble::Precision precision) {
+  std::vector<Seen>& seen = seen_[precision == ensemble::Precision::single_precision];
   if (seen.empty()) {
     scene::Preset preset = plate_preset();
     preset.scene.solver.precision = precision;
     std::vector<scene::Scene> scenes;
     for (const SceneChange& change : lanes_) scenes.push_back(with(preset.scene, change, precision));
-    Cache none;
+    base::Cache none;
     const simulation::Prepared p = simulation::prepare(preset, scenes, none);
     Releases releases(p);
     const simulation::RunResult result = simulation::march(p, releases.observer());

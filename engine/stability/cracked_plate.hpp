@@ -22,13 +22,13 @@ using PlateChange = std::function<void(simulation::Prepared&)>;
 /// Prepares and marches it; what refuses it is what was seen. Claims that every beam which the tip has passed
 /// was released, once.
 Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, const PlateChange& plate,
-           scene::Precision precision);
+           ensemble::Precision precision);
 
 /// Scenarios that march side by side in one pass, in each precision once; asked for one by one.
 class SideBySide {
  public:
   explicit SideBySide(std::vector<SceneChange> lanes) : lanes_(std::move(lanes)) {}
-  Seen of(int lane, scene::Precision precision);
+  Seen of(int lane, ensemble::Precision precision);
 
  private:
   std::vector<SceneChange> lanes_;

@@ -25,15 +25,15 @@ constexpr double far = 1e6;  // grown or shrunk
 VectorXd root_mobility(const lattice::Lattice& lattice) {
   VectorXd root = VectorXd::Zero(6 * static_cast<long>(lattice.mass.size()));
   for (long i = 0; i < static_cast<long>(lattice.mass.size()); ++i) {
-    if (lattice.grip[i] != lattice::Grip::none) continue;
+    if (lattice.grip[i] != packing::Grip::none) continue;
     root.segment<3>(6 * i).setConstant(1.0 / std::sqrt(lattice.mass[i]));
     root.segment<3>(6 * i + 3).setConstant(1.0 / std::sqrt(lattice.inertia[i]));
   }
   return root;
 }
 
-std::vector<mechanics::Vector6> by_element(const VectorXd& q) {
-  std::vector<mechanics::Vector6> motion(static_cast<std::size_t>(q.size() / 6));
+std::vector<lattice::Vector6> by_element(const VectorXd& q) {
+  std::vector<lattice::Vector6> motion(static_cast<std::size_t>(q.size() / 6));
   for (std::size_t i = 0; i < motion.size(); ++i) motion[i] = q.segment<6>(6 * static_cast<long>(i));
   return motion;
 }
@@ -65,7 +65,7 @@ struct ModalState {
   Eigen::Vector2d of(auto& s) const {
     Eigen::Vector2d state = Eigen::Vector2d::Zero();
     for (int i = 0; i < static_cast<int>(lattice.mass.size()); ++i) {
-      mechanics::Vector6 weight = mode.shape.segment<6>(6L * i);
+      lattice::Vector6 weight = mode.shape.segment<6>(6L * i);
       weight.head<3>() *= lattice.mass[i], weight.tail<3>() *= lattice.inertia[i];
       state += Eigen::Vector2d(mode.omega * weight.dot(s.motion(i, 0)), weight.dot(s.velocity(i, 0)));
     }
@@ -114,7 +114,7 @@ HighestMode highest_mode(const lattice::Lattice& lattice) {
   const VectorXd root = root_mobility(lattice);
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(root.size(), root.size());
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
-    const mechanics::Matrix12 part = mechanics::stiffness_of(lattice.beam[b]);
+    const lattice::Matrix12 part = lattice::stiffness_of(lattice.beam[b]);
     const auto& e = lattice.ends[b];
     for (int r : {0, 1})
       for (int c : {0, 1}) k.block<6, 6>(6 * e[r], 6 * e[c]) += part.block<6, 6>(6 * r, 6 * c);
@@ -140,12 +140,13 @@ double turn_of_mode(double omega_dt, double beta) {
 }
 
 Seen vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
-             std::int64_t steps, scene::Precision precision) {
-  Seen seen = precision == scene::Precision::double_precision
+             std::int64_t steps, ensemble::Precision precision) {
+  Seen seen = precision == ensemble::Precision::double_precision
                   ? vibrate_in<double>(lattice, mode, dt, beta, steps)
                   : vibrate_in<float>(lattice, mode, dt, beta, steps);
-  seen.limit = simulation::ledger_limit(scene::Kinematics::linear, precision);
-  const double rounding = growth_tolerance * (precision == scene::Precision::double_precision ? 1.0 : 10.0);
+  seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
+  const double rounding =
+      growth_tolerance * (precision == ensemble::Precision::double_precision ? 1.0 : 10.0);
   if (seen.growth > rounding)
     seen.residual = std::numeric_limits<double>::quiet_NaN();  // of nothing that is kept
   seen.ending = seen.growth > rounding        ? Ending::diverges
@@ -155,13 +156,13 @@ Seen vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt
 }
 
 Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
-                    scene::Precision precision) {
+                    ensemble::Precision precision) {
   std::mt19937_64 random(7);
   VectorXd q = root_mobility(lattice);
   for (double& x : q) x *= static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5;
   q *= 1e-6 / q.cwiseAbs().maxCoeff();
   Seen seen;
-  seen.limit = simulation::ledger_limit(scene::Kinematics::linear, precision);
+  seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
   const auto march = [&](auto s) {
     seen.residual = 0.0;
     double kinetic = 0.0;
@@ -177,7 +178,7 @@ Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t ste
     // A hundred looks at cos^2 of one mode's phase, the fewest there can be, are known to 0.035.
     seen.claims.push_back(claim_near("kinetic share of K + U - C in the mean", kinetic / looks, 0.5, 0.1));
   };
-  if (precision == scene::Precision::double_precision)
+  if (precision == ensemble::Precision::double_precision)
     march(released<double>(lattice, q, dt, 1.0));
   else
     march(released<float>(lattice, q, dt, 1.0));

@@ -28,11 +28,11 @@ double turn_of_mode(double omega_dt, double beta);
 /// not the books must close, and the mode must turn as turn_of_mode() says.
 /// @param[in] steps  at most; it ends earlier where the amplitude has grown or shrunk 1e6-fold
 Seen vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
-             std::int64_t steps, scene::Precision precision);
+             std::int64_t steps, ensemble::Precision precision);
 
 /// Marches the lattice from rest in a mixture of all motions and looks at the books a hundred times: half of
 /// K + U - C is kinetic in the mean (the virial theorem, as velocity Verlet keeps it).
 Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
-                    scene::Precision precision);
+                    ensemble::Precision precision);
 
 }  // namespace rift::stability

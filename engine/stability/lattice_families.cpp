@@ -1,8 +1,8 @@
 #include "engine/ensemble/ensemble.hpp"
-#include "engine/lattice/packing.hpp"
+#include "engine/lattice/stable_step.hpp"
+#include "engine/lattice/statics.hpp"
 #include "engine/lattice/stiffness.hpp"
-#include "engine/mechanics/stable_step.hpp"
-#include "engine/mechanics/statics.hpp"
+#include "engine/packing/packing.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/stability/families.hpp"
 #include "engine/stability/free_vibration.hpp"
@@ -20,7 +20,7 @@ namespace {
 struct Vibrating {
   lattice::Lattice lattice = small_block(5, 5, 3);
   HighestMode mode = highest_mode(lattice);
-  mechanics::StableStep stable = mechanics::stable_step(lattice);
+  lattice::StableStep stable = lattice::stable_step(lattice);
 };
 
 constexpr std::int64_t growing_steps = 4000;
@@ -28,17 +28,17 @@ constexpr std::int64_t growing_steps = 4000;
 /// A crack at 0.5 of the speed of a bar's waves along any path of a lattice that is pulled by 1 %.
 /// @param[in] least, most  beams that the path crosses
 Seen crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& path, double until, int least,
-                 int most, scene::Precision precision) {
-  const mechanics::StableStep stable = mechanics::stable_step(lattice);
+                 int most, ensemble::Precision precision) {
+  const lattice::StableStep stable = lattice::stable_step(lattice);
   const double speed = 500.0, dt = 0.3 * stable.critical;
   const std::vector<char> present(lattice.beam.size(), 1);
-  const std::vector<mechanics::Vector6> base =
-      mechanics::stretched_at_rest(lattice, present, 0.01 * lattice.box.height);
+  const std::vector<lattice::Vector6> base =
+      lattice::stretched_at_rest(lattice, present, 0.01 * lattice.box.height);
   fracture::LaneScenario scenario;
-  scenario.law = {scene::Technique::progressive, 1.0, lattice.mean_radius};
+  scenario.law = {fracture::Technique::progressive, 1.0, lattice.mean_radius};
   scenario.history = history::history_of(-scenario.law.zone_length, {{speed, until}});
   Seen seen;
-  seen.limit = simulation::ledger_limit(scene::Kinematics::linear, precision);
+  seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
   const auto run = [&](auto s) {
     s.start_from(base);
     s.start_crack({});
@@ -60,7 +60,7 @@ Seen crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& pat
     seen.claims.push_back(
         claim_near("energy that they took over that of the books", taken / end.fracture_j, 1.0, 1e-9));
   };
-  if (precision == scene::Precision::double_precision)
+  if (precision == ensemble::Precision::double_precision)
     run(ensemble::Ensemble<double>(lattice, path, 0.0, dt, {scenario}));
   else
     run(ensemble::Ensemble<float>(lattice, path, 0.0, dt, {scenario}));
@@ -70,33 +70,33 @@ Seen crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& pat
 
 /// Energy of a block that is pulled by 1 mm [J].
 double energy_pulled(const lattice::Lattice& lattice) {
-  const std::vector<mechanics::Vector6> pulled =
-      mechanics::stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 1e-3);
+  const std::vector<lattice::Vector6> pulled =
+      lattice::stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 1e-3);
   double energy = 0.0;
   for (std::size_t b = 0; b < lattice.beam.size(); ++b)
-    energy += lattice::energy_of_beam(lattice, static_cast<int>(b), scene::Kinematics::linear, pulled);
+    energy += lattice::energy_of_beam(lattice, static_cast<int>(b), lattice::Kinematics::linear, pulled);
   return energy;
 }
 
 /// Two halves that nothing joins: the upper one is lifted as a whole and nothing is strained.
-Seen halves_apart(scene::Precision precision) {
+Seen halves_apart(ensemble::Precision precision) {
   const lattice::Lattice lattice = small_block(4, 6, 2, true), whole = small_block(4, 6, 2);
-  Seen seen = vibrate_freely(lattice, 0.9 * mechanics::stable_step(lattice).critical, 2000, precision);
+  Seen seen = vibrate_freely(lattice, 0.9 * lattice::stable_step(lattice).critical, 2000, precision);
   seen.claims.push_back(claim_near("energy when pulled over that of the block in one piece",
                                    energy_pulled(lattice) / energy_pulled(whole), 0.0, 1e-15));
   return seen;
 }
 
-Seen rattlers_only(scene::Precision) {
-  lattice::Packing packing;
+Seen rattlers_only(ensemble::Precision) {
+  packing::Packing packing;
   for (const double x : {1e-3, 4e-3})
     for (const double y : {1e-3, 4e-3})
       for (const double z : {1e-3, 4e-3}) packing.centre.emplace_back(x, y, z);
   packing.radius.assign(8, 1e-3);
   Seen seen;
   try {
-    (void)lattice::make_plate(packing, {.length = 5e-3, .height = 5e-3, .thickness = 5e-3}, 1.0);
-  } catch (const lattice::PackingError& error) {
+    (void)packing::make_plate(packing, {.length = 5e-3, .height = 5e-3, .thickness = 5e-3}, 1.0);
+  } catch (const packing::PackingError& error) {
     seen.ending = Ending::refused;
     seen.said = error.what();
   }
@@ -113,7 +113,7 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
     const double growth = growth_of_mode(block->mode.omega * dt, 1.0);
     cases.push_back({"time step", fmt::format("{:g} of critical", fraction),
                      growth > 0.0 ? Ending::diverges : Ending::closes, growth, "",
-                     [block, dt](scene::Precision p) {
+                     [block, dt](ensemble::Precision p) {
                        return vibrate(block->lattice, block->mode, dt, 1.0, growing_steps, p);
                      }});
   }
@@ -124,13 +124,13 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
     const double growth = growth_of_mode(block->mode.omega * dt, beta);
     cases.push_back({"beta", fmt::format("{:g} at half the critical step", beta),
                      growth > 0.0 ? Ending::diverges : Ending::closes, growth, "",
-                     [block, dt, beta](scene::Precision p) {
+                     [block, dt, beta](ensemble::Precision p) {
                        return vibrate(block->lattice, block->mode, dt, beta, growing_steps, p);
                      }});
   }
   const std::int64_t steps = options.quick ? 10'000 : 1'000'000;
   cases.push_back({"drift", fmt::format("{} steps of free vibration at 0.9 of critical", steps),
-                   Ending::closes, std::nan(""), "", [block, steps](scene::Precision p) {
+                   Ending::closes, std::nan(""), "", [block, steps](ensemble::Precision p) {
                      return vibrate_freely(block->lattice, 0.9 * block->stable.critical, steps, p);
                    }});
 }
@@ -138,9 +138,9 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
 void add_small_lattices(Cases& cases) {
   for (const int elements : {2, 20})
     cases.push_back({"small lattices", elements == 2 ? "two elements, one beam" : "a chain of 20 elements",
-                     Ending::closes, std::nan(""), "", [elements](scene::Precision p) {
+                     Ending::closes, std::nan(""), "", [elements](ensemble::Precision p) {
                        const lattice::Lattice chain = small_chain(elements);
-                       return vibrate_freely(chain, 0.9 * mechanics::stable_step(chain).critical, 5000, p);
+                       return vibrate_freely(chain, 0.9 * lattice::stable_step(chain).critical, 5000, p);
                      }});
   cases.push_back({"small lattices", "cut in two", Ending::closes, std::nan(""), "", halves_apart});
   cases.push_back({"small lattices", "rattlers only", Ending::refused, std::nan(""), "grip", rattlers_only});
@@ -150,8 +150,9 @@ void add_paths(Cases& cases) {
   const auto block = std::make_shared<lattice::Lattice>(small_block(12, 8, 2));
   const double r = small_spacing;
   const auto add = [&](const char* name, const fracture::CrackPath& path, double until, int least, int most) {
-    cases.push_back({"crack path", name, Ending::closes, std::nan(""), "",
-                     [=](scene::Precision p) { return crack_along(*block, path, until, least, most, p); }});
+    cases.push_back({"crack path", name, Ending::closes, std::nan(""), "", [=](ensemble::Precision p) {
+                       return crack_along(*block, path, until, least, most, p);
+                     }});
   };
   // Between two rows: 12 x 2 upright beams and 2 x 11 x 2 diagonal ones. The others were counted apart;
   // aslant, where rounding decides to which side a centre on the path belongs, 40 if all belong to one.
@@ -173,7 +174,8 @@ GrowthCurve growth_around_the_limit() {
     curve.step.push_back(x);
     curve.expected.push_back(growth_of_mode(2.0 * x, 1.0));
     curve.seen.push_back(
-        vibrate(v.lattice, v.mode, x * truth, 1.0, growing_steps, scene::Precision::double_precision).growth);
+        vibrate(v.lattice, v.mode, x * truth, 1.0, growing_steps, ensemble::Precision::double_precision)
+            .growth);
   }
   return curve;
 }

@@ -1,6 +1,6 @@
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
+#include "engine/lattice/statics.hpp"
 #include "engine/lattice/stiffness.hpp"
-#include "engine/mechanics/statics.hpp"
 #include "engine/simulation/quasi_static.hpp"
 #include "engine/stability/cracked_plate.hpp"
 #include "engine/stability/families.hpp"
@@ -20,20 +20,20 @@ namespace {
 
 using Words = std::vector<std::string>;
 using Claims = std::vector<Claim>;
-using Expectation = std::function<Claims(const Seen&, scene::Precision)>;
+using Expectation = std::function<Claims(const Seen&, ensemble::Precision)>;
 using Memory = std::shared_ptr<Remembered>;
 
 constexpr double without_bound = std::numeric_limits<double>::infinity();
 
 /// What is the same but for rounding: 1e-12 in double; in single precision as far as its ratios are known.
-double rounding(scene::Precision precision) {
-  return precision == scene::Precision::double_precision ? 1e-12 : single_ratio_tolerance;
+double rounding(ensemble::Precision precision) {
+  return precision == ensemble::Precision::double_precision ? 1e-12 : single_ratio_tolerance;
 }
 
 /// A crack of the suite's plate that others are compared with, too.
 Memory plate(Words overrides, SceneChange scene = {}, PlateChange change = {}) {
   return std::make_shared<Remembered>([overrides = std::move(overrides), scene = std::move(scene),
-                                       change = std::move(change)](scene::Precision precision) {
+                                       change = std::move(change)](ensemble::Precision precision) {
     return crack(overrides, scene, change, precision);
   });
 }
@@ -42,7 +42,7 @@ void add(Cases& cases, const char* family, std::string name, Memory seen, Expect
   cases.push_back(
       {.family = family,
        .name = std::move(name),
-       .run = [seen = std::move(seen)](scene::Precision precision) { return seen->of(precision); },
+       .run = [seen = std::move(seen)](ensemble::Precision precision) { return seen->of(precision); },
        .claims = std::move(claims)});
 }
 
@@ -54,7 +54,7 @@ void add(Cases& cases, const char* family, std::string name, Ending expected, st
        .expected = expected,
        .names = std::move(names),
        .run = [overrides = std::move(overrides), scene = std::move(scene), plate = std::move(plate)](
-                  scene::Precision precision) { return crack(overrides, scene, plate, precision); }});
+                  ensemble::Precision precision) { return crack(overrides, scene, plate, precision); }});
 }
 
 /// Beams of given E_mu, nu_mu, r_mu.
@@ -77,7 +77,7 @@ constexpr double young = 356e9, poisson = 0.3, ratio = 0.3;
 
 /// The same crack on another clock: its ratio is that of the one it is compared with, step by step.
 Claims same_on_another_clock(const Seen& seen, const Seen& reference, double time,
-                             scene::Precision precision) {
+                             ensemble::Precision precision) {
   return {
       claim_near("ratio over that of x 1", seen.ratio / reference.ratio, 1.0, rounding(precision)),
       claim_near("time of the crack over that of x 1", seen.time_s / reference.time_s, time, 1e-12 * time),
@@ -93,13 +93,13 @@ void add_scaled(Cases& cases, const char* family, const char* name,
   const Memory reference = plate({}, scene(1.0), [dt](simulation::Prepared& p) { *dt = p.step.dt; });
   for (const double factor : factors) {
     const double time = std::pow(factor, power);
-    const Memory scaled = std::make_shared<Remembered>([=](scene::Precision precision) {
+    const Memory scaled = std::make_shared<Remembered>([=](ensemble::Precision precision) {
       (void)reference->of(precision);
       return crack(
           {}, scene(factor), [=](simulation::Prepared& p) { force_step(p, *dt * time); }, precision);
     });
     add(cases, family, fmt::format("{}x {:g}", name, factor), factor == 1.0 ? reference : scaled,
-        [=](const Seen& seen, scene::Precision precision) {
+        [=](const Seen& seen, ensemble::Precision precision) {
           const Seen& of_one = reference->of(precision);
           Claims claims = same_on_another_clock(seen, of_one, time, precision);
           const double stored = std::pow(factor, stored_power);
@@ -128,7 +128,7 @@ struct WithoutInclusion {
 /// that follows from the lattice is computed again.
 WithoutInclusion stiffen_inclusion(simulation::Prepared& p, double contrast) {
   WithoutInclusion before;
-  const lattice::Box& box = p.lattice.box;
+  const packing::Box& box = p.lattice.box;
   const Eigen::Vector2d middle(0.5 * box.length, 0.5 * box.height);
   for (std::size_t b = 0; b < p.lattice.beam.size(); ++b) {
     const double energy = lattice::energy_of_beam(p.lattice, static_cast<int>(b),
@@ -138,12 +138,12 @@ WithoutInclusion stiffen_inclusion(simulation::Prepared& p, double contrast) {
     const Eigen::Vector2d at = 0.5 * (p.lattice.centre[i] + p.lattice.centre[j]).head<2>();
     if ((at - middle).norm() > box.height / 3.0) continue;
     before.inclusion += energy;
-    mechanics::Beam& beam = p.lattice.beam[b];
+    lattice::Beam& beam = p.lattice.beam[b];
     beam.axial *= contrast, beam.bending *= contrast, beam.twist *= contrast;
   }
   const std::vector<char> present(p.lattice.beam.size(), 1);
-  p.displacement = mechanics::stretched_at_rest(p.lattice, present, p.preset.scene.loading.displacement);
-  p.stable = mechanics::stable_step(p.lattice);
+  p.displacement = lattice::stretched_at_rest(p.lattice, present, p.preset.scene.loading.displacement);
+  p.stable = lattice::stable_step(p.lattice);
   force_step(p, 0.4 * p.stable.critical);
   return before;
 }
@@ -183,7 +183,7 @@ void add_forced_steps(Cases& cases) {
   const Memory reference = at(0.1);
   for (const double fraction : {0.1, 0.5, 0.9, 0.99})
     add(cases, family, fmt::format("{} of critical", fraction), fraction == 0.1 ? reference : at(fraction),
-        [=](const Seen& seen, scene::Precision precision) {
+        [=](const Seen& seen, ensemble::Precision precision) {
           const Seen& fine = reference->of(precision);
           // Measured at 5,000 elements: +0.004 at 0.5 and +0.015 at 0.9; this plate is smaller.
           return Claims{
@@ -217,14 +217,14 @@ void add_beams(Cases& cases) {
   const Memory reference = plate({}, beams(young, poisson, ratio));
   for (const double nu : {-0.9, -0.5, 0.0, 0.499})
     add(cases, "Poisson's ratio of the beams", fmt::format("nu_mu = {:g}", nu),
-        plate({}, beams(young, nu, ratio)), [=](const Seen& seen, scene::Precision precision) {
+        plate({}, beams(young, nu, ratio)), [=](const Seen& seen, ensemble::Precision precision) {
           // Only the twist stiffness changes, as G_mu = E_mu / (2 (1 + nu_mu)) does.
           return Claims{stored_between(seen.stored, reference->of(precision), 1.0,
                                        (1.0 + poisson) / (1.0 + nu), "nu_mu = 0.3")};
         });
   for (const double r : {0.02, 0.1, 0.6, 1.0})
     add(cases, "radius of the beams", fmt::format("r_mu = {:g}", r), plate({}, beams(young, poisson, r)),
-        [=](const Seen& seen, scene::Precision precision) {
+        [=](const Seen& seen, ensemble::Precision precision) {
           // S grows with the square of the radius, I and I_0 with its fourth power.
           return Claims{stored_between(seen.stored, reference->of(precision), std::pow(r / ratio, 2.0),
                                        std::pow(r / ratio, 4.0), "r_mu = 0.3")};
@@ -241,7 +241,7 @@ void add_beams(Cases& cases) {
     const auto before = std::make_shared<WithoutInclusion>();
     add(cases, "inclusion", fmt::format("{:g} as stiff", contrast),
         plate({}, {}, [=](simulation::Prepared& p) { *before = stiffen_inclusion(p, contrast); }),
-        [=](const Seen& seen, scene::Precision) {
+        [=](const Seen& seen, ensemble::Precision) {
           return Claims{stored_with_inclusion(seen.stored, *before, contrast)};
         });
   }
@@ -262,7 +262,7 @@ void add_packings(Cases& cases) {
         plate(
             {"specimen.layers=5", "specimen.elements=600", "specimen.coordination=5"},
             [=](scene::Scene& s) { s.specimen.radius_spread = spread; }, look),
-        [=](const Seen&, scene::Precision) {
+        [=](const Seen&, ensemble::Precision) {
           // Uniform within 1 -+ spread: of 600 the mean is known to 2.4 % of the spread, and the largest is a
           // hundredth off its bound. The smallest are rattlers.
           const double slack = 0.06 * spread + 1e-12;
@@ -281,7 +281,7 @@ void add_damping(Cases& cases) {
     const auto limit = std::make_shared<double>(std::nan(""));
     const Memory seen = plate({}, damped(alpha), damped_step(0.95, limit));
     add(cases, family, fmt::format("alpha = {:g} at 0.95 of its limit", alpha), seen,
-        [=](const Seen& here, scene::Precision precision) {
+        [=](const Seen& here, ensemble::Precision precision) {
           // One mode alone would have sqrt(1 + alpha^2) - alpha; an element feels the dampers of all its
           // beams.
           return Claims{{"limit of the step over the undamped one", 0.0,
@@ -327,13 +327,13 @@ void add_damage_zones(Cases& cases) {
     return plate({}, [r_l](scene::Scene& s) { s.crack.damage_zone_ratio = r_l; });
   };
   const auto close = [](const char* what, double expected, double slack) -> Expectation {
-    return [=](const Seen& seen, scene::Precision) {
+    return [=](const Seen& seen, ensemble::Precision) {
       return Claims{claim_near(what, seen.ratio, expected, slack)};
     };
   };
   /// Beside the case that it is compared with.
   const auto against = [](const char* what, Memory other, double low, double high) -> Expectation {
-    return [=](const Seen& seen, scene::Precision precision) {
+    return [=](const Seen& seen, ensemble::Precision precision) {
       return Claims{{what, low, high, seen.ratio - other->of(precision).ratio}};
     };
   };
@@ -343,12 +343,12 @@ void add_damage_zones(Cases& cases) {
   add(cases, family, "r_l = 0.01", zone(0.01),
       against("ratio less that of simple release", simple, -0.03, 0.03));
   add(cases, family, "r_l = 0.1", tenth, against("ratio less that of simple release", simple, 0.0, 0.2));
-  add(cases, family, "r_l = 1", one, [=](const Seen& seen, scene::Precision precision) {
+  add(cases, family, "r_l = 1", one, [=](const Seen& seen, ensemble::Precision precision) {
     Claims claims = close("ratio", known_ratio(0.5), scatter_of_window)(seen, precision);
     claims.push_back({"ratio less that of r_l = 0.1", 0.02, 1.0, seen.ratio - tenth->of(precision).ratio});
     return claims;
   });
-  add(cases, family, "r_l = 10", ten, [=](const Seen& seen, scene::Precision precision) {
+  add(cases, family, "r_l = 10", ten, [=](const Seen& seen, ensemble::Precision precision) {
     Claims claims = close("ratio", known_with_long_zone, scatter_of_window)(seen, precision);
     claims.push_back({"ratio less that of r_l = 1", 0.05, 1.0, seen.ratio - one->of(precision).ratio});
     return claims;
@@ -360,7 +360,7 @@ void add_damage_zones(Cases& cases) {
 /// What two static solutions give of a crack that ends and is read like these.
 std::shared_ptr<double> at_no_velocity(const Words& overrides) {
   scene::Preset preset = plate_preset(overrides);
-  Cache none;
+  base::Cache none;
   const simulation::Prepared p = simulation::prepare(preset, none);
   return std::make_shared<double>(simulation::quasi_static_ratio(p, p.lane.front().window));
 }
@@ -375,7 +375,7 @@ void add_velocities(Cases& cases, const SuiteOptions& options) {
   const auto pass = std::make_shared<SideBySide>(std::move(lanes));
   for (int k = 0; k < static_cast<int>(all.size()); ++k) {
     const double v = all[static_cast<std::size_t>(k)];
-    const Expectation expected = [=](const Seen& seen, scene::Precision precision) {
+    const Expectation expected = [=](const Seen& seen, ensemble::Precision precision) {
       if (v == slowest)
         return Claims{claim_near("ratio less that of two static solutions", seen.ratio - *at_no_velocity({}),
                                  0.0, 0.05)};
@@ -386,14 +386,14 @@ void add_velocities(Cases& cases, const SuiteOptions& options) {
     };
     cases.push_back({.family = family,
                      .name = fmt::format("{:g} c_r{}", v, v > 1.0 ? ", beyond any positive limit" : ""),
-                     .run = [pass, k](scene::Precision precision) { return pass->of(k, precision); },
+                     .run = [pass, k](ensemble::Precision precision) { return pass->of(k, precision); },
                      .claims = expected});
   }
   const Words short_way{"crack.end=3 mm", "output.window=[0.03, 0.12]"};
   if (!options.quick)
     for (const double v : {1e-4, 1e-3})
       add(cases, family, fmt::format("{:g} c_r, to 3 mm", v), plate(short_way, at_velocity(v)),
-          [=](const Seen& seen, scene::Precision) {
+          [=](const Seen& seen, ensemble::Precision) {
             return Claims{claim_near("ratio less that of two static solutions",
                                      seen.ratio - *at_no_velocity(short_way), 0.0, 0.02)};
           });
@@ -415,7 +415,7 @@ void add_strains(Cases& cases) {
   for (const double strain : {1e-9, 1e-6, 1e-3, usual, 0.5})
     add(cases, family, fmt::format("{:g}, linear", strain),
         strain == usual ? linear : strained(strain, "linear", 0.5),
-        [=](const Seen& seen, scene::Precision precision) {
+        [=](const Seen& seen, ensemble::Precision precision) {
           const Seen& at_usual = linear->of(precision);
           return Claims{
               claim_near("ratio over that of 0.05", seen.ratio / at_usual.ratio, 1.0, rounding(precision)),
@@ -425,7 +425,7 @@ void add_strains(Cases& cases) {
         });
   for (const double strain : {1e-9, 1e-6, 1e-3, usual, 0.5})
     add(cases, family, fmt::format("{:g}, corotational", strain), strained(strain, "corotational", 0.1),
-        [=](const Seen& seen, scene::Precision precision) {
+        [=](const Seen& seen, ensemble::Precision precision) {
           const double more = seen.ratio - fine->of(precision).ratio;
           if (strain < usual)
             return Claims{claim_near("ratio less the linear one", more, 0.0, 2.0 * grows * strain + 1e-3)};

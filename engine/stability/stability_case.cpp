@@ -6,7 +6,7 @@
 namespace rift::stability {
 namespace {
 
-Seen timed(const StabilityCase& one, scene::Precision precision) {
+Seen timed(const StabilityCase& one, ensemble::Precision precision) {
   const auto start = std::chrono::steady_clock::now();
   Seen seen = one.run(precision);
   if (seen.wall_s == 0.0)
@@ -22,8 +22,8 @@ Claim claim_near(std::string what, double seen, double expected, double toleranc
   return {std::move(what), expected - tolerance, expected + tolerance, seen};
 }
 
-const Seen& Remembered::of(scene::Precision precision) {
-  std::optional<Seen>& seen = seen_[precision == scene::Precision::single_precision];
+const Seen& Remembered::of(ensemble::Precision precision) {
+  std::optional<Seen>& seen = seen_[precision == ensemble::Precision::single_precision];
   if (!seen) seen = run_(precision);
   return *seen;
 }
@@ -42,8 +42,8 @@ const char* name_of(Ending ending) {
   return "";
 }
 
-bool is_as_expected(const StabilityCase& expected, const Seen& seen, scene::Precision precision) {
-  const bool single = precision == scene::Precision::single_precision;
+bool is_as_expected(const StabilityCase& expected, const Seen& seen, ensemble::Precision precision) {
+  const bool single = precision == ensemble::Precision::single_precision;
   if (seen.ending != (single ? expected.expected_in_single.value_or(expected.expected) : expected.expected))
     return false;
   if (seen.ending == Ending::refused) return seen.said.find(expected.names) != std::string::npos;
@@ -56,13 +56,13 @@ bool is_as_expected(const StabilityCase& expected, const Seen& seen, scene::Prec
 
 StabilityRow try_case(const StabilityCase& one) {
   StabilityRow row{one.family, one.name, one.expected, one.growth, {}, {}, false};
-  row.in_double = timed(one, scene::Precision::double_precision);
-  row.in_single = timed(one, scene::Precision::single_precision);
+  row.in_double = timed(one, ensemble::Precision::double_precision);
+  row.in_single = timed(one, ensemble::Precision::single_precision);
   if (std::isfinite(row.in_double.ratio) && row.in_single.ending != Ending::diverges)
     row.in_single.claims.push_back(claim_near(
         "ratio, single less double", row.in_single.ratio - row.in_double.ratio, 0.0, single_ratio_tolerance));
-  row.as_expected = is_as_expected(one, row.in_double, scene::Precision::double_precision) &&
-                    is_as_expected(one, row.in_single, scene::Precision::single_precision);
+  row.as_expected = is_as_expected(one, row.in_double, ensemble::Precision::double_precision) &&
+                    is_as_expected(one, row.in_single, ensemble::Precision::single_precision);
   return row;
 }
 

@@ -51,11 +51,11 @@ struct Seen {
 /// A case that is computed once in each precision, so that others can be compared with it.
 class Remembered {
  public:
-  explicit Remembered(std::function<Seen(scene::Precision)> run) : run_(std::move(run)) {}
-  const Seen& of(scene::Precision precision);
+  explicit Remembered(std::function<Seen(ensemble::Precision)> run) : run_(std::move(run)) {}
+  const Seen& of(ensemble::Precision precision);
 
  private:
-  std::function<Seen(scene::Precision)> run_;
+  std::function<Seen(ensemble::Precision)> run_;
   std::optional<Seen> seen_[2];
 };
 
@@ -65,10 +65,10 @@ struct StabilityCase {
   double growth =
       std::numeric_limits<double>::quiet_NaN();  // that theory expects; NaN where it is not measured
   std::string names = {};                        // what a refusal must say
-  std::function<Seen(scene::Precision)> run;
+  std::function<Seen(ensemble::Precision)> run;
   std::optional<Ending> expected_in_single = {};  // where it is another
   /// What it must show beside: of what was seen of it in a precision.
-  std::function<std::vector<Claim>(const Seen&, scene::Precision)> claims = {};
+  std::function<std::vector<Claim>(const Seen&, ensemble::Precision)> claims = {};
 };
 
 struct StabilityRow {
@@ -90,7 +90,7 @@ inline constexpr double growth_tolerance = 1e-4;
 inline constexpr double single_ratio_tolerance = 1e-3;
 
 /// Whether what was seen is what the case expects of this precision, and all its claims hold.
-bool is_as_expected(const StabilityCase& expected, const Seen& seen, scene::Precision precision);
+bool is_as_expected(const StabilityCase& expected, const Seen& seen, ensemble::Precision precision);
 
 /// Runs it in both precisions.
 StabilityRow try_case(const StabilityCase& one);

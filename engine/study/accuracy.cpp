@@ -94,20 +94,20 @@ Planning start_from(const scene::Preset& preset, bool quick) {
   return p;
 }
 
-scene::Scene with_step(scene::Scene scene, double fraction, scene::Precision precision) {
+scene::Scene with_step(scene::Scene scene, double fraction, ensemble::Precision precision) {
   scene.solver.dt.reset();
   scene.solver.dt_fraction = fraction;
   scene.solver.precision = precision;
   return scene;
 }
 
-std::string step_label(double fraction, scene::Precision precision) {
+std::string step_label(double fraction, ensemble::Precision precision) {
   return fmt::format("{:g} of critical{}", fraction,
-                     precision == scene::Precision::single_precision ? ", single" : "");
+                     precision == ensemble::Precision::single_precision ? ", single" : "");
 }
 
 void add_steps(Planning& p) {
-  using enum scene::Precision;
+  using enum ensemble::Precision;
   for (const double f : step_fractions)
     p.add(Knob::time_step, step_label(f, double_precision), with_step(p.base(), f, double_precision));
   for (const double f : step_fractions)
@@ -126,10 +126,11 @@ void add_elements(Planning& p, const std::set<int>& levels, int seeds) {
 }
 
 void add_kinematics(Planning& p) {
-  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational}) {
+  for (const lattice::Kinematics kinematics :
+       {lattice::Kinematics::linear, lattice::Kinematics::corotational}) {
     scene::Scene scene = p.base();
     scene.solver.kinematics = kinematics;
-    p.add(Knob::kinematics, kinematics == scene::Kinematics::linear ? "linear" : "corotational", scene);
+    p.add(Knob::kinematics, kinematics == lattice::Kinematics::linear ? "linear" : "corotational", scene);
   }
 }
 
@@ -174,10 +175,10 @@ void add_samples(Planning& p) {
 void add_together(Planning& p) {
   for (const double f : step_fractions) {
     if (f < least_together || f > most_together) continue;
-    scene::Scene scene = with_step(p.base(), f, scene::Precision::single_precision);
+    scene::Scene scene = with_step(p.base(), f, ensemble::Precision::single_precision);
     scene.output.samples = few_samples;
     p.add(Knob::together,
-          fmt::format("{}, {} samples", step_label(f, scene::Precision::single_precision), few_samples),
+          fmt::format("{}, {} samples", step_label(f, ensemble::Precision::single_precision), few_samples),
           scene);
   }
 }
@@ -250,7 +251,7 @@ double estimated_seconds(const AccuracyPlan& plan) {
   for (const Variant& v : plan.variants) {
     if (!v.cannot_be.empty() || !scenarios.insert(scene::preset_text(v.scene)).second) continue;
     beam_steps += estimated_cost(v.scene);
-    const bool corotational = v.scene.solver.kinematics == scene::Kinematics::corotational;
+    const bool corotational = v.scene.solver.kinematics == lattice::Kinematics::corotational;
     const std::string lattice =
         fmt::format("{} {} {}", v.scene.specimen.elements, v.scene.specimen.seed, corotational);
     if (lattices.insert(lattice).second) beam_steps += estimated_preparation(v.scene);

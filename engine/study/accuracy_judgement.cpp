@@ -209,7 +209,7 @@ Accuracy judge_accuracy(const std::vector<Tried>& tried, double goal) {
   judge_precision(j);
   judge_elements(j);
   judge_against(j, Knob::kinematics, "linear beams, a difference of models",
-                [](const Variant& v) { return v.scene.solver.kinematics == scene::Kinematics::linear; });
+                [](const Variant& v) { return v.scene.solver.kinematics == lattice::Kinematics::linear; });
   judge_against(j, Knob::prestress, "the static solve", [](const Variant& v) {
     return v.scene.loading.method == scene::LoadingMethod::static_solve;
   });

@@ -34,7 +34,7 @@ StudyOptions in_shared_folder(StudyOptions options) {
 
 }  // namespace
 
-AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, Cache& cache,
+AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, base::Cache& cache,
                          const simulation::BuildInfo& build, const StudyObserver& observer) {
   AccuracyRun run;
   double all = 0.0, before = 0.0;
@@ -70,7 +70,7 @@ AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, 
 }
 
 std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
-                                   const StudyOptions& options, Cache& cache,
+                                   const StudyOptions& options, base::Cache& cache,
                                    const simulation::BuildInfo& build, const StudyObserver& observer) {
   const int lanes = lanes_of_many(scene.solver.precision);
   const StudyResult result = run_study(study_of(plan, side_by_side(scene, lanes)), in_shared_folder(options),

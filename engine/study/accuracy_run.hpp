@@ -23,13 +23,13 @@ struct AccuracyRun {
 /// and keeps each in the folder as run_study() does: what is there is found. A variant that cannot run says
 /// why in `cannot_be`; only the first one, the scene itself, throws InputError. Progress tells how far the
 /// whole plan is.
-AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, Cache& cache,
+AccuracyRun try_variants(const AccuracyPlan& plan, const StudyOptions& options, base::Cache& cache,
                          const simulation::BuildInfo& build, const StudyObserver& observer);
 
 /// A variant as often as lanes side by side are fastest, in one pass: rows whose wall times are one
 /// scenario's share. Empty where it was stopped.
 std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
-                                   const StudyOptions& options, Cache& cache,
+                                   const StudyOptions& options, base::Cache& cache,
                                    const simulation::BuildInfo& build, const StudyObserver& observer);
 
 }  // namespace rift::study

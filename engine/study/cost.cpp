@@ -51,7 +51,7 @@ double estimated_step_cost(const scene::Scene& scene) {
   const double damping = scene.damping.region == scene::DampingRegion::all       ? 4.0
                          : scene.damping.region == scene::DampingRegion::surface ? 1.5
                                                                                  : 1.0;
-  const double turning = scene.solver.kinematics == scene::Kinematics::corotational ? 3.5 : 1.0;
+  const double turning = scene.solver.kinematics == lattice::Kinematics::corotational ? 3.5 : 1.0;
   return damping * turning * beams_per_element * scene.specimen.elements;
 }
 

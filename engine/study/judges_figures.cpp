@@ -77,7 +77,7 @@ Judgement fig08(const Evidence& evidence) {
 }
 
 Judgement fig09(const Evidence&) {
-  const fracture::ReleaseLaw law{scene::Technique::progressive, 1.0, 1.0};
+  const fracture::ReleaseLaw law{fracture::Technique::progressive, 1.0, 1.0};
   const double ahead = fracture::stiffness_left(law, 0.0, 1.0),
                middle = fracture::stiffness_left(law, 0.0, 0.5),
                at_tip = fracture::stiffness_left(law, 0.0, 0.0);
@@ -92,7 +92,7 @@ Judgement fig10(const Evidence&) {
   std::vector<double> half;
   bool ends = true;
   for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {
-    const fracture::ReleaseLaw law{scene::Technique::progressive, power, 1.0};
+    const fracture::ReleaseLaw law{fracture::Technique::progressive, power, 1.0};
     const auto left = [&](double b) { return fracture::stiffness_left(law, b, 1.0); };  // b = a + l - s_b
     text += fmt::format(" {} {:g}, {:.3f}, {:g};", name, left(0.0), left(0.5), left(1.0));
     half.push_back(left(0.5));

@@ -57,7 +57,7 @@ std::vector<std::vector<std::size_t>> passes_of(const std::vector<simulation::La
   std::vector<std::size_t> order(lanes.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return length(a) > length(b); });
-  const scene::Precision precision = lanes.front().scene.solver.precision;
+  const ensemble::Precision precision = lanes.front().scene.solver.precision;
   const auto most = static_cast<std::size_t>(lanes_of_many(precision));
   const bool one_grip = lanes.front().scene.loading.method == scene::LoadingMethod::ramp ||
                         scene::grip_moves(lanes.front().scene);
@@ -76,12 +76,12 @@ std::vector<std::vector<std::size_t>> passes_of(const std::vector<simulation::La
   return passes;
 }
 
-Queue soonest(const std::vector<std::int64_t>& steps, scene::Precision precision) {
-  return precision == scene::Precision::single_precision ? soonest_in<float>(steps)
-                                                         : soonest_in<double>(steps);
+Queue soonest(const std::vector<std::int64_t>& steps, ensemble::Precision precision) {
+  return precision == ensemble::Precision::single_precision ? soonest_in<float>(steps)
+                                                            : soonest_in<double>(steps);
 }
 
-int lanes_of_many(scene::Precision precision) {
+int lanes_of_many(ensemble::Precision precision) {
   return soonest(std::vector<std::int64_t>(1000, 1), precision).lanes;
 }
 

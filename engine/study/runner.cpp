@@ -1,10 +1,10 @@
 #include "engine/study/runner.hpp"
 
 #include "engine/base/clock.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/interrupted.hpp"
+#include "engine/base/ownership.hpp"
 #include "engine/ensemble/instruction_set.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/results/files.hpp"
-#include "engine/results/ownership.hpp"
 #include "engine/results/series.hpp"
 #include "engine/scene/axes.hpp"
 #include "engine/simulation/kept_march.hpp"
@@ -37,7 +37,7 @@ using Json = nlohmann::ordered_json;
 struct Study {
   const scene::Preset& preset;
   const StudyOptions& options;
-  Cache& cache;
+  base::Cache& cache;
   const simulation::BuildInfo& build;
   const StudyObserver& observer;
   std::vector<StudyItem> items;  // of all parts
@@ -265,7 +265,7 @@ void compute(Study& study, const std::vector<std::vector<StudyItem>>& groups) {
       compute_group(study, group);
     } catch (const scene::InputError& error) {
       study.issues.insert(study.issues.end(), error.issues.begin(), error.issues.end());
-    } catch (const Interrupted&) {
+    } catch (const base::Interrupted&) {
       study.stopped = true;
     }
     if (study.stopped) return;
@@ -274,7 +274,7 @@ void compute(Study& study, const std::vector<std::vector<StudyItem>>& groups) {
 
 }  // namespace
 
-StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, Cache& cache,
+StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, base::Cache& cache,
                       const simulation::BuildInfo& build, const StudyObserver& observer) {
   const auto start = Clock::now();
   Study study{preset, options, cache, build, observer, plan_study(preset, build.version)};
@@ -285,11 +285,11 @@ StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, 
   } else {
     open_study(options.folder, manifest_of(preset, items, build), cache.notes);
   }
-  const results::FolderLock lock(options.folder, results::FolderLock::Kind::together);
+  const base::FolderLock lock(options.folder, base::FolderLock::Kind::together);
   for (const std::filesystem::path& folder :
        {options.folder, options.folder / "runs", options.folder / "charts"})
-    results::remove_leftovers(folder);
-  results::check_target(options.folder / "table.csv");
+    base::remove_leftovers(folder);
+  base::check_target(options.folder / "table.csv");
   gather(study, items);
   compute(study, missing(study, part_of(items, options.shard, options.shards)));
   if (!study.issues.empty()) throw scene::InputError(study.issues);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "engine/simulation/build_info.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/study/identity.hpp"
@@ -47,7 +47,7 @@ struct StudyResult {
 /// lattice and pre-stress, and march side by side where their steps are equal. Damaged files are noted in
 /// cache.notes and computed again. Throws FolderExists (open_study), InputError with all scenarios that
 /// cannot be run, after the others, and WorldError.
-StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, Cache& cache,
+StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, base::Cache& cache,
                       const simulation::BuildInfo& build, const StudyObserver& observer);
 
 }  // namespace rift::study

@@ -1,10 +1,10 @@
 #include "engine/study/store.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/results/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/results/world_error.hpp"
 #include "engine/study/identity.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ bool holds_files(const fs::path& folder) {
   for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
        entry.increment(error))
     if (entry->path().extension() != ".part") return true;
-  if (error) throw results::WorldError("read the folder", folder, error.message());
+  if (error) throw base::WorldError("read the folder", folder, error.message());
   return false;
 }
 
@@ -63,30 +63,30 @@ fs::path series_file(fs::path result) { return result.replace_extension(".csv");
 }  // namespace
 
 void open_study(const fs::path& folder, const StudyManifest& manifest, std::vector<std::string>& notes) {
-  results::make_folder(folder);
+  base::make_folder(folder);
   const fs::path file = folder / study_name;
   const bool anything = holds_files(folder);
   if (fs::exists(file)) {
-    const Json there = results::json_or_discarded(results::read_whole_file(file));
+    const Json there = results::json_or_discarded(base::read_whole_file(file));
     const bool sound = there.is_object() && !text_of(there, "hash").empty();
     if (sound) {
       if (const std::string why = difference(there, manifest); !why.empty())
         throw results::FolderExists(
             fmt::format("{} holds {}; nothing was changed, choose another with --out", folder.string(), why));
-      return results::make_folder(folder / "runs");
+      return base::make_folder(folder / "runs");
     }
     notes.push_back(fmt::format("{}: damaged, written anew", file.string()));
   } else if (anything) {
     throw results::FolderExists(
         fmt::format("{} is not empty and holds no study; choose another with --out", folder.string()));
   }
-  results::write_whole_file(file, base::json_text(to_json(manifest), 2) + "\n");
-  results::make_folder(folder / "runs");
+  base::write_whole_file(file, base::json_text(to_json(manifest), 2) + "\n");
+  base::make_folder(folder / "runs");
 }
 
 void open_shared(const fs::path& folder) {
-  results::make_folder(folder);
-  results::make_folder(folder / "runs");
+  base::make_folder(folder);
+  base::make_folder(folder / "runs");
 }
 
 fs::path result_file(const fs::path& folder, const std::string& key) {
@@ -97,12 +97,12 @@ std::optional<Json> read_result(const fs::path& folder, const std::string& key,
                                 std::vector<std::string>& notes) {
   const fs::path file = result_file(folder, key);
   if (!fs::exists(file)) return std::nullopt;
-  const Json j = results::json_or_discarded(results::read_whole_file(file));
+  const Json j = results::json_or_discarded(base::read_whole_file(file));
   const bool whole = j.is_object() && text_of(j, "key") == key && j.contains("scenario") &&
                      j.at("scenario").is_object() &&
                      text_of(j, "check") == check_of(key, j.at("scenario"), text_of(j, "series_hash"));
   const fs::path series = series_file(file);
-  if (whole && fs::exists(series) && hash_text(results::read_whole_file(series)) == text_of(j, "series_hash"))
+  if (whole && fs::exists(series) && hash_text(base::read_whole_file(series)) == text_of(j, "series_hash"))
     return j.at("scenario");
   notes.push_back(fmt::format("{}: damaged, computed again", (whole ? series : file).string()));
   return std::nullopt;
@@ -111,14 +111,14 @@ std::optional<Json> read_result(const fs::path& folder, const std::string& key,
 Json write_result(const fs::path& folder, const std::string& key, const Json& scenario,
                   const std::string& series_csv) {
   const fs::path file = result_file(folder, key);
-  results::write_whole_file(series_file(file), series_csv);
+  base::write_whole_file(series_file(file), series_csv);
   Json kept = results::read_json(base::json_text(scenario), file);  // what is undefined is null from here on
   const std::string series_hash = hash_text(series_csv);
   const Json j{{"key", key},
                {"scenario", kept},
                {"series_hash", series_hash},
                {"check", check_of(key, kept, series_hash)}};
-  results::write_whole_file(file, base::json_text(j, 2) + "\n");
+  base::write_whole_file(file, base::json_text(j, 2) + "\n");
   return kept;
 }
 

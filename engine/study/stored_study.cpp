@@ -1,6 +1,6 @@
 #include "engine/study/stored_study.hpp"
 
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/study/store.hpp"
@@ -25,7 +25,7 @@ std::string member_text(const Json& object, const char* name) {
 /// The result in a file of runs/, or null where there is none yet or none that is whole.
 Json stored_result(const fs::path& folder, const std::string& file, std::vector<std::string>& notes) {
   if (file.empty() || !fs::exists(folder / file)) return nullptr;
-  const Json stored = results::json_or_discarded(results::read_whole_file(folder / file));
+  const Json stored = results::json_or_discarded(base::read_whole_file(folder / file));
   const std::string key = member_text(stored, "key");
   if (key.empty() || result_file(folder, key) != folder / file) {
     notes.push_back((folder / file).string() + ": damaged");
@@ -38,7 +38,7 @@ Json stored_result(const fs::path& folder, const std::string& file, std::vector<
 
 StoredStudy read_study(const fs::path& folder) {
   const fs::path file = folder / study_name;
-  const Json manifest = results::json_or_discarded(results::read_whole_file(file));
+  const Json manifest = results::json_or_discarded(base::read_whole_file(file));
   if (!manifest.is_object() || !manifest.contains("scenarios") || !manifest["scenarios"].is_array())
     refuse_study(file, "is damaged: 'rift study' with the same preset writes it anew");
   const std::string text = member_text(manifest, "preset_text");

@@ -1,9 +1,9 @@
 #include "engine/base/console.hpp"
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/results/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/results/world_error.hpp"
 #include "engine/study/accuracy_run.hpp"
 #include "engine/study/curve.hpp"
 #include "engine/study/identity.hpp"
@@ -59,7 +59,7 @@ void open_folder(const fs::path& folder, const scene::Preset& preset) {
   const fs::path file = folder / "accuracy.json";
   const Json mark = mark_of(preset);
   if (fs::exists(file)) {
-    const Json there = results::json_or_discarded(results::read_whole_file(file));
+    const Json there = results::json_or_discarded(base::read_whole_file(file));
     if (there == results::read_json(base::json_text(mark), file))
       return;  // a name that is no UTF-8 is kept as text is
     throw results::FolderExists(
@@ -69,15 +69,15 @@ void open_folder(const fs::path& folder, const scene::Preset& preset) {
   if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored))
     throw results::FolderExists(
         fmt::format("{} is not empty and holds no accuracy; choose another with --out", folder.string()));
-  results::make_folder(folder);
-  results::write_whole_file(file, base::json_text(mark, 2) + "\n");
+  base::make_folder(folder);
+  base::write_whole_file(file, base::json_text(mark, 2) + "\n");
 }
 
 /// The user's cache. With --no-cache one within the folder, gone at the end: variants share their packings.
 struct PackingCache {
   PackingCache(const SceneOptions& options, const fs::path& folder)
-      : own(options.no_cache ? results::temporary_name(folder / "cache") : fs::path()),
-        cache(options.no_cache ? Cache{own, {}} : user_cache()) {}
+      : own(options.no_cache ? base::temporary_name(folder / "cache") : fs::path()),
+        cache(options.no_cache ? base::Cache{own, {}} : base::user_cache()) {}
   ~PackingCache() {
     std::error_code ignored;
     if (!own.empty()) fs::remove_all(own, ignored);
@@ -85,7 +85,7 @@ struct PackingCache {
   PackingCache(const PackingCache&) = delete;
   PackingCache& operator=(const PackingCache&) = delete;
   fs::path own;
-  Cache cache;
+  base::Cache cache;
 };
 
 void tell_finished(const AccuracyCommand& command, ProgressLine& line, const study::Variant& variant,
@@ -119,10 +119,10 @@ ExitCode stopped(const study::AccuracyRun& run, int received, const fs::path& fo
 }
 
 ExitCode write_files(const AccuracyReport& report, const fs::path& folder) {
-  results::write_whole_file(folder / "table.csv", study_csv(accuracy_rows(report)));
+  base::write_whole_file(folder / "table.csv", study_csv(accuracy_rows(report)));
   try {
     write_accuracy_report(report, folder);
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     base::message("rift accuracy: {}\n", error.what());
     return ExitCode::world_failed;
   }

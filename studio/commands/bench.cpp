@@ -1,7 +1,7 @@
 #include "engine/base/console.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/process_limits.hpp"
 #include "engine/ensemble/benchmark.hpp"
-#include "engine/process_limits.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_ending.hpp"
@@ -39,16 +39,17 @@ ensemble::BenchCase base_case(int elements, int threads) {
 
 /// The kernels that the documents quote, for one size and number of threads.
 void add_kernels(Cases& cases, int elements, int threads) {
-  const auto add = [&](std::string name, scene::Kinematics kinematics, scene::Precision precision,
+  const auto add = [&](std::string name, lattice::Kinematics kinematics, ensemble::Precision precision,
                        int scenarios) {
     ensemble::BenchCase c = base_case(elements, threads);
     c.name = std::move(name);
     c.kinematics = kinematics, c.precision = precision, c.scenarios = scenarios;
     cases.push_back(c);
   };
-  using enum scene::Precision;
-  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational}) {
-    const std::string name = kinematics == scene::Kinematics::linear ? "linear" : "corotational";
+  using enum ensemble::Precision;
+  for (const lattice::Kinematics kinematics :
+       {lattice::Kinematics::linear, lattice::Kinematics::corotational}) {
+    const std::string name = kinematics == lattice::Kinematics::linear ? "linear" : "corotational";
     add(name, kinematics, double_precision, 1);
     add(name, kinematics, single_precision, 1);
     for (const int lanes : {4, 8}) add(name, kinematics, double_precision, lanes);
@@ -76,7 +77,7 @@ Cases needs_cases(const BenchOptions& options, int threads) {
     const auto add = [&](std::string name, const auto& change) {
       ensemble::BenchCase c = base_case(elements, threads);
       c.name = std::move(name), c.scenarios = scenarios;
-      if (scenarios > 1) c.precision = scene::Precision::single_precision;
+      if (scenarios > 1) c.precision = ensemble::Precision::single_precision;
       change(c);
       cases.push_back(c);
     };
@@ -85,7 +86,8 @@ Cases needs_cases(const BenchOptions& options, int threads) {
     add("damping, all beams", [](ensemble::BenchCase& c) { c.damped = 1.0; });
     add("numerical damping", [](ensemble::BenchCase& c) { c.beta = 0.9; });
     add("energies every step", [](ensemble::BenchCase& c) { c.weighed = true; });
-    add("corotational beams", [](ensemble::BenchCase& c) { c.kinematics = scene::Kinematics::corotational; });
+    add("corotational beams",
+        [](ensemble::BenchCase& c) { c.kinematics = lattice::Kinematics::corotational; });
   }
   return cases;
 }
@@ -104,20 +106,20 @@ std::vector<ensemble::BenchResult> time_all(const Cases& cases, const BenchOptio
   return results;
 }
 
-const char* precision_name(scene::Precision p) {
-  return p == scene::Precision::single_precision ? "single" : "double";
+const char* precision_name(ensemble::Precision p) {
+  return p == ensemble::Precision::single_precision ? "single" : "double";
 }
 
 double share_of_arithmetic(const ensemble::BenchResult& r, const ensemble::MachinePeaks& peaks) {
   const double peak =
-      r.of.precision == scene::Precision::single_precision ? peaks.flops_single : peaks.flops_double;
+      r.of.precision == ensemble::Precision::single_precision ? peaks.flops_single : peaks.flops_double;
   return r.median() * r.flops_per_beam / peak;
 }
 
 Json json_of(const ensemble::BenchResult& r, const ensemble::BenchResult& base,
              const ensemble::MachinePeaks& peaks) {
   return {{"kernel", r.of.name},
-          {"kinematics", r.of.kinematics == scene::Kinematics::linear ? "linear" : "corotational"},
+          {"kinematics", r.of.kinematics == lattice::Kinematics::linear ? "linear" : "corotational"},
           {"precision", precision_name(r.of.precision)},
           {"scenarios", r.of.scenarios},
           {"threads", r.of.threads},
@@ -176,7 +178,7 @@ PrecisionError precision_error(const std::string& kinematics, int threads, const
         "", "bench",
         {"specimen.elements=5000", "specimen.length=0.1", "specimen.height=0.04", "output.frames=0",
          "output.samples=100", "solver.kinematics=" + kinematics, "solver.precision=" + precision});
-    Cache cache = user_cache();
+    base::Cache cache = base::user_cache();
     const simulation::Prepared prepared = simulation::prepare(preset, cache);
     const simulation::RunResult result = simulation::march(
         prepared, {.go_on = [&](const simulation::Progress&) { return stop.received() == 0; }},
@@ -207,7 +209,7 @@ void print_precision(const PrecisionError& e) {
 }
 
 ExitCode bench(const BenchOptions& options) {
-  const int threads = threads_or_all_cpus(options.threads);
+  const int threads = base::threads_or_all_cpus(options.threads);
   const StopSignal stop;
   const ensemble::MachinePeaks alone = ensemble::machine_peaks(ensemble::instruction_set(), 1),
                                together = ensemble::machine_peaks(ensemble::instruction_set(), threads);

@@ -1,10 +1,10 @@
 #include "engine/base/console.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/base/json_text.hpp"
 #include "engine/calibration/calibration_study.hpp"
-#include "engine/interrupted.hpp"
+#include "engine/lattice/static_system.hpp"
 #include "engine/lattice/stiffness.hpp"
-#include "engine/mechanics/static_system.hpp"
-#include "engine/results/files.hpp"
 #include "engine/scene/units.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
@@ -43,13 +43,13 @@ scene::Preset preset_for(const CalibrateOptions& options) {
                              ? scene::read_preset_text(cylinders, "rift calibrate", overrides)
                              : scene::read_preset(resolve_preset(options.scene.preset), overrides);
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
-  if (preset.scene.specimen.shape != scene::Shape::cylinder)
+  if (preset.scene.specimen.shape != packing::Shape::cylinder)
     throw scene::InputError(
         {scene::issue_at(preset, "specimen.shape", "must be \"cylinder\": that is what is pressed")});
   return preset;
 }
 
-Calibration compute(const CalibrateOptions& options, const scene::Preset& preset, Cache& cache,
+Calibration compute(const CalibrateOptions& options, const scene::Preset& preset, base::Cache& cache,
                     ProgressLine& line, const StopSignal& stop) {
   Calibration calibration{.scene = preset.scene, .build = build_info(), .beams = {}, .study = {}};
   const auto tell = [&](const char* stage, double done) {
@@ -76,7 +76,7 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
   if (report) folder.emplace(options.out, options.force);
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
-  Cache cache = cache_for(options.scene);
+  base::Cache cache = cache_for(options.scene);
   try {
     const Calibration calibration = compute(options, preset, cache, line, stop);
     line.clear();
@@ -92,13 +92,13 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
       base::print_text(calibration_text(calibration, wants_color(options.scene.color, stdout)));
       if (report) base::print("\n{}/  report.html, table.csv, material.toml, charts\n", options.out);
     }
-  } catch (const Interrupted& interrupted) {
+  } catch (const base::Interrupted& interrupted) {
     line.clear();
     base::message("rift calibrate: {}; what was computed is in the cache\n", interrupted.what());
     return static_cast<ExitCode>(128 + stop.received());
   } catch (const calibration::OutOfReach& error) {
     throw scene::InputError({scene::issue_at(preset, "material.poisson_ratio", error.what())});
-  } catch (const lattice::PackingError& error) {
+  } catch (const packing::PackingError& error) {
     throw scene::InputError({scene::issue_at(preset, "specimen.coordination", error.what())});
   }
   return ExitCode::done;

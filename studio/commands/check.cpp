@@ -1,6 +1,6 @@
 #include "engine/base/console.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/interrupted.hpp"
 #include "engine/simulation/own_numbers.hpp"
 #include "engine/simulation/quasi_static.hpp"
 #include "studio/commands/commands.hpp"
@@ -67,7 +67,7 @@ ExitCode check(const CheckOptions& check_options) {
   const std::vector<scene::Scene> lanes = scenes_of_run(preset);
   const StopSignal stop;
   ProgressLine line(progress_style(options.quiet, options.json));
-  Cache cache = cache_for(options);
+  base::Cache cache = cache_for(options);
   try {
     const auto tell = [&](std::string_view stage, double done) {
       line.tell(stage, done);
@@ -90,7 +90,7 @@ ExitCode check(const CheckOptions& check_options) {
       print_table(j, prepared.preset.name, wants_color(options.color, stdout));
       if (check_options.measure) print_measured(j["measured"], wants_color(options.color, stdout));
     }
-  } catch (const Interrupted& interrupted) {
+  } catch (const base::Interrupted& interrupted) {
     line.clear();
     base::message("rift check: {}\n", interrupted.what());
     return static_cast<ExitCode>(128 + stop.received());

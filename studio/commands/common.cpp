@@ -1,7 +1,7 @@
 #include "studio/commands/common.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/ensemble/instruction_set.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/wording.hpp"
@@ -78,7 +78,7 @@ const std::set<std::string>& report_files() {
 bool is_cut_off(const fs::path& folder, ReportKind kind) {
   bool begun = false;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = results::target_name(entry.path().filename().string());
+    const std::string name = base::target_name(entry.path().filename().string());
     const bool run = kind.has_run && (name == "run" || name == "parts") && entry.is_directory();
     if (kind.has_run && name == "experiment.json") continue;  // beside parts/ and run/: what is under way
     if (!run && name != "charts" && (!report_files().contains(name) || name == "report.html")) return false;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/results/ownership.hpp"
+#include "engine/base/ownership.hpp"
 #include "engine/simulation/build_info.hpp"
 #include "studio/report/table.hpp"
 
@@ -56,7 +56,7 @@ class ReportFolder {
   const std::filesystem::path& keep();
 
  private:
-  results::OwnedFolder owned_;
+  base::OwnedFolder owned_;
 };
 
 /// Adds --color auto|always|never to a command; `when` starts as and defaults to "auto".

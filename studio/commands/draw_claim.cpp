@@ -1,9 +1,9 @@
 #include "studio/commands/draw_claim.hpp"
 
-#include "engine/interrupted.hpp"
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/interrupted.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
 #include "engine/simulation/record_cylinders.hpp"
@@ -32,8 +32,8 @@ scene::Preset preset_for(const std::string& name, int elements) {
 }
 
 /// The finished run of the preset in this folder, found or made.
-void run_if_need_be(const study::Claim& claim, const scene::Preset& preset, const fs::path& run, Cache& cache,
-                    int threads, const Telling& go_on) {
+void run_if_need_be(const study::Claim& claim, const scene::Preset& preset, const fs::path& run,
+                    base::Cache& cache, int threads, const Telling& go_on) {
   if (results::inspect_run(run).condition == results::RunCondition::finished) return;
   results::ClaimedFolder folder(run, true);
   if (claim.calibration) {
@@ -51,7 +51,7 @@ void run_if_need_be(const study::Claim& claim, const scene::Preset& preset, cons
              return go_on("crack", static_cast<double>(p.step) / static_cast<double>(p.total));
            }},
       {.threads = threads});
-  if (ran.result.outcome == simulation::Outcome::stopped) throw Interrupted("a crack was running");
+  if (ran.result.outcome == simulation::Outcome::stopped) throw base::Interrupted("a crack was running");
 }
 
 Picture draw(const viz::Plan& plan, const study::Claim& claim, double at, const fs::path& charts) {
@@ -65,7 +65,7 @@ Picture draw(const viz::Plan& plan, const study::Claim& claim, double at, const 
 
 }  // namespace
 
-void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, Cache& cache, int threads,
+void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, base::Cache& cache, int threads,
                 const Telling& go_on) {
   const auto start = std::chrono::steady_clock::now();
   const std::string& name = claim.claim->needs.front();
@@ -75,12 +75,12 @@ void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, Cache&
     viz::Wish wish;
     wish.runs = {run};
     const viz::Plan plan = viz::plan_of(wish);
-    results::make_folder(folder / "charts");
+    base::make_folder(folder / "charts");
     for (const double at : claim.claim->pictures_at) {
-      if (!go_on("drawing " + claim.claim->name, at)) throw Interrupted("pictures were drawn");
+      if (!go_on("drawing " + claim.claim->name, at)) throw base::Interrupted("pictures were drawn");
       claim.pictures.push_back(draw(plan, *claim.claim, at, folder / "charts"));
     }
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     claim.not_drawn = error.what();
   }
   claim.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "studio/report/reproduction.hpp"
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace rift::studio {
 /// puts the pictures beside the charts. A build without the renderer says so in the claim instead.
 /// @param elements  of the plate, at most
 /// @param go_on     told what is being done and how far it is; false throws Interrupted
-void draw_claim(JudgedClaim& claim, const std::filesystem::path& folder, int elements, Cache& cache,
+void draw_claim(JudgedClaim& claim, const std::filesystem::path& folder, int elements, base::Cache& cache,
                 int threads, const std::function<bool(std::string_view stage, double done)>& go_on);
 
 }  // namespace rift::studio

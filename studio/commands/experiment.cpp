@@ -1,10 +1,10 @@
 #include "engine/experiment/experiment.hpp"
 
 #include "engine/base/console.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/experiment/kept_parts.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/rows_file.hpp"
@@ -49,7 +49,7 @@ void check_one_history(const scene::Preset& preset) {
 }
 
 /// The critical rate to lay over the charts, read as crack.toughness is.
-scene::CriticalRate read_truth(const std::string& file) {
+fracture::CriticalRate read_truth(const std::string& file) {
   if (file.empty()) return {};
   scene::Preset preset = scene::read_preset_text("", file, {"crack.toughness=" + file});
   for (scene::Issue& issue : preset.issues)
@@ -98,7 +98,7 @@ ExitCode finish(const ExperimentCommand& command, const ExperimentReport& report
     line.tell("report", 0.0);
     write_experiment_report(report, folder);
     experiment::forget_parts(folder);
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     base::message("rift experiment: {}\n", error.what());
     code = ExitCode::world_failed;
   }
@@ -116,7 +116,7 @@ ExitCode experiment(ExperimentCommand& command) {
   const std::optional<double> budget = read_budget("rift experiment", command.budget);
   const scene::Preset preset = read_scene(command.scene);
   check_one_history(preset);
-  const scene::CriticalRate truth = read_truth(command.truth);
+  const fracture::CriticalRate truth = read_truth(command.truth);
   if (command.scene.print_config) {
     base::print_text(scene::preset_text(preset));
     return ExitCode::done;
@@ -132,7 +132,7 @@ ExitCode experiment(ExperimentCommand& command) {
   const auto start = Clock::now();
   const StopSignal stop(budget);
   ProgressLine line(progress_style(command.scene.quiet, command.scene.json));
-  Cache cache = cache_for(command.scene);
+  base::Cache cache = cache_for(command.scene);
   command.wishes.threads = command.scene.threads;
   command.wishes.application = !command.no_application;
   ExperimentReport report{.preset = preset.name,
@@ -151,7 +151,7 @@ ExitCode experiment(ExperimentCommand& command) {
                                                      line.tell(stage, done);
                                                      return stop.received() == 0;
                                                    });
-  } catch (const Interrupted& interrupted) {
+  } catch (const base::Interrupted& interrupted) {
     (void)command.film->finish(line, [] { return false; });
     line.clear();
     return stopped(interrupted.what(), folder, stop);

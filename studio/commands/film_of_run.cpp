@@ -1,10 +1,10 @@
 #include "studio/commands/film_of_run.hpp"
 
 #include "engine/base/console.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
-#include "engine/results/ownership.hpp"
-#include "engine/results/world_error.hpp"
 #include "studio/commands/film_options.hpp"
 
 #include <CLI/CLI.hpp>
@@ -28,7 +28,7 @@ struct FilmOfRun::Maker {
   bool asked = false, core_free = true;
   std::string film;
   FilmOptions options;
-  std::optional<results::HeldFile> former;  // journal of a run that this one replaces
+  std::optional<base::HeldFile> former;  // journal of a run that this one replaces
   std::atomic<bool> run_ended = false, given_up = false, made = false;
   std::atomic<std::size_t> done = 0, all = 1;
   std::size_t frames_expected = 0;
@@ -80,7 +80,7 @@ struct FilmOfRun::Maker {
         return viz::plan_of(options.wish);
       } catch (const viz::BadWish&) {
         if (last) throw;
-      } catch (const results::WorldError&) {
+      } catch (const base::WorldError&) {
         if (last) throw;
       }
       std::this_thread::sleep_for(between_looks);
@@ -93,7 +93,7 @@ struct FilmOfRun::Maker {
     } catch (const viz::Stopped&) {
       result.trouble = "stopped; nothing half-made is left";
     } catch (const std::exception& error) {
-      result.trouble = results::plain_text(error);
+      result.trouble = base::plain_text(error);
     }
     made = true;
   }
@@ -130,8 +130,8 @@ std::string FilmOfRun::trouble_with(const scene::Preset& preset, bool force) {
   if (!force && !maker_->film.empty() && fs::exists(maker_->film))
     return fmt::format("{} is there already: --force replaces it", maker_->film);
   try {
-    if (!maker_->film.empty()) results::check_target(maker_->film);
-  } catch (const results::WorldError& error) {
+    if (!maker_->film.empty()) base::check_target(maker_->film);
+  } catch (const base::WorldError& error) {
     return error.what();
   }
   if (scene.output.frames < 2)

@@ -1,10 +1,10 @@
 #include "engine/base/console.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/interrupted.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
@@ -66,7 +66,7 @@ void check(const experiment::InstrumentWishes& w) {
 /// field.csv, which is there only when all of it is; nothing is left of one that was given up.
 class FieldFile {
  public:
-  explicit FieldFile(results::OwnedFolder& folder)
+  explicit FieldFile(base::OwnedFolder& folder)
       : folder_(folder), pending_(folder.path() / "field.csv"), file_(pending_.temporary(), 0) {
     file_.append(field_csv_header());
   }
@@ -82,9 +82,9 @@ class FieldFile {
   }
 
  private:
-  results::OwnedFolder& folder_;
-  results::PendingFile pending_;
-  results::AppendFile file_;
+  base::OwnedFolder& folder_;
+  base::PendingFile pending_;
+  base::AppendFile file_;
 };
 
 /// Reads the run, its fields into a file as they come; keeps one wherever the tip has run a step of the way
@@ -124,7 +124,7 @@ ExitCode finish(const MeasureCommand& command, const InstrumentsReport& report, 
   try {
     line.tell("report", 0.0);
     write_instruments_report(report, folder);
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     base::message("rift measure: {}\n", error.what());
     code = ExitCode::world_failed;
   }
@@ -150,7 +150,7 @@ void check_run(const std::string& run) {
 ExitCode measure(const MeasureCommand& command) {
   check(command.wishes);
   check_run(command.run);
-  results::OwnedFolder owned(folder_of(command), [&](const fs::path& there) {
+  base::OwnedFolder owned(folder_of(command), [&](const fs::path& there) {
     if (!command.out.empty()) check_report(there, command.force, {.own = "stress_intensity.csv"});
   });
   const fs::path& folder = owned.path();
@@ -165,7 +165,7 @@ ExitCode measure(const MeasureCommand& command) {
     report.trace = experiment::traces_of(report.seen);
     lay_over(report, command.against);
     file.keep();
-  } catch (const Interrupted& interrupted) {
+  } catch (const base::Interrupted& interrupted) {
     line.clear();
     base::message("rift measure: {}; nothing was kept\n", interrupted.what());
     return stopped_by(stop);

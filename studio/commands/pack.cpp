@@ -1,8 +1,8 @@
 #include "engine/base/console.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/lattice/cached_packing.hpp"
-#include "engine/lattice/specimen.hpp"
+#include "engine/packing/cached_packing.hpp"
+#include "engine/packing/specimen.hpp"
 #include "engine/scene/derived.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
@@ -27,20 +27,20 @@ scene::Preset preset_for(const SceneOptions& options) {
   return preset;
 }
 
-PackedSpecimen packed(const ReportOptions& options, const scene::Preset& preset, Cache& cache,
-                      const lattice::PackingProgress& progress) {
+PackedSpecimen packed(const ReportOptions& options, const scene::Preset& preset, base::Cache& cache,
+                      const packing::PackingProgress& progress) {
   const auto start = Clock::now();
   const scene::Scene& scene = preset.scene;
   PackedSpecimen specimen{.scene = scene, .build = build_info(), .box = scene::box_of(scene), .packing = {}};
   try {
-    specimen.packing = lattice::cached_packing(scene::request_of(scene), cache, specimen.from_cache, progress,
+    specimen.packing = packing::cached_packing(scene::request_of(scene), cache, specimen.from_cache, progress,
                                                options.scene.threads);
     specimen.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-    const lattice::Specimen whole =
-        lattice::make_free_specimen(specimen.packing, specimen.box, scene.specimen.contact_tolerance);
+    const packing::Specimen whole =
+        packing::make_free_specimen(specimen.packing, specimen.box, scene.specimen.contact_tolerance);
     specimen.rattlers = whole.rattlers;
     specimen.beams = whole.beam.size();
-  } catch (const lattice::PackingError& error) {
+  } catch (const packing::PackingError& error) {
     throw scene::InputError({scene::issue_at(
         preset, scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination",
         error.what())});
@@ -59,7 +59,7 @@ ExitCode pack_specimen(const ReportOptions& options) {
   if (report) folder.emplace(options.out, options.force);
   const StopSignal stop;
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
-  Cache cache = cache_for(options.scene);
+  base::Cache cache = cache_for(options.scene);
   try {
     const PackedSpecimen specimen = packed(options, preset, cache, [&](double done) {
       line.tell("packing", done);
@@ -79,7 +79,7 @@ ExitCode pack_specimen(const ReportOptions& options) {
       base::print_text(packing_text(summary, wants_color(options.scene.color, stdout)));
       if (report) base::print("{}/  report.html, summary.json, elements.csv, charts\n", options.out);
     }
-  } catch (const Interrupted& interrupted) {
+  } catch (const base::Interrupted& interrupted) {
     line.clear();
     base::message("rift pack: {}\n", interrupted.what());
     return static_cast<ExitCode>(128 + stop.received());

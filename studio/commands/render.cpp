@@ -1,5 +1,5 @@
 #include "engine/base/console.hpp"
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/units.hpp"
 #include "studio/commands/commands.hpp"
@@ -56,7 +56,7 @@ std::vector<double> times_of(const RenderOptions& options, const viz::Plan& plan
 void check_file(const fs::path& path, bool force) {
   if (!force && fs::exists(path))
     throw results::FolderExists(fmt::format("{} is there already: --force replaces it", path.string()));
-  results::check_target(path);
+  base::check_target(path);
 }
 
 /// A folder of pictures, which is made where it is not there.

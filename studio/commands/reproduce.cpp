@@ -1,9 +1,9 @@
 #include "engine/base/console.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/base/json_text.hpp"
 #include "engine/calibration/calibration_study.hpp"
-#include "engine/interrupted.hpp"
 #include "engine/lattice/stiffness.hpp"
-#include "engine/results/files.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/wording.hpp"
 #include "engine/simulation/own_numbers.hpp"
@@ -161,7 +161,7 @@ JudgedClaim calibrated(const study::Claim& claim, const ReproduceOptions& option
                        const StopSignal& stop) {
   const auto start = Clock::now();
   ProgressLine line(progress_style(options.quiet, options.json));
-  Cache cache = options.no_cache ? Cache{} : user_cache();
+  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
   const scene::Preset preset = scene::read_preset(resolve_preset(claim.needs.front()));
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   const calibration::CalibrationStudy study = calibration::study_calibration(
@@ -196,7 +196,7 @@ struct OwnSpeed {
 
 OwnSpeed measure_speed(const ReproduceOptions& options, int elements, const StopSignal& stop) {
   ProgressLine line(progress_style(options.quiet, options.json));
-  Cache cache = options.no_cache ? Cache{} : user_cache();
+  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
   const auto tell = [&](std::string_view stage, double done) {
     line.tell(stage, done);
     return stop.received() == 0;
@@ -228,7 +228,7 @@ void add_own_speed(JudgedClaim& claim, const study::PaperStudy& study, const stu
 /// Draws the claims that are pictures.
 void draw_pictures(Reproduction& report, const ReproduceOptions& options, const StopSignal& stop) {
   ProgressLine line(progress_style(options.quiet, options.json));
-  Cache cache = options.no_cache ? Cache{} : user_cache();
+  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
   for (JudgedClaim& claim : report.claims) {
     if (claim.claim->pictures_at.empty()) continue;
     draw_claim(claim, options.out, report.elements, cache, options.threads,
@@ -250,7 +250,7 @@ study::StudyResult compute(const ReproduceOptions& options, const study::PaperSt
                            const StopSignal& stop) {
   if (study.preset.study.empty()) return {};
   ProgressLine line(progress_style(options.quiet, options.json));
-  Cache cache = options.no_cache ? Cache{} : user_cache();
+  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
   const study::StudyObserver observer{.progress =
                                           [&](std::string_view stage, double done) {
                                             line.tell(stage, done);
@@ -267,9 +267,9 @@ study::StudyResult compute(const ReproduceOptions& options, const study::PaperSt
 
 void write_report(const Reproduction& report, const ReproduceOptions& options) {
   const fs::path folder = options.out;
-  results::make_folder(folder);
-  results::write_whole_file(folder / "report.html", reproduction_html(report));
-  results::write_whole_file(folder / "reproduction.md", reproduction_markdown(report));
+  base::make_folder(folder);
+  base::write_whole_file(folder / "report.html", reproduction_html(report));
+  base::write_whole_file(folder / "reproduction.md", reproduction_markdown(report));
   if (options.json) {
     base::print_text(base::json_text(reproduction_json(report), 2) + "\n");
     return;
@@ -285,7 +285,7 @@ ExitCode reproduce(const ReproduceOptions& options) {
   const study::PaperStudy study = study_of(chosen, effort);
   check_folder(options.out);
   study::open_shared(options.out);
-  results::check_target(fs::path(options.out) / "report.html");
+  base::check_target(fs::path(options.out) / "report.html");
   const StopSignal stop;
   const study::StudyResult result = compute(options, study, stop);
   if (result.outcome == simulation::Outcome::stopped) {
@@ -314,7 +314,7 @@ ExitCode reproduce(const ReproduceOptions& options) {
     for (JudgedClaim& claim : report.claims)
       if (claim.claim->name == "fig15") add_own_speed(claim, study, result, options, report.elements, stop);
     draw_pictures(report, options, stop);
-  } catch (const Interrupted& interrupted) {
+  } catch (const base::Interrupted& interrupted) {
     base::message("rift reproduce: {}; what was computed is kept in {}\n", interrupted.what(), options.out);
     return static_cast<ExitCode>(128 + stop.received());
   }

@@ -1,9 +1,10 @@
 #include "studio/commands/resume.hpp"
 
 #include "engine/base/console.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/results/ownership.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/base/interrupted.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/base/world_error.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
@@ -24,7 +25,7 @@ namespace rift::studio {
 namespace {
 
 std::optional<simulation::Recorded> go_on_plainly(const ResumeOptions& options, const scene::Preset& preset,
-                                                  Cache& cache, const StopSignal& stop,
+                                                  base::Cache& cache, const StopSignal& stop,
                                                   ProgressLine& line) try {
   const auto start = std::chrono::steady_clock::now();
   const simulation::Prepared prepared =
@@ -41,7 +42,7 @@ std::optional<simulation::Recorded> go_on_plainly(const ResumeOptions& options, 
   line.clear();
   if (!note.empty()) base::message("rift resume: {}\n", note);
   return ran;
-} catch (const Interrupted& interrupted) {
+} catch (const base::Interrupted& interrupted) {
   line.clear();
   base::message("rift resume: {}\n", nothing_kept_text(interrupted.what(), stop,
                                                        "the run is as it was, and the same command goes on"));
@@ -49,7 +50,7 @@ std::optional<simulation::Recorded> go_on_plainly(const ResumeOptions& options, 
 }
 
 std::optional<simulation::Recorded> go_on_live(const ResumeOptions& options, const scene::Preset& preset,
-                                               const Cache& cache, const StopSignal& stop) {
+                                               const base::Cache& cache, const StopSignal& stop) {
   RunWish wish{.preset = preset, .folder = options.run};
   wish.resume = true;
   wish.threads = options.threads;
@@ -63,7 +64,7 @@ std::optional<simulation::Recorded> go_on_live(const ResumeOptions& options, con
 ExitCode resume(const ResumeOptions& options) {
   const std::optional<double> budget = read_budget("rift resume", options.budget);
   if (results::is_folder_being_written(options.run))
-    throw results::WorldError("resume", options.run, "another process is writing it");
+    throw base::WorldError("resume", options.run, "another process is writing it");
   if (simulation::complete_end(options.run)) {
     base::message("rift resume: {} had come to its end; the files of its end are made from its journal\n",
                   options.run);
@@ -76,14 +77,14 @@ ExitCode resume(const ResumeOptions& options) {
   const scene::Preset preset = simulation::preset_of_run(options.run);
   const StopSignal stop(budget);
   ProgressLine line(progress_style(options.quiet, options.json));
-  Cache cache = options.no_cache ? Cache{} : user_cache();
+  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
   const bool panel = !options.plain && !options.quiet && !options.json && panel_there();
   std::optional<simulation::Recorded> ran;
   try {
     ran =
         panel ? go_on_live(options, preset, cache, stop) : go_on_plainly(options, preset, cache, stop, line);
   } catch (const std::invalid_argument& error) {
-    throw results::WorldError("resume", options.run, error.what());
+    throw base::WorldError("resume", options.run, error.what());
   }
   if (!ran) return stopped_by(stop);
   print_notes(cache);

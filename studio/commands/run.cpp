@@ -1,6 +1,6 @@
 #include "engine/base/console.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/process_limits.hpp"
+#include "engine/base/interrupted.hpp"
+#include "engine/base/process_limits.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
@@ -67,12 +67,13 @@ struct Way {
   Clock::time_point start = Clock::now();
 
   void begin_film(const fs::path& folder) const {
-    options.film->begin(folder, options.scene.threads > 0 && options.scene.threads < available_cpus());
+    options.film->begin(folder, options.scene.threads > 0 && options.scene.threads < base::available_cpus());
   }
 };
 
 /// With lines of progress. Nothing where the user stopped it before its first step.
-std::optional<simulation::Recorded> run_plainly(const Way& way, const fs::path& path, Cache& cache) try {
+std::optional<simulation::Recorded> run_plainly(const Way& way, const fs::path& path,
+                                                base::Cache& cache) try {
   results::ClaimedFolder folder(path, way.options.force);
   if (!folder.has_locks()) base::message("rift run: {}\n", simulation::no_locks_note(path));
   const simulation::Prepared prepared = simulation::prepare(way.preset, scenes_of_run(way.preset), cache,
@@ -88,14 +89,14 @@ std::optional<simulation::Recorded> run_plainly(const Way& way, const fs::path& 
                                  .stage = [&](const char* stage) { way.line.tell(stage, 0.0); }},
                                 {.threads = way.options.scene.threads, .checkpoint_s = way.checkpoint_s},
                                 preparation);
-} catch (const Interrupted& interrupted) {
+} catch (const base::Interrupted& interrupted) {
   way.line.clear();
   base::message("rift run: {}\n", nothing_kept_text(interrupted.what(), way.stop, nothing_written));
   return std::nullopt;
 }
 
 /// In the live panel.
-std::optional<simulation::Recorded> run_live(const Way& way, const fs::path& path, const Cache& cache) {
+std::optional<simulation::Recorded> run_live(const Way& way, const fs::path& path, const base::Cache& cache) {
   RunWish wish{.preset = way.preset, .folder = path, .force = way.options.force};
   wish.threads = way.options.scene.threads;
   wish.checkpoint_s = way.checkpoint_s;
@@ -160,7 +161,7 @@ ExitCode run(const RunOptions& options) {
                    .no_cache = options.scene.no_cache});
   const StopSignal stop(budget);
   ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
-  Cache cache = cache_for(options.scene);
+  base::Cache cache = cache_for(options.scene);
   const Way way{options, preset, stop, line, checkpoint_s};
   const std::optional<simulation::Recorded> ran =
       wants_panel(options) ? run_live(way, path, cache) : run_plainly(way, path, cache);

@@ -50,9 +50,11 @@ std::vector<scene::Scene> scenes_of_run(const scene::Preset& preset) {
   return preset.lanes.empty() ? std::vector<scene::Scene>{preset.scene} : preset.lanes;
 }
 
-Cache cache_for(const SceneOptions& options) { return options.no_cache ? Cache{} : user_cache(); }
+base::Cache cache_for(const SceneOptions& options) {
+  return options.no_cache ? base::Cache{} : base::user_cache();
+}
 
-void print_notes(const Cache& cache) {
+void print_notes(const base::Cache& cache) {
   for (const std::string& note : cache.notes) base::message("cache: {}\n", note);
 }
 

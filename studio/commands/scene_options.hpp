@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "engine/scene/preset.hpp"
 #include "studio/commands/stop_signal.hpp"
 #include "studio/report/progress.hpp"
@@ -40,9 +40,9 @@ scene::Preset read_scene(const SceneOptions& options);
 std::vector<scene::Scene> scenes_of_run(const scene::Preset& preset);
 
 /// The user's cache, or none with --no-cache.
-Cache cache_for(const SceneOptions& options);
+base::Cache cache_for(const SceneOptions& options);
 
 /// What the cache has to say, on stderr.
-void print_notes(const Cache& cache);
+void print_notes(const base::Cache& cache);
 
 }  // namespace rift::studio

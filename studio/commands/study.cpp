@@ -1,7 +1,7 @@
 #include "engine/base/console.hpp"
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/study/cost.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/runner.hpp"
@@ -142,11 +142,11 @@ ExitCode write_files(const StudyCommand& command, const scene::Preset& preset,
   if (!command.shard.empty()) return ExitCode::done;
   const std::string csv = study_csv(result.rows);
   if (csv.empty()) return ExitCode::done;
-  results::write_whole_file(folder / "table.csv", csv);
+  base::write_whole_file(folder / "table.csv", csv);
   if (result.outcome == simulation::Outcome::stopped) return ExitCode::done;
   try {
     write_study_report(preset, build_info(), result, folder);
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     base::message("rift study: {}\n", error.what());
     return ExitCode::world_failed;
   }
@@ -158,7 +158,7 @@ ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const
   const auto start = Clock::now();
   const StopSignal stop;
   ProgressLine line(progress_style(command.scene.quiet, command.scene.json));
-  Cache cache = cache_for(command.scene);
+  base::Cache cache = cache_for(command.scene);
   const auto in_time = [&] {
     return !budget || Clock::now() - start < std::chrono::duration<double>(*budget);
   };

@@ -12,7 +12,7 @@ Workshop workshop_here(int threads) {
   w.presets = presets_folder();
   w.own_presets = own_presets_folder();
   w.program = std::filesystem::read_symlink("/proc/self/exe", none);
-  w.cache = user_cache();
+  w.cache = base::user_cache();
   w.build = build_info();
   w.threads = threads;
   return w;

@@ -1,7 +1,7 @@
 #include "studio/report/accuracy_report.hpp"
 
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/study/curve.hpp"
 #include "studio/report/accuracy_charts.hpp"
 #include "studio/report/html.hpp"
@@ -183,11 +183,11 @@ Json accuracy_json(const AccuracyReport& report) {
 
 void write_accuracy_report(const AccuracyReport& report, const std::filesystem::path& folder) {
   std::string figures;
-  std::optional<results::WorldError> failure;
+  std::optional<base::WorldError> failure;
   for (const NamedChart& named : accuracy_charts(report.tried, report.accuracy, report.goal)) {
     try {
       figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
-    } catch (const results::WorldError& error) {
+    } catch (const base::WorldError& error) {
       failure = error;
       figures += html_paragraph(fmt::format("{}: {}", named.name, error.what()));
     }
@@ -209,9 +209,8 @@ void write_accuracy_report(const AccuracyReport& report, const std::filesystem::
   body += html_section("Charts", figures);
   body += html_section("Variants", html_table(accuracy_table(report.accuracy)));
   body += html_section("What is compared with what", compared);
-  results::write_whole_file(folder / "report.html",
-                            html_page("Error against run time: " + report.preset, body));
-  if (failure) throw results::WorldError(*failure);
+  base::write_whole_file(folder / "report.html", html_page("Error against run time: " + report.preset, body));
+  if (failure) throw base::WorldError(*failure);
 }
 
 }  // namespace rift::studio

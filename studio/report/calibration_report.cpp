@@ -1,9 +1,9 @@
 #include "studio/report/calibration_report.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/lattice/stiffness.hpp"
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
 #include "studio/report/calibration_charts.hpp"
 #include "studio/report/html.hpp"
 
@@ -168,10 +168,10 @@ Json calibration_json(const Calibration& c) {
 
 void write_calibration_report(const Calibration& c, const fs::path& folder) {
   const std::vector<study::SummaryRow> rows = calibration::rows_of(*c.study);
-  results::make_folder(folder);
-  results::write_whole_file(folder / "table.csv", csv_of(rows));
-  results::write_whole_file(folder / "material.toml", material_block(c));
-  results::write_whole_file(folder / "summary.json", base::json_text(calibration_json(c), 2) + "\n");
+  base::make_folder(folder);
+  base::write_whole_file(folder / "table.csv", csv_of(rows));
+  base::write_whole_file(folder / "material.toml", material_block(c));
+  base::write_whole_file(folder / "summary.json", base::json_text(calibration_json(c), 2) + "\n");
   std::string figures;
   for (const NamedChart& named : calibration_charts(rows, lattice::bulk_micro_material.young_modulus))
     figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
@@ -181,7 +181,7 @@ void write_calibration_report(const Calibration& c, const fs::path& folder) {
   body += html_section("Scan of the beams", html_table(scan_table(*c.study)));
   body += html_section("Stiffness tensor of a periodic box", html_table(tensor_table(*c.study)));
   body += html_section("Charts", figures);
-  results::write_whole_file(folder / "report.html", html_page("Calibration", body));
+  base::write_whole_file(folder / "report.html", html_page("Calibration", body));
 }
 
 }  // namespace rift::studio

@@ -1,7 +1,7 @@
 #include "studio/report/catalogue.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/study/store.hpp"
 
@@ -57,7 +57,7 @@ void read_outcome(RunEntry& entry, const Json& summary) {
 std::string computed_of_study(const fs::path& folder) {
   try {
     const Json manifest =
-        results::read_json(results::read_whole_file(folder / study::study_name), folder / study::study_name);
+        results::read_json(base::read_whole_file(folder / study::study_name), folder / study::study_name);
     const Json& scenarios = manifest.at("scenarios");
     const auto there = std::count_if(scenarios.begin(), scenarios.end(), [&](const Json& scenario) {
       return fs::exists(folder / scenario.at("file").get<std::string>());
@@ -80,7 +80,7 @@ std::optional<RunEntry> entry_of(const fs::path& folder) {
   if (!fs::exists(folder / results::journal_name, error)) return std::nullopt;
   if (!fs::exists(folder / results::summary_name, error)) return entry;
   try {
-    read_outcome(entry, results::json_or_discarded(results::read_whole_file(folder / results::summary_name)));
+    read_outcome(entry, results::json_or_discarded(base::read_whole_file(folder / results::summary_name)));
   } catch (const std::exception&) {
     entry.outcome = "damaged";
   }

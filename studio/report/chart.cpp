@@ -1,7 +1,7 @@
 #include "studio/report/chart.hpp"
 
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "studio/report/chart_script.hpp"
 #include "studio/report/gnuplot.hpp"
 #include "studio/report/heat_map_script.hpp"
@@ -41,17 +41,17 @@ template <class AnyChart>  // Chart or HeatMap
 DrawnChart draw(const AnyChart& chart, const fs::path& given, const std::string& name) {
   assert(is_chart_name(name));
   const fs::path folder = given.empty() ? fs::path(".") : given;
-  if (!has_points(chart)) throw results::WorldError("draw", folder / name, "it has no points");
-  results::make_folder(folder);
+  if (!has_points(chart)) throw base::WorldError("draw", folder / name, "it has no points");
+  base::make_folder(folder);
   DrawnChart drawn{folder / (name + ".svg"),
                    folder / (name + ".png"),
                    folder / (name + ".csv"),
                    folder / (name + ".gp"),
                    {}};
-  results::write_whole_file(drawn.data, chart_data(chart));
-  results::write_whole_file(drawn.script, chart_script(chart, name));
+  base::write_whole_file(drawn.data, chart_data(chart));
+  base::write_whole_file(drawn.script, chart_script(chart, name));
   run_script(folder, name);
-  drawn.svg_text = inline_svg(results::read_whole_file(drawn.svg), name, plain_text(chart.title));
+  drawn.svg_text = inline_svg(base::read_whole_file(drawn.svg), name, plain_text(chart.title));
   return drawn;
 }
 

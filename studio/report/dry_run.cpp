@@ -1,7 +1,7 @@
 #include "studio/report/dry_run.hpp"
 
 #include "engine/base/json_text.hpp"
-#include "engine/process_limits.hpp"
+#include "engine/base/process_limits.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
 #include "engine/simulation/march.hpp"
@@ -112,7 +112,7 @@ Json derived(const simulation::Prepared& p, double seconds_per_step) {
   j["wall_estimate_s"] = seconds_per_step * static_cast<double>(steps_of_all(p));
   j["disk_estimate_bytes"] = disk_bytes(p);
   j["memory_estimate_bytes"] = peak_memory_bytes();
-  j["memory_available_bytes"] = available_memory_bytes();
+  j["memory_available_bytes"] = base::available_memory_bytes();
   j["left_out"] = scene::left_out(lane.scene);
   return j;
 }

@@ -1,10 +1,10 @@
 #include "studio/report/experiment_report.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
 #include "engine/base/text.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
 #include "studio/report/experiment_charts.hpp"
 #include "studio/report/html.hpp"
 #include "studio/report/progress.hpp"
@@ -211,16 +211,16 @@ Json experiment_json(const ExperimentReport& report) {
 }
 
 void write_experiment_report(const ExperimentReport& report, const std::filesystem::path& folder) {
-  results::write_whole_file(folder / "summary.json", base::json_text(experiment_json(report), 2) + "\n");
-  results::write_whole_file(folder / "table.csv", csv_of(report.experiment));
-  results::write_whole_file(folder / "toughness_position.csv", toughness_csv(report, true));
-  results::write_whole_file(folder / "toughness_velocity.csv", toughness_csv(report, false));
+  base::write_whole_file(folder / "summary.json", base::json_text(experiment_json(report), 2) + "\n");
+  base::write_whole_file(folder / "table.csv", csv_of(report.experiment));
+  base::write_whole_file(folder / "toughness_position.csv", toughness_csv(report, true));
+  base::write_whole_file(folder / "toughness_velocity.csv", toughness_csv(report, false));
   std::string figures;
-  std::optional<results::WorldError> failure;
+  std::optional<base::WorldError> failure;
   for (const NamedChart& named : experiment_charts(report)) {
     try {
       figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
-    } catch (const results::WorldError& error) {
+    } catch (const base::WorldError& error) {
       failure = error;
       figures += html_paragraph(error.what());
     }
@@ -232,9 +232,9 @@ void write_experiment_report(const ExperimentReport& report, const std::filesyst
                                  report.build.compiler, duration_text(report.wall_s)));
   body += html_section("What was found", html_table(said)) + html_section("Charts", figures) +
           html_section("Along the crack", html_table(experiment_table(report)));
-  results::write_whole_file(folder / "report.html",
-                            html_page("From the experiment to G_IDc: " + report.preset, body));
-  if (failure) throw results::WorldError(*failure);
+  base::write_whole_file(folder / "report.html",
+                         html_page("From the experiment to G_IDc: " + report.preset, body));
+  if (failure) throw base::WorldError(*failure);
 }
 
 }  // namespace rift::studio

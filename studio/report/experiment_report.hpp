@@ -18,7 +18,7 @@ struct ExperimentReport {
   experiment::Experiment experiment;
   std::vector<history::HistoryPoint> rows;  // as measured
   std::string smoothing;
-  scene::CriticalRate truth;  // to lay over; none without rows
+  fracture::CriticalRate truth;  // to lay over; none without rows
   std::string truth_name;
   double wall_s = 0;
 };

@@ -1,7 +1,7 @@
 #include "studio/report/gnuplot.hpp"
 
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "studio/report/html.hpp"
 
 #include <fcntl.h>
@@ -18,7 +18,7 @@
 
 namespace rift::studio {
 namespace fs = std::filesystem;
-using results::WorldError;
+using base::WorldError;
 namespace {
 
 std::string errno_text(int error) { return std::generic_category().message(error); }
@@ -100,7 +100,7 @@ void require_success(const Ended& ended, const fs::path& picture, const fs::path
 
 /// gnuplot does not notice a full disk: a picture must have its end.
 void require_end(const fs::path& picture, std::string_view end) {
-  const std::string bytes = results::read_whole_file(picture);
+  const std::string bytes = base::read_whole_file(picture);
   if (bytes.empty()) throw WorldError("draw", picture, "gnuplot left it empty");
   if (bytes.size() < 16 || bytes.find(end, bytes.size() - 16) == std::string::npos)
     throw WorldError("draw", picture, "gnuplot left it incomplete (is the disk full?)");
@@ -114,7 +114,7 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
 }  // namespace
 
 void run_script(const fs::path& folder, const std::string& name) {
-  results::PendingFile svg(folder / (name + ".svg")), png(folder / (name + ".png"));
+  base::PendingFile svg(folder / (name + ".svg")), png(folder / (name + ".png"));
   const fs::path script = folder / (name + ".gp");
   const std::string outputs = fmt::format("svg = '{}'; png = '{}'", svg.temporary().filename().string(),
                                           png.temporary().filename().string());

@@ -1,7 +1,7 @@
 #include "studio/report/html.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
-#include "engine/results/files.hpp"
 
 #include <fmt/format.h>
 
@@ -104,7 +104,7 @@ std::string html_picture(const std::filesystem::path& png, std::string_view capt
   return fmt::format(
       "<figure>\n<img alt=\"{0}\" "
       "src=\"data:image/png;base64,{1}\">\n<figcaption>{0}</figcaption>\n</figure>\n",
-      html_escape(caption), base64(results::read_whole_file(png)));
+      html_escape(caption), base64(base::read_whole_file(png)));
 }
 
 }  // namespace rift::studio

@@ -1,8 +1,8 @@
 #include "studio/report/instruments_report.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 #include "studio/report/html.hpp"
 #include "studio/report/instruments_charts.hpp"
 #include "studio/report/label.hpp"
@@ -223,15 +223,15 @@ Json instruments_json(const InstrumentsReport& report) {
 }
 
 void write_instruments_report(const InstrumentsReport& report, const std::filesystem::path& folder) {
-  results::write_whole_file(folder / "summary.json", base::json_text(instruments_json(report), 2) + "\n");
-  results::write_whole_file(folder / "stress_intensity.csv", intensity_csv(report.seen));
+  base::write_whole_file(folder / "summary.json", base::json_text(instruments_json(report), 2) + "\n");
+  base::write_whole_file(folder / "stress_intensity.csv", intensity_csv(report.seen));
   std::string curves, maps;
-  std::optional<results::WorldError> failure;
+  std::optional<base::WorldError> failure;
   const auto draw = [&](std::string& figures, const auto& chart, const std::string& name,
                         const std::string& caption) {
     try {
       figures += html_figure(draw_chart(chart, folder / "charts", name).svg_text, caption);
-    } catch (const results::WorldError& error) {
+    } catch (const base::WorldError& error) {
       failure = error;
       figures += html_paragraph(error.what());
     }
@@ -246,9 +246,9 @@ void write_instruments_report(const InstrumentsReport& report, const std::filesy
                      html_section("Field", maps);
   if (!report.seen.intensity.empty())
     body += html_section("Stress intensities along the crack", html_table(intensity_table(report)));
-  results::write_whole_file(folder / "report.html",
-                            html_page("What a test's instruments would have shown: " + report.run, body));
-  if (failure) throw results::WorldError(*failure);
+  base::write_whole_file(folder / "report.html",
+                         html_page("What a test's instruments would have shown: " + report.run, body));
+  if (failure) throw base::WorldError(*failure);
 }
 
 }  // namespace rift::studio

@@ -1,7 +1,7 @@
 #include "studio/report/packing_report.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/results/files.hpp"
 #include "engine/scene/parameters.hpp"
 #include "studio/report/chart.hpp"
 #include "studio/report/html.hpp"
@@ -53,8 +53,8 @@ Chart pair_chart(const Json& summary) {
 }  // namespace
 
 Json packing_json(const PackedSpecimen& s) {
-  const lattice::PackingStatistics statistics = rift::lattice::statistics(s.packing, s.box);
-  const lattice::PackingStructure structure = lattice::structure_of(s.packing, s.box);
+  const packing::PackingStatistics statistics = packing::statistics(s.packing, s.box);
+  const packing::PackingStructure structure = packing::structure_of(s.packing, s.box);
   Json fabric = Json::array();
   for (int r = 0; r < 3; ++r)
     fabric.push_back({structure.fabric(r, 0), structure.fabric(r, 1), structure.fabric(r, 2)});
@@ -106,21 +106,21 @@ std::string packing_text(const Json& j, bool color) {
 }
 
 void write_packing_report(const PackedSpecimen& s, const Json& summary, const fs::path& folder) {
-  results::make_folder(folder);
-  results::write_whole_file(folder / "summary.json", base::json_text(summary, 2) + "\n");
+  base::make_folder(folder);
+  base::write_whole_file(folder / "summary.json", base::json_text(summary, 2) + "\n");
   std::string csv = "x_m,y_m,z_m,radius_m\n";
   for (std::size_t i = 0; i < s.packing.radius.size(); ++i) {
     const Eigen::Vector3d& p = s.packing.centre[i];
     csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", p.x(), p.y(), p.z(), s.packing.radius[i]);
   }
-  results::write_whole_file(folder / "elements.csv", csv);
+  base::write_whole_file(folder / "elements.csv", csv);
   const std::string figures =
       html_figure(
           draw_chart(coordination_chart(summary), folder / "charts", "coordination").svg_text,
           "Shares of the elements by their number of contacts; contacts with walls are not counted.") +
       html_figure(draw_chart(pair_chart(summary), folder / "charts", "pair_correlation").svg_text,
                   "Pairs of elements by their distance, over pairs of points at random in the same space.");
-  results::write_whole_file(
+  base::write_whole_file(
       folder / "report.html",
       html_page("Packing",
                 html_section("Specimen", "<pre>" + html_escape(packing_text(summary, false)) + "</pre>") +

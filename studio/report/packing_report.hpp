@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/lattice/structure.hpp"
+#include "engine/packing/structure.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/simulation/build_info.hpp"
 
@@ -14,8 +14,8 @@ namespace rift::studio {
 struct PackedSpecimen {
   scene::Scene scene;
   simulation::BuildInfo build;
-  lattice::Box box;
-  lattice::Packing packing;
+  packing::Box box;
+  packing::Packing packing;
   int rattlers = 0;
   std::size_t beams = 0;
   double wall_s = 0;

@@ -1,6 +1,5 @@
 #include "studio/report/reproduction.hpp"
 
-#include "studio/commands/common.hpp"
 #include "studio/report/html.hpp"
 #include "studio/report/progress.hpp"
 

@@ -169,7 +169,7 @@ bool release_laws(Chart& chart, bool over_distance) {
   int colour = 0;
   for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {
     ChartSeries curve{name, {}, {}, {}, Style::line, colour++};
-    const fracture::ReleaseLaw law{scene::Technique::progressive, power, 1.0};
+    const fracture::ReleaseLaw law{fracture::Technique::progressive, power, 1.0};
     for (int k = over_distance ? -50 : 0; k <= (over_distance ? 150 : 100); ++k) {
       const double x = 0.01 * k;
       curve.x.push_back(x);

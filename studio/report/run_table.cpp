@@ -1,6 +1,5 @@
 #include "studio/report/run_table.hpp"
 
-#include "studio/commands/common.hpp"
 #include "studio/report/progress.hpp"
 
 #include <fmt/format.h>

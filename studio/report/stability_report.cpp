@@ -1,8 +1,8 @@
 #include "studio/report/stability_report.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/json_text.hpp"
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 #include "studio/report/html.hpp"
 #include "studio/report/progress.hpp"
 #include "studio/report/stability_charts.hpp"
@@ -215,16 +215,16 @@ Json stability_json(const StabilityReport& report) {
 }
 
 void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder) {
-  results::make_folder(folder);
-  results::write_whole_file(folder / "summary.json", base::json_text(stability_json(report), 2) + "\n");
-  results::write_whole_file(folder / "table.csv", csv_of(report.rows));
-  results::write_whole_file(folder / "claims.csv", claims_csv(report.rows));
+  base::make_folder(folder);
+  base::write_whole_file(folder / "summary.json", base::json_text(stability_json(report), 2) + "\n");
+  base::write_whole_file(folder / "table.csv", csv_of(report.rows));
+  base::write_whole_file(folder / "claims.csv", claims_csv(report.rows));
   std::string figures;
-  std::optional<results::WorldError> failure;
+  std::optional<base::WorldError> failure;
   for (const NamedChart& named : stability_charts(report)) {
     try {
       figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
-    } catch (const results::WorldError& error) {
+    } catch (const base::WorldError& error) {
       failure = error;
       figures += html_paragraph(error.what());
     }
@@ -238,8 +238,8 @@ void write_stability_report(const StabilityReport& report, const std::filesystem
   body += html_section("Charts", figures) + html_section("Cases", html_table(stability_table(report.rows)));
   body += html_section("What each case must show", html_table(claims_table(report.rows)));
   body += html_section("What was said", html_table(said));
-  results::write_whole_file(folder / "report.html", html_page("Stiff and extreme cases", body));
-  if (failure) throw results::WorldError(*failure);
+  base::write_whole_file(folder / "report.html", html_page("Stiff and extreme cases", body));
+  if (failure) throw base::WorldError(*failure);
 }
 
 }  // namespace rift::studio

@@ -1,6 +1,6 @@
 #include "studio/report/study_charts.hpp"
 
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "engine/study/curve.hpp"
 #include "engine/theory/references.hpp"
 #include "studio/report/echo_mark.hpp"
@@ -113,7 +113,7 @@ std::vector<std::vector<double>> columns(const std::string& csv, const std::vect
 }
 
 ChartSeries against_tip(const study::SummaryRow& row, const std::filesystem::path& csv, int colour) {
-  const auto numbers = columns(results::read_whole_file(csv), {"tip_m", "ratio_with_damping"});
+  const auto numbers = columns(base::read_whole_file(csv), {"tip_m", "ratio_with_damping"});
   ChartSeries series;
   series.label = axes_label(row.at("axes"));
   series.x = numbers[0];

@@ -1,7 +1,7 @@
 #include "studio/report/study_report.hpp"
 
-#include "engine/results/files.hpp"
-#include "engine/results/world_error.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/study/store.hpp"
 #include "studio/report/html.hpp"
 #include "studio/report/progress.hpp"
@@ -48,14 +48,14 @@ std::string tables(const study::StudyResult& result) {
 void write_study_report(const scene::Preset& preset, const simulation::BuildInfo& build,
                         const study::StudyResult& result, const fs::path& folder) {
   std::string figures;
-  std::optional<results::WorldError> failure;
+  std::optional<base::WorldError> failure;
   std::vector<NamedChart> charts = velocity_charts(result.rows);
   for (NamedChart& chart : tip_charts(result.rows, series_files(preset, build, folder)))
     charts.push_back(std::move(chart));
   for (const NamedChart& named : charts) {
     try {
       figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
-    } catch (const results::WorldError& error) {
+    } catch (const base::WorldError& error) {
       failure = error;
       figures += html_paragraph(fmt::format("{}: {}", named.name, error.what()));
     }
@@ -64,8 +64,8 @@ void write_study_report(const scene::Preset& preset, const simulation::BuildInfo
   std::string body =
       html_paragraph(fmt::format("Preset {}, rift {} ({}).", preset.name, build.version, build.compiler));
   body += timings(result) + tables(result) + html_section("Charts", figures);
-  results::write_whole_file(folder / "report.html", html_page("Study " + name, body));
-  if (failure) throw results::WorldError(*failure);
+  base::write_whole_file(folder / "report.html", html_page("Study " + name, body));
+  if (failure) throw base::WorldError(*failure);
 }
 
 }  // namespace rift::studio

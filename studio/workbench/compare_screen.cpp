@@ -1,7 +1,7 @@
 #include "studio/workbench/compare_screen.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/json_input.hpp"
 #include "studio/screen/box.hpp"
 #include "studio/screen/curves.hpp"
@@ -47,7 +47,7 @@ constexpr Quantity quantities[] = {
 nlohmann::ordered_json scenarios_of(const std::filesystem::path& run) {
   const auto file = run / results::summary_name;
   if (!std::filesystem::exists(file)) return nullptr;
-  return results::read_json(results::read_whole_file(file), file).at("scenarios");
+  return results::read_json(base::read_whole_file(file), file).at("scenarios");
 }
 
 std::string text_of(const nlohmann::ordered_json& summary, const Quantity& quantity) {

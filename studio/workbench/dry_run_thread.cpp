@@ -1,6 +1,6 @@
 #include "studio/workbench/dry_run_thread.hpp"
 
-#include "engine/interrupted.hpp"
+#include "engine/base/interrupted.hpp"
 #include "studio/report/dry_run.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ void DryRunThread::work(const scene::Preset& preset) try {
         return !stop_;
       });
   if (!stop_) tell({dry_run_rows(dry_run(prepared, threads_)), {}, {}});
-} catch (const Interrupted&) {
+} catch (const base::Interrupted&) {
   // another one is wished for, or none
 } catch (const std::exception& error) {
   tell({{}, {}, error.what()});

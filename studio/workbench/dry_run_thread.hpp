@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "engine/scene/preset.hpp"
 
 #include <atomic>
@@ -17,7 +17,7 @@ class DryRunThread {
  public:
   using Rows = std::vector<std::pair<std::string, std::string>>;
 
-  DryRunThread(Cache cache, int threads) : cache_(std::move(cache)), threads_(threads) {}
+  DryRunThread(base::Cache cache, int threads) : cache_(std::move(cache)), threads_(threads) {}
   /// Gives up the one under way and waits for its end.
   ~DryRunThread();
   DryRunThread(const DryRunThread&) = delete;
@@ -41,7 +41,7 @@ class DryRunThread {
   void work(const scene::Preset& preset);
   void tell(Found found);
 
-  Cache cache_;
+  base::Cache cache_;
   int threads_;
   std::atomic<bool> stop_ = false, busy_ = false;
   mutable std::mutex mutex_;

@@ -1,6 +1,6 @@
 #include "studio/workbench/errand.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 std::string new_file() {
   std::string name = (std::filesystem::temp_directory_path() / "rift_errand_XXXXXX").string();
   const int descriptor = mkstemp(name.data());
-  if (descriptor < 0) throw results::WorldError("create", name, std::strerror(errno));
+  if (descriptor < 0) throw base::WorldError("create", name, std::strerror(errno));
   close(descriptor);
   return name;
 }
@@ -53,7 +53,7 @@ Errand::Errand(const std::vector<std::string>& command, std::string what)
   const int error = posix_spawnp(&pid_, arguments[0], &files, &attributes, arguments.data(), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
-  if (error != 0) throw results::WorldError("start", command.front(), std::strerror(error));
+  if (error != 0) throw base::WorldError("start", command.front(), std::strerror(error));
 }
 
 bool Errand::ended() {

@@ -1,6 +1,6 @@
 #include "studio/workbench/errands.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ std::string Errands::send(const std::vector<std::string>& arguments, const std::
   command.insert(command.end(), arguments.begin(), arguments.end());
   under_way_.emplace_back(command, what);
   return what + ": under way";
-} catch (const results::WorldError& error) {
+} catch (const base::WorldError& error) {
   return error.what();
 }
 

@@ -1,7 +1,7 @@
 #include "studio/workbench/form_screen.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
-#include "engine/results/files.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
 #include "studio/screen/box.hpp"
@@ -340,10 +340,10 @@ void FormScreen::save() try {
   } else if (const fs::path file = workshop_.own_presets / (name + ".toml"); fs::exists(file)) {
     message_ = file.string() + " is there already: choose another name";
   } else {
-    results::make_folder(workshop_.own_presets);
-    results::write_whole_file(file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}",
-                                                base::escaped(path_.stem().string()), changes_.size(),
-                                                scene::preset_text(preset_)));
+    base::make_folder(workshop_.own_presets);
+    base::write_whole_file(file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}",
+                                             base::escaped(path_.stem().string()), changes_.size(),
+                                             scene::preset_text(preset_)));
     message_ = "saved: " + file.string();
   }
 } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 #include "studio/workbench/home_screen.hpp"
 
-#include "engine/results/ownership.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/scene/preset.hpp"
 #include "studio/screen/box.hpp"
 #include "studio/screen/layouts.hpp"

@@ -1,8 +1,8 @@
 #include "studio/workbench/lesson.hpp"
 
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/lane_title.hpp"
-#include "engine/results/world_error.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/wording.hpp"
 #include "studio/report/chart.hpp"
@@ -205,7 +205,7 @@ void write_handout(const Lesson& lesson, const Json& scenarios, const Live& live
   try {
     curves = html_figure(draw_chart(rate_chart(live), file.parent_path() / "charts", "rates").svg_text,
                          "Release rate against tip position of the run on the screen.");
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     curves = html_paragraph(fmt::format("No chart: {}", error.what()));
   }
   std::string question = html_paragraph(lesson.question);
@@ -220,7 +220,7 @@ void write_handout(const Lesson& lesson, const Json& scenarios, const Live& live
   body += html_section("What follows", html_paragraph(lesson.after));
   body += html_paragraph(fmt::format("Made by rift studio --lesson {}; the run is that of rift run {}.",
                                      lesson.name, lesson.preset));
-  results::write_whole_file(file, html_page(lesson.title, body));
+  base::write_whole_file(file, html_page(lesson.title, body));
 }
 
 }  // namespace rift::studio

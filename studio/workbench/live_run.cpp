@@ -1,6 +1,6 @@
 #include "studio/workbench/live_run.hpp"
 
-#include "engine/interrupted.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/results/crack_tip.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/screen/live_of_run.hpp"
@@ -48,7 +48,7 @@ LiveRun::~LiveRun() { stop(); }
 void LiveRun::work() {
   try {
     run();
-  } catch (const Interrupted&) {
+  } catch (const base::Interrupted&) {
     // nothing was written, nothing is to be said
   } catch (...) {
     failure_ = std::current_exception();

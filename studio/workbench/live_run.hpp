@@ -29,7 +29,7 @@ struct RunWish {
   bool resume = false;  // go on with the run that is in the folder
   int threads = 0;
   double checkpoint_s = 30;  // between two checkpoints
-  Cache cache = {};
+  base::Cache cache = {};
   simulation::BuildInfo build = {};
   std::function<void(const std::filesystem::path&)> began = {};  // the folder is there; on the run's thread
 };

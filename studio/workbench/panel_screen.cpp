@@ -1,6 +1,7 @@
 #include "studio/workbench/panel_screen.hpp"
 
-#include "engine/results/ownership.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/scene/axes.hpp"
 #include "studio/screen/box.hpp"
 
@@ -86,7 +87,7 @@ void WatchScreen::open_again() try {
   live_ = run_->live();
   live_.message = "another run has taken the place of the one that was shown";
   shown_ = 0, beside_ = -1;
-} catch (const results::WorldError&) {
+} catch (const base::WorldError&) {
   // its journal holds no geometry yet
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 #include "engine/simulation/build_info.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/keymap.hpp"
@@ -43,7 +43,7 @@ class Screen {
 struct Workshop {
   std::filesystem::path presets, own_presets, runs = "runs", studies = "studies";
   std::filesystem::path program;  // rift itself, for what it does in the background
-  Cache cache = {};
+  base::Cache cache = {};
   simulation::BuildInfo build = {};
   int threads = 0;
 };

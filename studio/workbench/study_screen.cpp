@@ -1,6 +1,6 @@
 #include "studio/workbench/study_screen.hpp"
 
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "engine/theory/references.hpp"
 #include "studio/report/study_report.hpp"
 #include "studio/report/study_table.hpp"
@@ -87,11 +87,11 @@ void StudyScreen::work() {
   };
   std::string message;
   try {
-    Cache cache = workshop_.cache;
+    base::Cache cache = workshop_.cache;
     const study::StudyResult result = study::run_study(
         preset_, {.folder = folder_, .threads = workshop_.threads}, cache, workshop_.build, observer);
     if (const std::string csv = study_csv(result.rows); !csv.empty())
-      results::write_whole_file(folder_ / "table.csv", csv);
+      base::write_whole_file(folder_ / "table.csv", csv);
     if (result.outcome != simulation::Outcome::stopped)
       write_study_report(preset_, workshop_.build, result, folder_);
     message = result.outcome == simulation::Outcome::stopped

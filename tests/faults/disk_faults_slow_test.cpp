@@ -42,7 +42,9 @@ TEST_P(DiskFaultsOf, EndInASentenceAndCanBeResumed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, DiskFaultsOf, testing::Range(std::size_t{0}, all_cases().size()),
-                         [](const auto& tested) { return replaced(all_cases()[tested.param].name, " ", "_"); });
+                         [](const auto& tested) {
+                           return replaced(all_cases()[tested.param].name, " ", "_");
+                         });
 
 }  // namespace
 }  // namespace rift::studio::faults

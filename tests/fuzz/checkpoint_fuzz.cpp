@@ -1,6 +1,6 @@
+#include "engine/base/files.hpp"
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/results/checkpoint.hpp"
-#include "engine/results/files.hpp"
 #include "engine/simulation/march_notes.hpp"
 #include "tests/fuzz/bytes.hpp"
 
@@ -41,12 +41,12 @@ void as_notes(fuzz::Bytes input) {
 }
 
 lattice::Lattice three_elements() {
-  lattice::Specimen s;
+  packing::Specimen s;
   s.box = {3e-3, 3e-3, 1e-3};
   for (int k = 0; k < 3; ++k) {
     s.centre.emplace_back(1e-3 * (k + 0.5), 1e-3 * (k + 0.5), 0.5e-3);
     s.radius.push_back(0.7e-3);
-    s.grip.push_back(lattice::Grip::none);
+    s.grip.push_back(packing::Grip::none);
     if (k > 0) s.beam.push_back({k - 1, k});
   }
   s.packing.mean_radius = 0.7e-3;
@@ -58,10 +58,10 @@ void as_a_state(fuzz::Bytes input) {
   static const lattice::Lattice lattice = three_elements();
   fracture::LaneScenario scenario;
   scenario.history = history::history_of(0.0, {{100.0, 1.0}});
-  scenario.law = {scene::Technique::progressive, 1.0, 1e-3};
+  scenario.law = {fracture::Technique::progressive, 1.0, 1e-3};
   ensemble::Ensemble<double> ensemble(lattice, fracture::straight_path(3e-3, 1.6e-3), 0.0, 1e-9,
                                       {scenario, scenario});
-  ensemble.start_from(std::vector<mechanics::Vector6>(3, mechanics::Vector6::Zero()));
+  ensemble.start_from(std::vector<lattice::Vector6>(3, lattice::Vector6::Zero()));
   ensemble.start_crack({});
   ensemble::NamedNumbers state = ensemble.state();
   for (int changes = 0; changes < 8 && !input.empty(); ++changes) {

@@ -1,8 +1,8 @@
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/journal_index.hpp"
 #include "engine/results/journal_scan.hpp"
 #include "engine/results/series.hpp"
-#include "engine/results/world_error.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/memory_file.hpp"
 
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     JournalIndex index(path);
     for (std::int32_t lane = 0; lane < std::min(index.lanes(), 4); ++lane)
       for (const FrameEntry& entry : index.frames(lane)) (void)index.frame(entry);
-  } catch (const WorldError&) {
+  } catch (const rift::base::WorldError&) {
   }
   return 0;
 }

@@ -1,5 +1,5 @@
+#include "engine/base/world_error.hpp"
 #include "engine/results/json_input.hpp"
-#include "engine/results/world_error.hpp"
 #include "engine/study/store.hpp"
 #include "tests/fuzz/bytes.hpp"
 
@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!scenario.is_object()) return 0;
     const auto kept = rift::study::write_result(study_folder(), "key", scenario, "step\n");
     if (rift::study::read_result(study_folder(), "key", notes) != kept) std::abort();
-  } catch (const rift::results::WorldError&) {
+  } catch (const rift::base::WorldError&) {
   }
   return 0;
 }

@@ -1,6 +1,6 @@
 #include "viz/child.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -46,7 +46,7 @@ TEST(Child, ThatIsNotThereIsSaid) {
   try {
     Child none({"rift-no-such-program"});
     FAIL() << "started";
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     EXPECT_EQ(std::string(error.what()), "cannot start rift-no-such-program: No such file or directory");
   }
 }

@@ -23,8 +23,6 @@ constexpr int columns = 40, rows = 8;
 constexpr float diameter = 1e-3F;
 constexpr double length = columns * 1e-3, height = rows * 1e-3, pulled = 0.4e-3;
 
-using Folder = TemporaryFolder;
-
 inline int element(int column, int row) { return row * columns + column; }
 
 /// Vertical beams join the rows; those from row 3 to row 4 cross the path.

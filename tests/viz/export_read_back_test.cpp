@@ -29,7 +29,7 @@ std::vector<std::pair<double, fs::path>> files_of(const fs::path& pvd) {
 }
 
 TEST(ExportPvd, IsReadByTheDistributionsVtk) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto files = files_of(results::export_pvd(write_run(folder / "run", 4)));
   ASSERT_EQ(files.size(), 4U);
   const results::Geometry g = geometry();

@@ -1,13 +1,12 @@
 #include "viz/film.hpp"
 
-#include "tests/engine/results/full_disk.hpp"
+#include "tests/full_disk.hpp"
 #include "tests/viz/scripts.hpp"
 #include "viz/png.hpp"
 
 namespace rift::viz {
 namespace {
 
-using drawn_plate::Folder;
 namespace fs = std::filesystem;
 
 Image grey(int shade) {
@@ -49,7 +48,7 @@ std::size_t files_in(const fs::path& folder) {
 }
 
 TEST(Film, HoldsAllItsFramesInEveryFormat) {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
     make(folder / name, 7);
     EXPECT_EQ(frames_in(folder / name), 7) << name;
@@ -57,7 +56,7 @@ TEST(Film, HoldsAllItsFramesInEveryFormat) {
 }
 
 TEST(Film, OfWhichNothingIsFinishedLeavesNothing) {
-  const Folder folder;
+  const TemporaryFolder folder;
   {
     Film film(folder / "a.mp4", 64, 32, 10);
     film.add(grey(7));
@@ -66,14 +65,14 @@ TEST(Film, OfWhichNothingIsFinishedLeavesNothing) {
 }
 
 TEST(Film, WithoutFfmpegSaysSo) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const PathOf path(folder.path().string());
   EXPECT_EQ(failure_of(folder / "a.mp4", 3), "cannot start ffmpeg: No such file or directory");
   EXPECT_FALSE(fs::exists(folder / "a.mp4"));
 }
 
 TEST(Film, ThatFfmpegCannotMakeIsNotThere) {
-  const Folder folder, programs;
+  const TemporaryFolder folder, programs;
   const auto with = [&](const std::string& script) {
     write_script(programs / "ffmpeg", script);
     const PathOf path(programs.path().string() + ":/bin:/usr/bin");
@@ -95,7 +94,7 @@ TEST(Film, HasAnEndingThatIsKnown) {
 }
 
 TEST(Png, ComesBackAsItWas) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Image image = grey(77);
   write_png(folder / "a.png", image);
   const Image back = read_png(folder / "a.png");
@@ -107,9 +106,9 @@ TEST(Png, ComesBackAsItWas) {
 }
 
 TEST(Png, OnAFullDiskIsAnErrorAndNoFile) {
-  const Folder folder;
+  const TemporaryFolder folder;
   {
-    const results::FullDisk full(20);
+    const FullDisk full(20);
     EXPECT_THROW(write_png(folder / "a.png", grey(1)), std::runtime_error);
   }
   EXPECT_TRUE(fs::is_empty(folder / "."));

@@ -31,7 +31,7 @@ double share_apart(const Image& a, const Image& b) {
 }
 
 TEST(Picture, AnElementHasTheColourOfItsDisplacement) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
   const Image image = drawn(job, 3);
   const results::Frame shown = frame(3);
@@ -45,7 +45,7 @@ TEST(Picture, AnElementHasTheColourOfItsDisplacement) {
 }
 
 TEST(Picture, ItIsWhiteWhereNothingIs) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
   const Image image = drawn(job, 3);
   const auto [x, y] = place_of(job, {0.005, 0.5 * height + 0.5 * pulled}, {0, 0});  // in the open crack
@@ -55,7 +55,7 @@ TEST(Picture, ItIsWhiteWhereNothingIs) {
 }
 
 TEST(Picture, TheTipIsADarkDotWhereTheTipIs) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
   for (const int moment : {1, 4}) {
     const Image image = drawn(job, moment);
@@ -74,7 +74,7 @@ int pixels_like(const Image& image, const Colour& colour) {
 }
 
 TEST(Picture, TheBudgetHasALineForFrictionWhereItTakesSomething) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Colour contact{204 / 255.0, 121 / 255.0, 167 / 255.0};
   EXPECT_GT(pixels_like(drawn(job_for(write_run(folder / "rubs", 6, 1, 0.5)), 5), contact), 100);
   EXPECT_EQ(pixels_like(drawn(job_for(write_run(folder / "meets", 6, 1, 1e-5)), 5), contact), 0);
@@ -82,7 +82,7 @@ TEST(Picture, TheBudgetHasALineForFrictionWhereItTakesSomething) {
 }
 
 TEST(Picture, ACloseUpFollowsTheTip) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Job job = job_for(write_run(folder / "run"));
   job.look.camera = Camera::tip;
   job.look.close_up_m = 4e-3;
@@ -94,7 +94,7 @@ TEST(Picture, ACloseUpFollowsTheTip) {
 }
 
 TEST(Picture, BeamsShowWhatTheyStillBear) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Job job = job_for(write_run(folder / "run"));
   job.look.beams = Beams::all;
   job.look.spheres = false;
@@ -118,7 +118,7 @@ TEST(Picture, BeamsShowWhatTheyStillBear) {
 }
 
 TEST(Picture, TheChartGrowsWithTime) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
   const auto blue_pixels = [&](int moment) {
     const Image image = drawn(job, moment);
@@ -134,13 +134,13 @@ TEST(Picture, TheChartGrowsWithTime) {
 }
 
 TEST(Picture, TwoRunsOfTheRendererGiveTheSameBytes) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run", 6, 2), 2);
   for (const Gl gl : {Gl::osmesa, Gl::egl}) EXPECT_EQ(drawn(job, 4, gl).rgb, drawn(job, 4, gl).rgb);
 }
 
 TEST(Picture, AFrameIsThatOfItsTimeWhateverWasDrawnBefore) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
   Renderer renderer(job, Gl::osmesa, false, programs());
   std::vector<Image> images;
@@ -152,7 +152,7 @@ TEST(Picture, AFrameIsThatOfItsTimeWhateverWasDrawnBefore) {
 }
 
 TEST(Picture, BothWaysToOpenGlDrawTheSame) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
   const Image osmesa = drawn(job, 3, Gl::osmesa), egl = drawn(job, 3, Gl::egl);
   EXPECT_GT(colours_in(osmesa), 100);
@@ -169,7 +169,7 @@ struct Kept {
 class Baseline : public testing::TestWithParam<Kept> {};
 
 TEST_P(Baseline, IsMetByThePicture) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Job job = job_for(write_run(folder / "run", 6, GetParam().lanes), GetParam().lanes);
   GetParam().change(job);
   const Image image = drawn(job, 4);

@@ -25,7 +25,7 @@ std::string complaint(const Wish& wish) {
 }
 
 TEST(Plan, TakesAllLanesOnTheClockOfTheLongest) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Plan plan = plan_of(wish_for({write_run(folder / "short", 3), write_run(folder / "long", 6, 2)}));
   ASSERT_EQ(plan.job.panes.size(), 3U);
   EXPECT_EQ(plan.job.panes[2].lane, 1);
@@ -37,7 +37,7 @@ TEST(Plan, TakesAllLanesOnTheClockOfTheLongest) {
 }
 
 TEST(Plan, HasOneRangeForAllPanes) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Wish wish = wish_for({write_run(folder / "short", 3), write_run(folder / "long", 6)});
   EXPECT_EQ(plan_of(wish).job.look.range, (std::array{0.0, pulled}));
   EXPECT_TRUE(plan_of(wish).range_known);
@@ -50,7 +50,7 @@ TEST(Plan, HasOneRangeForAllPanes) {
 }
 
 TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::filesystem::path run = folder / "run";
   std::filesystem::create_directories(run);
   {
@@ -77,7 +77,7 @@ TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
 }
 
 TEST(Plan, NamesWhatARunHasInPlaceOfWhatItHasNot) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::filesystem::path run = write_run(folder / "run");
   Wish wish = wish_for({run});
   wish.field = "elastic";
@@ -102,7 +102,7 @@ TEST(Plan, NamesWhatARunHasInPlaceOfWhatItHasNot) {
 }
 
 TEST(Plan, ShowsADamagedRunUpToItsDamageAndSaysSo) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::filesystem::path journal = write_run(folder / "run") / results::journal_name;
   std::filesystem::resize_file(journal, std::filesystem::file_size(journal) - 2000);
   EXPECT_TRUE(plan_of(wish_for({folder / "run"})).notes.empty()) << "a run that goes on looks like this";

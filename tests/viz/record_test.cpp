@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 const Making with_programs{.gl = Gl::osmesa, .programs = programs()};
 
 TEST(Record, PicturesAreTheFramesOfTheirTimes) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
   const std::vector<double> times{0, 2e-6, 5e-6};
   make_pictures(job, times, folder / "pngs", with_programs);
@@ -26,7 +26,7 @@ TEST(Record, PicturesAreTheFramesOfTheirTimes) {
 }
 
 TEST(Record, AFilmThatIsStoppedLeavesNothing) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
   Making making = with_programs;
   making.go_on = [](std::size_t done, std::size_t) { return done < 2; };
@@ -37,7 +37,7 @@ TEST(Record, AFilmThatIsStoppedLeavesNothing) {
 }
 
 TEST(Record, ARunThatGoesOnIsFollowedToItsEnd) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const fs::path run = write_run(folder / "run", 6), growing = folder / "growing";
   fs::create_directories(growing);
   const std::uintmax_t whole = fs::file_size(run / results::journal_name);

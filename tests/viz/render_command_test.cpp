@@ -7,17 +7,17 @@ namespace rift::studio {
 namespace {
 
 namespace fs = std::filesystem;
-using viz::drawn_plate::Folder;
 using viz::drawn_plate::write_run;
 
 /// `rift render ARGUMENTS` in a folder.
-Ran render_in(const Folder& folder, const std::string& arguments, const std::string& environment = "") {
+Ran render_in(const TemporaryFolder& folder, const std::string& arguments,
+              const std::string& environment = "") {
   return run_shell("cd '" + folder.path().string() + "' && env -u DISPLAY " + environment +
                    " '" RIFT_EXE "' render " + arguments);
 }
 
 TEST(Render, MakesAFilmInTheRunsFolderByDefault) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_run(folder / "run");
   const Ran ran = render_in(folder, "run --size 320x180");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
@@ -26,7 +26,7 @@ TEST(Render, MakesAFilmInTheRunsFolderByDefault) {
 }
 
 TEST(Render, MakesOnePictureAPosterAndASequence) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_run(folder / "run");
   const Ran ran =
       render_in(folder, "run --size 320x180 --at 0.5 --picture a.png --poster --png frames --frames 3");
@@ -38,7 +38,7 @@ TEST(Render, MakesOnePictureAPosterAndASequence) {
 }
 
 TEST(Render, DrawsARunWhoseNameIsNoUtf8) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string name = "r\xe9s\x1b[2J\nb";
   write_run(folder / name);
   const Ran ran = render_in(folder, "'" + name + "' --size 320x180 --poster --film 'f\xe9.mp4'");
@@ -50,7 +50,7 @@ TEST(Render, DrawsARunWhoseNameIsNoUtf8) {
 }
 
 TEST(Render, NeverOverwritesSilently) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_run(folder / "run");
   write_text(folder / "a.mp4", "precious");
   const Ran ran = render_in(folder, "run --film a.mp4");
@@ -62,7 +62,7 @@ TEST(Render, NeverOverwritesSilently) {
 }
 
 TEST(Render, RoundsOddSizesWithANote) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_run(folder / "run");
   const Ran ran = render_in(folder, "run --size 321x181 --at 0 --picture a.png");
   EXPECT_EQ(ran.exit_code, 0);
@@ -71,7 +71,7 @@ TEST(Render, RoundsOddSizesWithANote) {
 }
 
 TEST(Render, TellsEveryMistakeAndMakesNothing) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_run(folder / "run");
   const auto complaint = [&](const std::string& arguments) {
     const Ran ran = render_in(folder, arguments);
@@ -94,7 +94,7 @@ TEST(Render, TellsEveryMistakeAndMakesNothing) {
 }
 
 TEST(Render, KeepsTheFramesWhereFfmpegIsMissingOrDies) {
-  const Folder folder, programs;
+  const TemporaryFolder folder, programs;
   write_run(folder / "run");
   const std::string only_ours = "PATH='" + programs.path().string() + "'";
   const Ran missing = render_in(folder, "run --size 320x180 --film a.mp4", only_ours);
@@ -115,7 +115,7 @@ TEST(Render, KeepsTheFramesWhereFfmpegIsMissingOrDies) {
 }
 
 TEST(Render, IntoAFolderThatIsNotThereFailsWithAReason) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_run(folder / "run");
   const Ran ran = render_in(folder, "run --size 320x180 --at 0 --picture nowhere/a.png");
   EXPECT_EQ(ran.exit_code, 1);
@@ -127,7 +127,7 @@ TEST(Render, IntoAFolderThatIsNotThereFailsWithAReason) {
 }
 
 TEST(Render, TwoAtOnceLeaveAWholeFilm) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_run(folder / "run");
   const std::string once =
       "(env HOME=/nowhere '" RIFT_EXE "' render run --size 320x180 --film a.mp4 >/dev/null; echo rc $?) & ";

@@ -1,12 +1,10 @@
 #include "viz/renderer.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 #include "tests/viz/scripts.hpp"
 
 namespace rift::viz {
 namespace {
-
-using drawn_plate::Folder;
 
 Job small_job() {
   Job job;
@@ -25,14 +23,14 @@ std::string trouble_of(Renderer& renderer) {
   try {
     renderer.ask(0);
     (void)renderer.next();
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     return error.what();
   }
   return "no trouble";
 }
 
 TEST(Renderer, GivesAFrameForEachTime) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_script(folder / "rift-frames-osmesa", drawing('a'));
   Renderer renderer(small_job(), Gl::any, false, folder.path());
   for (const double t : {0.0, 1e-6}) renderer.ask(t);
@@ -41,7 +39,7 @@ TEST(Renderer, GivesAFrameForEachTime) {
 }
 
 TEST(Renderer, TurnsToEglWhereOsmesaIsNotToBeHadAndAsksAgain) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_script(folder / "rift-frames-osmesa", "echo 'no context' >&2; exit 3");
   write_script(folder / "rift-frames-egl", drawing('e'));
   Renderer renderer(small_job(), Gl::any, false, folder.path());
@@ -53,7 +51,7 @@ TEST(Renderer, TurnsToEglWhereOsmesaIsNotToBeHadAndAsksAgain) {
 }
 
 TEST(Renderer, TurnsToEglWhereOsmesasLibraryIsGone) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_script(folder / "rift-frames-osmesa", "exit 127");
   write_script(folder / "rift-frames-egl", drawing('e'));
   Renderer renderer(small_job(), Gl::any, false, folder.path());
@@ -62,7 +60,7 @@ TEST(Renderer, TurnsToEglWhereOsmesasLibraryIsGone) {
 }
 
 TEST(Renderer, ThatCrashesIsAnErrorWithItsLastWords) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_script(folder / "rift-frames-osmesa", "read job; echo 'bad vertex' >&2; kill -SEGV $$");
   Renderer renderer(small_job(), Gl::any, false, folder.path());
   EXPECT_EQ(trouble_of(renderer), "cannot draw with " + (folder / "rift-frames-osmesa").string() +
@@ -70,14 +68,14 @@ TEST(Renderer, ThatCrashesIsAnErrorWithItsLastWords) {
 }
 
 TEST(Renderer, ThatStopsInTheMiddleOfAFrameGivesNone) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_script(folder / "rift-frames-osmesa", "read job; read t; printf 'half'; exit 1");
   Renderer renderer(small_job(), Gl::any, false, folder.path());
   EXPECT_NE(trouble_of(renderer), "no trouble");
 }
 
 TEST(Renderer, TellsWhatItsRunHas) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Job job = small_job();
   job.panes = {{folder / "nothing", 0, ""}};
   Renderer renderer(job, Gl::any, false, drawn_plate::programs());

@@ -1,6 +1,6 @@
 #include "engine/calibration/pull.hpp"
-#include "engine/mechanics/free_body.hpp"
-#include "tests/engine/lattice/packed_once.hpp"
+#include "engine/lattice/free_body.hpp"
+#include "tests/engine/packing/packed_once.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -18,20 +18,20 @@ namespace {
 
 constexpr double thickness = 10e-3, length = 40e-3, margin = 2e-3;
 
-lattice::Packing block_packing(const lattice::Box& box) {
-  return lattice::packed_once(
+packing::Packing block_packing(const packing::Box& box) {
+  return packing::packed_once(
       {.box = box, .elements = 14'000, .radius_spread = 0.125, .coordination = 6.0, .seed = 1});
 }
 
-lattice::Lattice lattice_of(const lattice::Packing& packing, const lattice::Box& box) {
-  return lattice::make_lattice(lattice::make_free_specimen(packing, box, 1.0), {356e9, 0.3, 0.3}, 1000.0);
+lattice::Lattice lattice_of(const packing::Packing& packing, const packing::Box& box) {
+  return lattice::make_lattice(packing::make_free_specimen(packing, box, 1.0), {356e9, 0.3, 0.3}, 1000.0);
 }
 
 /// The elements whose centres lie in a box within the block, moved to its corner.
-lattice::Packing cut(const lattice::Packing& block, const lattice::Box& bar) {
-  lattice::Packing packing;
+packing::Packing cut(const packing::Packing& block, const packing::Box& bar) {
+  packing::Packing packing;
   for (std::size_t i = 0; i < block.centre.size(); ++i)
-    if (const Eigen::Vector3d p = block.centre[i] - Eigen::Vector3d::Constant(margin); lattice::holds(bar, p))
+    if (const Eigen::Vector3d p = block.centre[i] - Eigen::Vector3d::Constant(margin); packing::holds(bar, p))
       packing.centre.push_back(p), packing.radius.push_back(block.radius[i]);
   return packing;
 }
@@ -41,7 +41,7 @@ struct Bars {
 };
 
 /// Curvature of the deflection along z over x at the middle, by a cubic through the middle half.
-double curvature_at_middle(const lattice::Lattice& lattice, const std::vector<mechanics::Vector6>& motion) {
+double curvature_at_middle(const lattice::Lattice& lattice, const std::vector<lattice::Vector6>& motion) {
   Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
   Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
   for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -58,13 +58,13 @@ double curvature_at_middle(const lattice::Lattice& lattice, const std::vector<me
 }
 
 /// Shear P at the right end, P and the moment P a at the left: a cantilever whose ends are a apart.
-std::vector<mechanics::Vector6> cantilever_loads(const lattice::Lattice& lattice, double shear) {
+std::vector<lattice::Vector6> cantilever_loads(const lattice::Lattice& lattice, double shear) {
   std::vector<int> left, right;
   for (int i = 0; i < static_cast<int>(lattice.centre.size()); ++i) {
     if (lattice.centre[i].x() < 1.5e-3) left.push_back(i);
     if (lattice.centre[i].x() > length - 1.5e-3) right.push_back(i);
   }
-  std::vector<mechanics::Vector6> load(lattice.centre.size(), mechanics::Vector6::Zero());
+  std::vector<lattice::Vector6> load(lattice.centre.size(), lattice::Vector6::Zero());
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   const Eigen::Vector3d middle = 0.5 * lattice.box.size();
   const auto add = [&](const std::vector<int>& end, double force) {
@@ -93,13 +93,13 @@ std::vector<mechanics::Vector6> cantilever_loads(const lattice::Lattice& lattice
 }
 
 Bars measure() {
-  const lattice::Box box{length + 2 * margin, thickness + 2 * margin, thickness + 2 * margin};
-  const lattice::Packing packing = block_packing(box);
+  const packing::Box box{length + 2 * margin, thickness + 2 * margin, thickness + 2 * margin};
+  const packing::Packing packing = block_packing(box);
   const lattice::Lattice block = lattice_of(packing, box);
-  mechanics::FreeBody block_body(block);
-  const lattice::Box bar_box{length, thickness, thickness};
+  lattice::FreeBody block_body(block);
+  const packing::Box bar_box{length, thickness, thickness};
   const lattice::Lattice bar = lattice_of(cut(packing, bar_box), bar_box);
-  mechanics::FreeBody bar_body(bar);
+  lattice::FreeBody bar_body(bar);
   constexpr double shear = 1.0;
   const auto motion = bar_body.at_rest(cantilever_loads(bar, shear));
   const double inertia = std::pow(thickness, 4.0) / 12.0;

@@ -1,7 +1,7 @@
 #include "engine/calibration/calibrate.hpp"
 
+#include "engine/base/interrupted.hpp"
 #include "engine/calibration/calibration_study.hpp"
-#include "engine/interrupted.hpp"
 #include "engine/scene/parameters.hpp"
 
 #include <gtest/gtest.h>
@@ -17,13 +17,13 @@ namespace {
 
 scene::Scene small_scene() {
   scene::Scene scene = scene::default_scene();
-  scene.specimen.shape = scene::Shape::cylinder;
+  scene.specimen.shape = packing::Shape::cylinder;
   scene.calibration = {.sizes = {300, 600}, .packings = 2, .elements = 400, .radius_ratios = {0.2, 0.4, 0.8}};
   return scene;
 }
 
 TEST(Calibrate, FindsBeamsThatShowTheModulusAndPoissonsRatio) {
-  Cache none;
+  base::Cache none;
   const scene::Scene scene = small_scene();
   const Calibrated c = calibrate(scene, 3e9, 0.25, none);
   EXPECT_NEAR(c.poisson_ratio.mean, 0.25, 2e-4);
@@ -37,7 +37,7 @@ TEST(Calibrate, FindsBeamsThatShowTheModulusAndPoissonsRatio) {
 }
 
 TEST(Calibrate, RefusesWhatNoBeamOfTheScanMakesAndSaysTheRange) {
-  Cache none;
+  base::Cache none;
   try {
     calibrate(small_scene(), 3e9, 0.49, none);
     FAIL();
@@ -51,7 +51,7 @@ TEST(Calibrate, RefusesWhatNoBeamOfTheScanMakesAndSaysTheRange) {
 TEST(PressCylinders, AreTheSameWithAnyThreadsAndFromTheCache) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("rift_cylinders_" + std::to_string(::getpid()));
-  Cache cache{folder, {}}, none;
+  base::Cache cache{folder, {}}, none;
   const auto tests = cylinders_for(small_scene(), 300, {{0.3, 0.3}, {0.5, 0.3}});
   const auto one = press_cylinders(tests, none, {}, 1), two = press_cylinders(tests, cache, {}, 2);
   double told = 0.0;
@@ -73,9 +73,9 @@ TEST(PressCylinders, AreTheSameWithAnyThreadsAndFromTheCache) {
 }
 
 TEST(PressCylinders, StopWhenToldTo) {
-  Cache none;
+  base::Cache none;
   EXPECT_THROW(press_cylinders(cylinders_for(small_scene(), 300, {{}}), none, [](double) { return false; }),
-               Interrupted);
+               base::Interrupted);
 }
 
 TEST(CylindersFor, HaveSeedsThatFollowAndTheSpecimensPacking) {
@@ -90,7 +90,7 @@ TEST(CylindersFor, HaveSeedsThatFollowAndTheSpecimensPacking) {
 }
 
 TEST(CalibrationStudy, HasARowForEveryResult) {
-  Cache none;
+  base::Cache none;
   const auto rows = rows_of(study_calibration(small_scene(), none, {}, 0));
   // sizes 2 x 2, scan 2 x 3, twisted 2 x 2, boxes 2 x 2
   ASSERT_EQ(rows.size(), 4u + 6 + 4 + 4);

@@ -1,7 +1,7 @@
 #include "engine/calibration/homogenise.hpp"
 
 #include "tests/engine/calibration/cubic_lattice.hpp"
-#include "tests/engine/lattice/packed_once.hpp"
+#include "tests/engine/packing/packed_once.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace rift::calibration {
 namespace {
 
 TEST(Homogenisation, OfACubicLatticeIsExact) {
-  const Matrix6 c = homogenised_stiffness(cubic_lattice::lattice_of({4, 5, 6}, lattice::Walls::periodic));
+  const Matrix6 c = homogenised_stiffness(cubic_lattice::lattice_of({4, 5, 6}, packing::Shape::periodic));
   const double r = cubic_lattice::section_radius, l = cubic_lattice::edge, e = cubic_lattice::young;
   const double direct = e * std::numbers::pi * r * r / (l * l);
   // Both families of beams bend by half the shear: two beams a cell of 3 w (gamma / 2)^2 each, w = 2 E I / l.
@@ -24,10 +24,10 @@ TEST(Homogenisation, OfACubicLatticeIsExact) {
 }
 
 lattice::Lattice random_box(std::uint64_t seed) {
-  const lattice::Box box{10e-3, 10e-3, 10e-3, lattice::Walls::periodic};
-  const lattice::Packing packing = lattice::packed_once(
+  const packing::Box box{10e-3, 10e-3, 10e-3, packing::Shape::periodic};
+  const packing::Packing packing = packing::packed_once(
       {.box = box, .elements = 800, .radius_spread = 0.125, .coordination = 6.0, .seed = seed});
-  return lattice::make_lattice(lattice::make_free_specimen(packing, box, 1.0), {356e9, 0.3, 0.3}, 1000.0);
+  return lattice::make_lattice(packing::make_free_specimen(packing, box, 1.0), {356e9, 0.3, 0.3}, 1000.0);
 }
 
 TEST(Homogenisation, IsSymmetricAndPositive) {

@@ -1,7 +1,7 @@
 #include "engine/calibration/waves.hpp"
 
-#include "engine/interrupted.hpp"
-#include "engine/mechanics/stable_step.hpp"
+#include "engine/base/interrupted.hpp"
+#include "engine/lattice/stable_step.hpp"
 #include "tests/engine/calibration/cubic_lattice.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace rift::calibration {
 namespace {
 
 struct Plate {
-  lattice::Lattice lattice = cubic_lattice::lattice_of({120, 24, 1}, lattice::Walls::flat);
-  double dt = 0.5 * mechanics::stable_step(lattice).critical;
+  lattice::Lattice lattice = cubic_lattice::lattice_of({120, 24, 1}, packing::Shape::block);
+  double dt = 0.5 * lattice::stable_step(lattice).critical;
 };
 
 /// Speeds of long waves along the axes of a cubic lattice of rigidly joined beams, of density 1000 kg/m3.
@@ -63,7 +63,7 @@ TEST(MeasuredWaves, AreLongestFirstAndNoneIsShorterThanEightRadii) {
 TEST(MeasuredWaves, StopWhenToldTo) {
   const Plate plate;
   EXPECT_THROW(measured_waves(plate.lattice, plate.dt, exact(), 1, [](double) { return false; }),
-               Interrupted);
+               base::Interrupted);
 }
 
 }  // namespace

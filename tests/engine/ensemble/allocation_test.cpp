@@ -47,7 +47,7 @@ namespace rift::ensemble {
 namespace {
 
 template <class Real>
-long allocations_in_steps(const simulation::Prepared& p, scene::Kinematics kinematics, int scenarios) {
+long allocations_in_steps(const simulation::Prepared& p, lattice::Kinematics kinematics, int scenarios) {
   std::vector<fracture::LaneScenario> lanes = simulation::four_laws(p);
   lanes.resize(scenarios);
   Ensemble<Real> s = simulation::ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics, .threads = 2});
@@ -62,7 +62,8 @@ long allocations_in_steps(const simulation::Prepared& p, scene::Kinematics kinem
 
 TEST(Step, AllocatesNothing) {
   const simulation::Prepared p = simulation::small_plate({"damping.alpha=0.001", "damping.region=all"});
-  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational})
+  for (const lattice::Kinematics kinematics :
+       {lattice::Kinematics::linear, lattice::Kinematics::corotational})
     for (const int scenarios : {1, 4}) {
       EXPECT_EQ(allocations_in_steps<double>(p, kinematics, scenarios), 0);
       EXPECT_EQ(allocations_in_steps<float>(p, kinematics, scenarios), 0);

@@ -1,5 +1,5 @@
-#include "tests/engine/mechanics/dense.hpp"
-#include "tests/engine/mechanics/hand_made.hpp"
+#include "tests/engine/lattice/dense.hpp"
+#include "tests/engine/lattice/hand_made.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
 #include <cmath>
@@ -16,11 +16,11 @@ lattice::Lattice pair() {
   lattice::Lattice lattice;
   lattice.centre = {{1.0, 0.5, 0.0}, {1.0, 1.5, 0.0}};
   lattice.radius = {0.5, 0.5};
-  lattice.grip = {lattice::Grip::none, lattice::Grip::none};
+  lattice.grip = {packing::Grip::none, packing::Grip::none};
   lattice.mass = {1.0, 2.0};
   lattice.inertia = {0.1, 0.2};
   lattice.ends = {{0, 1}};
-  lattice.beam = {mechanics::hand_made::Rod{}.between(lattice.centre[0], lattice.centre[1])};
+  lattice.beam = {lattice::hand_made::Rod{}.between(lattice.centre[0], lattice.centre[1])};
   lattice.mean_radius = 0.5;
   lattice.box = {.length = 2.0, .height = 2.0, .thickness = 1.0};
   return lattice;
@@ -28,14 +28,14 @@ lattice::Lattice pair() {
 
 /// The pair thrown, its beam gone after the first step.
 Ensemble<double> thrown(const lattice::Lattice& lattice, std::optional<double> friction,
-                        const std::vector<mechanics::Vector6>& velocity, double dt,
-                        scene::Kinematics kinematics) {
+                        const std::vector<lattice::Vector6>& velocity, double dt,
+                        lattice::Kinematics kinematics) {
   const fracture::LaneScenario lane{.history = history::history_of(1.0, {{1e-3, infinity}}),
-                                    .law = {scene::Technique::simple, 1.0, 0.0},
+                                    .law = {fracture::Technique::simple, 1.0, 0.0},
                                     .friction = friction};
   Ensemble<double> s(lattice, fracture::straight_path(2.0, 1.0), -1.0, dt, {lane},
                      {.kinematics = kinematics, .contact = friction.has_value()});
-  s.start_from(std::vector<mechanics::Vector6>(2, mechanics::Vector6::Zero()));
+  s.start_from(std::vector<lattice::Vector6>(2, lattice::Vector6::Zero()));
   s.throw_lane(0, velocity);
   s.start_crack({});
   return s;
@@ -47,9 +47,10 @@ TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
   const lattice::Lattice lattice = pair();
   const double k = fracture::face_stiffness(lattice.beam[0]), reduced = 2.0 / 3.0;
   const double duration = std::numbers::pi * std::sqrt(reduced / k), speed = 1e-3;
-  std::vector<mechanics::Vector6> velocity(2, mechanics::Vector6::Zero());
+  std::vector<lattice::Vector6> velocity(2, lattice::Vector6::Zero());
   velocity[0][1] = speed;
-  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational}) {
+  for (const lattice::Kinematics kinematics :
+       {lattice::Kinematics::linear, lattice::Kinematics::corotational}) {
     constexpr int steps = 2000;
     Ensemble<double> s = thrown(lattice, 0.0, velocity, duration / steps, kinematics);
     const auto apart = [&] { return s.velocity(1, 0)[1] - s.velocity(0, 0)[1]; };
@@ -60,7 +61,7 @@ TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
     EXPECT_NEAR(apart(), speed, 1e-5 * speed);
     EXPECT_NEAR(s.velocity(0, 0)[1], speed * (1.0 - 2.0 / 1.5), 1e-5 * speed);  // 1 : 2, by momentum
     const results::Sample books = s.sample(0, results::Phase::fracture);
-    EXPECT_LT(std::abs(books.residual), kinematics == scene::Kinematics::linear ? 1e-13 : 1e-6);
+    EXPECT_LT(std::abs(books.residual), kinematics == lattice::Kinematics::linear ? 1e-13 : 1e-6);
     EXPECT_LT(std::abs(books.contact_j), 1e-5 * s.largest_energy(0));  // as they part between two steps
     EXPECT_LT(books.elastic_j, 1e-20);
   }
@@ -68,28 +69,28 @@ TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
 
 // So the critical step of the sound lattice holds: a beam less its contact, stuck, resists every motion.
 TEST(FaceContact, IsNowhereStifferThanTheBeam) {
-  mechanics::hand_made::Draw draw(5);
+  lattice::hand_made::Draw draw(5);
   for (int n = 0; n < 20; ++n) {
-    const mechanics::Beam beam =
-        mechanics::make_beam(draw.vector(), draw.between(0.05, 0.5) * 0.1, 3.0, 0.25);
+    const lattice::Beam beam = lattice::make_beam(draw.vector(), draw.between(0.05, 0.5) * 0.1, 3.0, 0.25);
     Eigen::Matrix<double, 3, 12> gap;
     for (int c = 0; c < 12; ++c) {
-      mechanics::Vector6 q[2] = {mechanics::Vector6::Zero(), mechanics::Vector6::Zero()};
+      lattice::Vector6 q[2] = {lattice::Vector6::Zero(), lattice::Vector6::Zero()};
       q[c / 6][c % 6] = 1.0;
       gap.col(c) = fracture::face_gap(beam, q[0], q[1]);
     }
-    const mechanics::Matrix12 beyond =
-        mechanics::stiffness_of(beam) - fracture::face_stiffness(beam) * gap.transpose() * gap;
-    const Eigen::VectorXd mode = mechanics::hand_made::modes_of(beyond, Eigen::MatrixXd::Identity(12, 12)).value;
+    const lattice::Matrix12 beyond =
+        lattice::stiffness_of(beam) - fracture::face_stiffness(beam) * gap.transpose() * gap;
+    const Eigen::VectorXd mode =
+        lattice::hand_made::modes_of(beyond, Eigen::MatrixXd::Identity(12, 12)).value;
     EXPECT_GT(mode[0], -1e-12 * mode[11]);
   }
 }
 
 TEST(FaceContact, LetsFacesPassThroughEachOtherWithoutIt) {
   const lattice::Lattice lattice = pair();
-  std::vector<mechanics::Vector6> velocity(2, mechanics::Vector6::Zero());
+  std::vector<lattice::Vector6> velocity(2, lattice::Vector6::Zero());
   velocity[0][1] = 1e-3;
-  Ensemble<double> s = thrown(lattice, std::nullopt, velocity, 0.01, scene::Kinematics::linear);
+  Ensemble<double> s = thrown(lattice, std::nullopt, velocity, 0.01, lattice::Kinematics::linear);
   for (int n = 0; n < 1000; ++n) s.step();
   EXPECT_NEAR(s.velocity(0, 0)[1], 1e-3, 1e-5);
   EXPECT_GT(s.motion(0, 0)[1], 5e-3);
@@ -99,13 +100,13 @@ TEST(FaceContact, LetsFacesPassThroughEachOtherWithoutIt) {
 // elements.
 TEST(FaceContact, SlidesByCoulombsLaw) {
   const lattice::Lattice lattice = pair();
-  std::vector<mechanics::Vector6> velocity(2, mechanics::Vector6::Zero());
+  std::vector<lattice::Vector6> velocity(2, lattice::Vector6::Zero());
   velocity[0][1] = 1e-4;
   velocity[0][0] = 1e-1;  // far faster than it can be held
   constexpr double mu = 0.4;
-  Ensemble<double> s = thrown(lattice, mu, velocity, 0.002, scene::Kinematics::linear);
+  Ensemble<double> s = thrown(lattice, mu, velocity, 0.002, lattice::Kinematics::linear);
   for (int n = 0; n < 10000; ++n) s.step();
-  const mechanics::Vector6 a = s.velocity(0, 0), b = s.velocity(1, 0);
+  const lattice::Vector6 a = s.velocity(0, 0), b = s.velocity(1, 0);
   const double across = b[0] * 2.0, along = b[1] * 2.0;  // impulses on the second, of mass 2
   EXPECT_GT(along, 1e-4);
   EXPECT_NEAR(across / along, mu, 0.01 * mu);
@@ -165,7 +166,7 @@ TEST(FaceContact, ClosesTheBooksOfCorotationalBeams) {
   const simulation::Prepared p = simulation::small_plate(
       with(pressed, {"solver.kinematics=corotational", "loading.displacement=-0.06 mm"}));
   Ensemble<double> s = simulation::ready(p, four_frictions(p), p.step.dt,
-                                         {.kinematics = scene::Kinematics::corotational, .contact = true});
+                                         {.kinematics = lattice::Kinematics::corotational, .contact = true});
   std::vector<double> worst(4, 0.0);
   for (int n = 0; s.tip(0) < p.lane[0].crack_end; ++n) {
     s.step();
@@ -265,7 +266,7 @@ TEST(FaceContact, StartsAnewInARefilledLane) {
   Ensemble<double> s =
       simulation::ready(p, {p.lane[0].scenario, p.lane[0].scenario}, p.step.dt, {.contact = true});
   for (int n = 0; n < 300; ++n) s.step();
-  std::vector<mechanics::Vector6> first;
+  std::vector<lattice::Vector6> first;
   for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) first.push_back(s.motion(i, 1));
   const double contact = s.sample(1, results::Phase::fracture).contact_j;
   s.refill(1, p.lane[0].scenario);

@@ -55,7 +55,7 @@ void expect_same_bits(Ensemble<Real>& a, int lane_a, Ensemble<Real>& b, int lane
 }
 
 template <class Real>
-void expect_lanes_to_be_their_own_runs(scene::Kinematics kinematics) {
+void expect_lanes_to_be_their_own_runs(lattice::Kinematics kinematics) {
   const simulation::Prepared p = simulation::small_plate(damped);
   const std::vector<fracture::LaneScenario> lanes = motley(p);
   for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
@@ -75,17 +75,17 @@ void expect_lanes_to_be_their_own_runs(scene::Kinematics kinematics) {
 }
 
 TEST(Lanes, AreBitForBitTheirOwnSingleRuns) {
-  expect_lanes_to_be_their_own_runs<double>(scene::Kinematics::linear);
+  expect_lanes_to_be_their_own_runs<double>(lattice::Kinematics::linear);
 }
 TEST(Lanes, AreTheirOwnSingleRunsInSinglePrecision) {
-  expect_lanes_to_be_their_own_runs<float>(scene::Kinematics::linear);
+  expect_lanes_to_be_their_own_runs<float>(lattice::Kinematics::linear);
 }
 TEST(Lanes, AreTheirOwnSingleRunsWithCorotationalBeams) {
-  expect_lanes_to_be_their_own_runs<double>(scene::Kinematics::corotational);
+  expect_lanes_to_be_their_own_runs<double>(lattice::Kinematics::corotational);
 }
 
 template <class Real>
-void expect_any_threads_to_give_the_same(scene::Kinematics kinematics, int scenarios) {
+void expect_any_threads_to_give_the_same(lattice::Kinematics kinematics, int scenarios) {
   const simulation::Prepared p = simulation::small_plate(damped);
   std::vector<fracture::LaneScenario> lanes = motley(p);
   lanes.resize(scenarios);
@@ -101,10 +101,10 @@ void expect_any_threads_to_give_the_same(scene::Kinematics kinematics, int scena
 }
 
 TEST(Threads, GiveTheSameBitsWhateverTheirNumber) {
-  expect_any_threads_to_give_the_same<double>(scene::Kinematics::linear, 1);
-  expect_any_threads_to_give_the_same<double>(scene::Kinematics::linear, 4);
-  expect_any_threads_to_give_the_same<float>(scene::Kinematics::linear, 4);
-  expect_any_threads_to_give_the_same<double>(scene::Kinematics::corotational, 1);
+  expect_any_threads_to_give_the_same<double>(lattice::Kinematics::linear, 1);
+  expect_any_threads_to_give_the_same<double>(lattice::Kinematics::linear, 4);
+  expect_any_threads_to_give_the_same<float>(lattice::Kinematics::linear, 4);
+  expect_any_threads_to_give_the_same<double>(lattice::Kinematics::corotational, 1);
 }
 
 // A lane that is put back in the middle of a run does what it would have done from the start.
@@ -157,7 +157,7 @@ TEST(Ensemble, MarchesAsThePlainPathDoes) {
 TEST(Momentum, OfAFreePlateStaysWhereItIsWhileItCracksAndIsDamped) {
   const simulation::Prepared p = simulation::small_plate({"damping.alpha=0.01", "damping.region=all"});
   lattice::Lattice free = p.lattice;
-  free.grip.assign(free.grip.size(), lattice::Grip::none);
+  free.grip.assign(free.grip.size(), packing::Grip::none);
   for (const fracture::LaneScenario& law : not_empty(simulation::four_laws(p))) {
     Ensemble<double> s(free, p.path, 0.0, p.step.dt, {law});
     s.release_from(p.displacement);  // stretched and let go
@@ -166,7 +166,7 @@ TEST(Momentum, OfAFreePlateStaysWhereItIsWhileItCracksAndIsDamped) {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear;
     double size = 0.0, turning = 0.0;
     for (int i = 0; i < static_cast<int>(free.centre.size()); ++i) {
-      const mechanics::Vector6 v = s.velocity(i, 0);
+      const lattice::Vector6 v = s.velocity(i, 0);
       const Eigen::Vector3d momentum = free.mass[i] * v.head<3>();
       linear += momentum;
       angular += free.centre[i].cross(momentum) + free.inertia[i] * v.tail<3>();
@@ -275,10 +275,10 @@ TEST(Grip, MovesTheTopAloneAndOnlyAlongY) {
   int top = 0, bottom = 0;
   ASSERT_FALSE(p.lattice.grip.empty());
   for (int i = 0; i < static_cast<int>(p.lattice.grip.size()); ++i) {
-    if (p.lattice.grip[i] == lattice::Grip::none) continue;
-    const bool is_top = p.lattice.grip[i] == lattice::Grip::top;
+    if (p.lattice.grip[i] == packing::Grip::none) continue;
+    const bool is_top = p.lattice.grip[i] == packing::Grip::top;
     ++(is_top ? top : bottom);
-    mechanics::Vector6 expected = mechanics::Vector6::Zero();
+    lattice::Vector6 expected = lattice::Vector6::Zero();
     if (is_top) expected[1] = 0.6e-3 + 40 * 3.0 * p.step.dt;
     EXPECT_NEAR((s.motion(i, 0) - expected).norm(), 0.0, 1e-15);  // rounding of 40 sums
   }

@@ -1,6 +1,5 @@
 #include "engine/ensemble/ensemble.hpp"
-
-#include "tests/engine/mechanics/dense.hpp"
+#include "tests/engine/lattice/dense.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -15,18 +14,18 @@ using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
 /// Eight spheres in a bent and braced chain, its two ends held: all six motions of each are coupled.
-lattice::Specimen chain() {
-  lattice::Specimen s;
+packing::Specimen chain() {
+  packing::Specimen s;
   s.box = {8e-3, 3e-3, 2e-3};
   for (int k = 0; k < 8; ++k) {
     s.centre.emplace_back(1e-3 * k, 0.4e-3 * (k % 2), 0.3e-3 * (k % 3));
     s.radius.push_back(0.55e-3 + 0.01e-3 * k);
-    s.grip.push_back(lattice::Grip::none);
+    s.grip.push_back(packing::Grip::none);
     if (k > 0) s.beam.push_back({k - 1, k});
     if (k > 1 && k % 2 == 0) s.beam.push_back({k - 2, k});
   }
-  s.grip.front() = lattice::Grip::bottom;
-  s.grip.back() = lattice::Grip::top;
+  s.grip.front() = packing::Grip::bottom;
+  s.grip.back() = packing::Grip::top;
   s.packing.mean_radius = 0.58e-3;
   return s;
 }
@@ -45,8 +44,8 @@ struct Vibration {
       mass.segment<3>(6 * i).setConstant(lattice.mass[i + 1]);
       mass.segment<3>(6 * i + 3).setConstant(lattice.inertia[i + 1]);
     }
-    const Matrix k = mechanics::hand_made::dense_stiffness(lattice);
-    const auto modes = mechanics::hand_made::modes_of(k.block(6, 6, n, n), mass.asDiagonal().toDenseMatrix());
+    const Matrix k = lattice::hand_made::dense_stiffness(lattice);
+    const auto modes = lattice::hand_made::modes_of(k.block(6, 6, n, n), mass.asDiagonal().toDenseMatrix());
     mode = modes.vector;
     omega = modes.value.cwiseSqrt();
   }
@@ -58,14 +57,14 @@ struct Vibration {
     fracture::LaneScenario idle;
     idle.history = history::history_of(0.0, {{1.0, 1.0}});
     Ensemble<double> s(lattice, fracture::straight_path(1.0, 1.0), 0.0, dt, {idle});
-    std::vector<mechanics::Vector6> q(8, mechanics::Vector6::Zero());
+    std::vector<lattice::Vector6> q(8, lattice::Vector6::Zero());
     const Vector shape = mode * amplitude;
     for (int i = 0; i < 6; ++i) q[i + 1] = shape.segment<6>(6 * i);
     s.release_from(q);
     return s;
   }
 
-  Vector modal(const std::function<mechanics::Vector6(int element)>& state) const {
+  Vector modal(const std::function<lattice::Vector6(int element)>& state) const {
     Vector of_all(36);
     for (int i = 0; i < 6; ++i) of_all.segment<6>(6 * i) = state(i + 1);
     return mode.transpose() * mass.cwiseProduct(of_all);

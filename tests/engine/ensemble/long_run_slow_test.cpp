@@ -9,8 +9,8 @@ namespace {
 
 /// The worst residual over 100,000 steps of a slow crack, which goes through nine tenths of the plate.
 template <class Real>
-double residual_of_a_long_run(scene::Kinematics kinematics, const std::string& technique) {
-  const std::string name = kinematics == scene::Kinematics::linear ? "linear" : "corotational";
+double residual_of_a_long_run(lattice::Kinematics kinematics, const std::string& technique) {
+  const std::string name = kinematics == lattice::Kinematics::linear ? "linear" : "corotational";
   const simulation::Prepared p =
       simulation::small_plate({"solver.kinematics=" + name, "crack.technique=" + technique});
   fracture::LaneScenario slow = p.lane[0].scenario;
@@ -31,12 +31,12 @@ double residual_of_a_long_run(scene::Kinematics kinematics, const std::string& t
 // The bounds of physics.md §7.
 TEST(LongRun, KeepsTheBooksClosedOverAHundredThousandSteps) {
   for (const std::string technique : {"simple", "progressive"}) {
-    EXPECT_LT(residual_of_a_long_run<double>(scene::Kinematics::linear, technique), 1e-10);
-    EXPECT_LT(residual_of_a_long_run<float>(scene::Kinematics::linear, technique), 1e-3);
+    EXPECT_LT(residual_of_a_long_run<double>(lattice::Kinematics::linear, technique), 1e-10);
+    EXPECT_LT(residual_of_a_long_run<float>(lattice::Kinematics::linear, technique), 1e-3);
   }
   // Simple release with corotational beams falls short of it: docs/performance.md, "Books".
-  EXPECT_LT(residual_of_a_long_run<double>(scene::Kinematics::corotational, "progressive"), 1e-4);
-  EXPECT_LT(residual_of_a_long_run<float>(scene::Kinematics::corotational, "progressive"), 1e-3);
+  EXPECT_LT(residual_of_a_long_run<double>(lattice::Kinematics::corotational, "progressive"), 1e-4);
+  EXPECT_LT(residual_of_a_long_run<float>(lattice::Kinematics::corotational, "progressive"), 1e-3);
 }
 
 }  // namespace

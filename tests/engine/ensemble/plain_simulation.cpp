@@ -13,18 +13,18 @@ PlainSimulation::PlainSimulation(const lattice::Lattice& lattice_, const fractur
     factor.push_back(c.position <= notch_end ? 0.0 : 1.0);
   }
   for (int b = 0; b < static_cast<int>(lattice->beam.size()); ++b)
-    if (!is_crossing[b]) sound_beam.push_back(b), sound.push_back(mechanics::row_of(*lattice, b));
+    if (!is_crossing[b]) sound_beam.push_back(b), sound.push_back(lattice::row_of(*lattice, b));
   booked.assign(factor.size(), 0.0);
   for (std::size_t i = 0; i < lattice->mass.size(); ++i)
     for (int c = 0; c < 6; ++c) {
       mass.push_back(c < 3 ? lattice->mass[i] : lattice->inertia[i]);
-      per_mass.push_back(lattice->grip[i] == lattice::Grip::none ? 1.0 / mass.back() : 0.0);
+      per_mass.push_back(lattice->grip[i] == packing::Grip::none ? 1.0 / mass.back() : 0.0);
     }
   q.assign(mass.size(), 0.0);
   v = f = rate = q;
 }
 
-void PlainSimulation::start_from(const std::vector<mechanics::Vector6>& displacement) {
+void PlainSimulation::start_from(const std::vector<lattice::Vector6>& displacement) {
   for (std::size_t k = 0; k < q.size(); ++k) q[k] = displacement[k / 6][static_cast<long>(k % 6)];
   std::fill(v.begin(), v.end(), 0.0);
   std::fill(f.begin(), f.end(), 0.0);
@@ -33,10 +33,10 @@ void PlainSimulation::start_from(const std::vector<mechanics::Vector6>& displace
   ledger.energy_start = energy().total();
 }
 
-void PlainSimulation::start_crack(std::vector<mechanics::DampedBeam> damped) {
+void PlainSimulation::start_crack(std::vector<lattice::DampedBeam> damped) {
   crack_start = steps_done;
   cracking = true;
-  damping = mechanics::ViscousDamping(std::move(damped));
+  damping = lattice::ViscousDamping(std::move(damped));
   damping.alpha_at_surface = scenario.alpha_at_surface;
   damping.alpha_elsewhere = scenario.alpha_elsewhere;
 }
@@ -74,26 +74,24 @@ void PlainSimulation::move() {
 
 void PlainSimulation::soften() {
   for (const Softening& c : softening) {
-    booked[c.crossing] +=
-        (c.before - c.after) *
-        mechanics::bilinear_energy(lattice->beam[met[c.crossing].beam], c.strain, strain(c.crossing));
+    booked[c.crossing] += (c.before - c.after) * lattice::bilinear_energy(lattice->beam[met[c.crossing].beam],
+                                                                          c.strain, strain(c.crossing));
     factor[c.crossing] = c.after;
   }
 }
 
 void PlainSimulation::balance_forces() {
-  mechanics::add_beam_forces(sound, q.data(), f.data());
+  lattice::add_beam_forces(sound, q.data(), f.data());
   for (std::size_t k = 0; k < met.size(); ++k) {
     const auto& [i, j] = lattice->ends[met[k].beam];
-    const mechanics::BeamLoads l =
-        mechanics::loads_of(lattice->beam[met[k].beam], motion(q, i), motion(q, j));
+    const lattice::BeamLoads l = lattice::loads_of(lattice->beam[met[k].beam], motion(q, i), motion(q, j));
     for (long c = 0; c < 3; ++c) {
       f[6L * i + c] += factor[k] * l.force_i[c], f[6L * j + c] -= factor[k] * l.force_i[c];
       f[6L * i + 3 + c] += factor[k] * l.moment_i[c], f[6L * j + 3 + c] += factor[k] * l.moment_j[c];
     }
   }
   if (!damping.beam.empty())
-    mechanics::add_damping_forces(damping, rate.data(), factor.data(), dt, f.data(), viscous_work);
+    lattice::add_damping_forces(damping, rate.data(), factor.data(), dt, f.data(), viscous_work);
 }
 
 /// What beta < 1 takes is 1/2 M (v^2 at beta = 1 less v^2 at beta); v - v_before = beta (v at beta = 1 -
@@ -110,29 +108,29 @@ void PlainSimulation::accelerate() {
 
 void PlainSimulation::book_grip_work() {
   for (std::size_t i = 0; i < lattice->grip.size(); ++i)
-    if (lattice->grip[i] == lattice::Grip::top) grip_work -= 0.5 * grip_speed * dt * f[6 * i + 1];
+    if (lattice->grip[i] == packing::Grip::top) grip_work -= 0.5 * grip_speed * dt * f[6 * i + 1];
 }
 
 void PlainSimulation::set_grip_speed(double speed) {
   grip_speed = speed;
   for (std::size_t i = 0; i < lattice->grip.size(); ++i)
-    if (lattice->grip[i] == lattice::Grip::top) v[6 * i + 1] = speed;
+    if (lattice->grip[i] == packing::Grip::top) v[6 * i + 1] = speed;
 }
 
-mechanics::BeamStrain PlainSimulation::strain(int k) const {
+lattice::BeamStrain PlainSimulation::strain(int k) const {
   const auto& [i, j] = lattice->ends[met[k].beam];
-  return mechanics::strain_of(lattice->beam[met[k].beam], motion(q, i), motion(q, j));
+  return lattice::strain_of(lattice->beam[met[k].beam], motion(q, i), motion(q, j));
 }
 
 fracture::LatticeEnergy PlainSimulation::energy() const {
   fracture::LatticeEnergy e;
   for (int b : sound_beam) {
     const auto& [i, j] = lattice->ends[b];
-    e.elastic += mechanics::energy_of(lattice->beam[b],
-                                      mechanics::strain_of(lattice->beam[b], motion(q, i), motion(q, j)));
+    e.elastic += lattice::energy_of(lattice->beam[b],
+                                    lattice::strain_of(lattice->beam[b], motion(q, i), motion(q, j)));
   }
   for (int k = 0; k < static_cast<int>(met.size()); ++k)
-    e.elastic += factor[k] * mechanics::energy_of(lattice->beam[met[k].beam], strain(k));
+    e.elastic += factor[k] * lattice::energy_of(lattice->beam[met[k].beam], strain(k));
   for (std::size_t k = 0; k < v.size(); ++k) {
     if (per_mass[k] == 0.0) continue;
     (k % 6 < 3 ? e.kinetic_translation : e.kinetic_rotation) += 0.5 * mass[k] * v[k] * v[k];

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/ensemble/ensemble.hpp"
-#include "engine/mechanics/forces.hpp"
+#include "engine/lattice/forces.hpp"
 
 namespace rift::ensemble {
 
@@ -14,11 +14,11 @@ struct PlainSimulation {
   fracture::LaneScenario scenario;
   std::vector<fracture::Crossing> met;
   std::vector<int> sound_beam;
-  std::vector<mechanics::BeamRow> sound;
+  std::vector<lattice::BeamRow> sound;
   std::vector<double> factor, booked;           // [crossing]
   std::vector<double> mass, per_mass;           // of each of 6 N motions; 0 where gripped
   std::vector<double> q, v, f, rate, v_before;  // 6 N
-  mechanics::ViscousDamping damping;
+  lattice::ViscousDamping damping;
   std::int64_t steps_done = 0, crack_start = 0;
   bool cracking = false;
   double grip_speed = 0;  // [m/s]
@@ -28,19 +28,19 @@ struct PlainSimulation {
 
   PlainSimulation(const lattice::Lattice& lattice, const fracture::CrackPath& path, double notch_end,
                   double dt, const fracture::LaneScenario& scenario);
-  void start_from(const std::vector<mechanics::Vector6>& displacement);
-  void start_crack(std::vector<mechanics::DampedBeam> damped);
+  void start_from(const std::vector<lattice::Vector6>& displacement);
+  void start_crack(std::vector<lattice::DampedBeam> damped);
   void step();
   void set_grip_speed(double speed);
   fracture::LatticeEnergy energy() const;
   results::Sample sample();
   double crack_time(std::int64_t step) const { return static_cast<double>(step - crack_start) * dt; }
-  mechanics::Vector6 motion(const std::vector<double>& array, int element) const {
-    return Eigen::Map<const mechanics::Vector6>(array.data() + 6L * element);
+  lattice::Vector6 motion(const std::vector<double>& array, int element) const {
+    return Eigen::Map<const lattice::Vector6>(array.data() + 6L * element);
   }
 
  private:
-  mechanics::BeamStrain strain(int k) const;
+  lattice::BeamStrain strain(int k) const;
   void foresee_softening();
   void move();
   void soften();

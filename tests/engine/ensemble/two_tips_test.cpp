@@ -1,6 +1,6 @@
 #include "engine/ensemble/ensemble.hpp"
-#include "engine/mechanics/statics.hpp"
-#include "tests/engine/mechanics/hand_made.hpp"
+#include "engine/lattice/statics.hpp"
+#include "tests/engine/lattice/hand_made.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ lattice::Lattice symmetric_plate() {
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < rows; ++j) {
       lattice.centre.emplace_back(0.5 + i, 0.5 + j, 0.0);
-      lattice.grip.push_back(j == 0          ? lattice::Grip::bottom
-                             : j == rows - 1 ? lattice::Grip::top
-                                             : lattice::Grip::none);
+      lattice.grip.push_back(j == 0          ? packing::Grip::bottom
+                             : j == rows - 1 ? packing::Grip::top
+                                             : packing::Grip::none);
     }
   const int n = static_cast<int>(lattice.centre.size());
   lattice.mass.assign(n, 1.0);
@@ -30,7 +30,7 @@ lattice::Lattice symmetric_plate() {
     for (int b = a + 1; b < n; ++b) {
       if ((lattice.centre[b] - lattice.centre[a]).norm() > 1.5) continue;
       lattice.ends.push_back({a, b});
-      lattice.beam.push_back(mechanics::hand_made::Rod{}.between(lattice.centre[a], lattice.centre[b]));
+      lattice.beam.push_back(lattice::hand_made::Rod{}.between(lattice.centre[a], lattice.centre[b]));
     }
   lattice.mean_radius = 0.5;
   lattice.box = {.length = columns, .height = rows, .thickness = 1.0};
@@ -38,19 +38,19 @@ lattice::Lattice symmetric_plate() {
 }
 
 /// By reflection in x: displacements along x and rotations about y and z turn round.
-mechanics::Vector6 reflected(const mechanics::Vector6& motion) {
-  mechanics::Vector6 m = motion;
+lattice::Vector6 reflected(const lattice::Vector6& motion) {
+  lattice::Vector6 m = motion;
   for (int c : {0, 4, 5}) m[c] = -m[c];
   return m;
 }
 
 TEST(TwoTips, ReleaseASymmetricLatticeSymmetrically) {
   const lattice::Lattice lattice = symmetric_plate();
-  const std::vector<mechanics::Vector6> base =
-      mechanics::stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 0.1);
+  const std::vector<lattice::Vector6> base =
+      lattice::stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 0.1);
   const fracture::LaneScenario lane{
       .history = history::history_of(-2.0, {{0.3, std::numeric_limits<double>::infinity()}}),
-      .law = {scene::Technique::progressive, 1.0, 2.0}};
+      .law = {fracture::Technique::progressive, 1.0, 2.0}};
   constexpr double no_notch = -1.0;  // two diagonals cross in the very middle
   Ensemble<double> s(lattice, fracture::straight_path(columns, 4.0, 2), no_notch, 0.2, {lane});
   s.start_from(base);

@@ -7,7 +7,7 @@
 namespace rift::fracture {
 namespace {
 
-using Against = scene::CriticalRate::Against;
+using Against = CriticalRate::Against;
 constexpr double c_r = 1000.0;
 
 TEST(DrivingForce, OfAnEvenReleaseIsWhatIsReleasedAtRest) {
@@ -31,7 +31,7 @@ TEST(DrivingForce, IsKnownTheBetterTheLongerItsWindow) {
 }
 
 TEST(CriticalRateAt, IsStraightBetweenRowsAndConstantBeyond) {
-  const scene::CriticalRate by_velocity{Against::velocity_over_cr, {{0.1, 1000.0}, {0.5, 3000.0}}};
+  const CriticalRate by_velocity{Against::velocity_over_cr, {{0.1, 1000.0}, {0.5, 3000.0}}};
   EXPECT_EQ(critical_rate(by_velocity, 0.0, c_r, 7.0), 1000.0);
   EXPECT_NEAR(critical_rate(by_velocity, 0.3, c_r, 7.0), 2000.0, 1e-9);
   EXPECT_EQ(critical_rate(by_velocity, 0.9, c_r, 7.0), 3000.0);
@@ -42,19 +42,19 @@ TEST(CriticalRateAt, IsStraightBetweenRowsAndConstantBeyond) {
 }
 
 TEST(VelocityOverCr, IsTheRootOfTheEquationOfMotion) {
-  const scene::CriticalRate rising{Against::velocity_over_cr, {{0.0, 1000.0}, {1.0, 3000.0}}};
+  const CriticalRate rising{Against::velocity_over_cr, {{0.0, 1000.0}, {1.0, 3000.0}}};
   // 2000 (1 - v) = 1000 + 2000 v
   EXPECT_NEAR(velocity_over_cr(2000.0, rising, c_r, 0.0, 0.95), 0.25, 1e-8);
   EXPECT_EQ(velocity_over_cr(999.0, rising, c_r, 0.0, 0.95), 0.0);  // arrested
   EXPECT_NEAR(velocity_over_cr(1000.5, rising, c_r, 0.0, 0.95), 0.5 / 3000.5, 1e-7);
   EXPECT_EQ(velocity_over_cr(1e9, rising, c_r, 0.0, 0.95), 0.95);
-  const scene::CriticalRate along{Against::position, {{0.0, 1000.0}, {1.0, 3000.0}}};
+  const CriticalRate along{Against::position, {{0.0, 1000.0}, {1.0, 3000.0}}};
   EXPECT_NEAR(velocity_over_cr(3000.0, along, c_r, 0.25, 0.95), 0.5, 1e-8);
 }
 
 TEST(VelocityOverCr, IsTheHighestOfSeveralRoots) {
   // Falls, then rises: 1500 (1 - v) meets it more than once.
-  const scene::CriticalRate weakening{Against::velocity_over_cr, {{0.0, 1600.0}, {0.2, 900.0}, {0.8, 900.0}}};
+  const CriticalRate weakening{Against::velocity_over_cr, {{0.0, 1600.0}, {0.2, 900.0}, {0.8, 900.0}}};
   EXPECT_NEAR(velocity_over_cr(1500.0, weakening, c_r, 0.0, 0.95), 0.4, 1e-8);
 }
 

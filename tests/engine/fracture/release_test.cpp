@@ -9,7 +9,7 @@ namespace {
 
 constexpr double zone = 0.49e-3, crossing = 7e-3;  // [m]
 
-ReleaseLaw progressive(double exponent) { return {scene::Technique::progressive, exponent, zone}; }
+ReleaseLaw progressive(double exponent) { return {Technique::progressive, exponent, zone}; }
 
 /// Y1/Y2 where the beam has been in the zone for b [m].
 double left_at(double exponent, double b) {
@@ -49,7 +49,7 @@ TEST(StiffnessLeft, FallsAllTheWayThroughTheZone) {
 }
 
 TEST(StiffnessLeft, OfASimpleReleaseIsAllUntilTheTipArrives) {
-  const ReleaseLaw simple{scene::Technique::simple, 1.0, 0.0};
+  const ReleaseLaw simple{Technique::simple, 1.0, 0.0};
   EXPECT_EQ(stiffness_left(simple, std::nextafter(crossing, 0.0), crossing), 1.0);
   EXPECT_EQ(stiffness_left(simple, crossing, crossing), 0.0);
   EXPECT_EQ(stiffness_left(simple, std::nextafter(crossing, 1.0), crossing), 0.0);

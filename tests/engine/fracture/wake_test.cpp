@@ -27,7 +27,7 @@ lattice::Lattice net() {
 constexpr std::array<double, 2> all{0.0, 0.128};
 
 Wake of_motion(const std::function<double(int, int)>& velocity, const std::array<double, 2>& stretch = all) {
-  std::vector<mechanics::Vector6> v(64UL * 16UL, mechanics::Vector6::Zero());
+  std::vector<lattice::Vector6> v(64UL * 16UL, lattice::Vector6::Zero());
   for (int i = 0; i < 64; ++i)
     for (int k = 0; k < 16; ++k) v[i * 16UL + k][1] = velocity(i, k);
   return wake_of(net(), stretch, v, std::vector<double>(v.size(), 0.0));
@@ -68,7 +68,7 @@ TEST(Wake, BandsAddUpToTheEnergyOfTheStretch) {
 }
 
 TEST(Wake, OutOfPlaneIsTheMeanOfACellNotOfAnElement) {
-  std::vector<mechanics::Vector6> v(64UL * 16UL, mechanics::Vector6::Zero());
+  std::vector<lattice::Vector6> v(64UL * 16UL, lattice::Vector6::Zero());
   v[5][4] = 2.0;
   std::vector<double> moved(v.size());
   for (int i = 0; i < 64; ++i)

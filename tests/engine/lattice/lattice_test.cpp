@@ -1,6 +1,6 @@
 #include "engine/lattice/lattice.hpp"
 
-#include "tests/engine/mechanics/hand_made.hpp"
+#include "tests/engine/lattice/hand_made.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,14 @@ namespace rift::lattice {
 namespace {
 
 /// Elements of many sizes, each joined to the next two.
-Specimen tangle(int elements) {
-  mechanics::hand_made::Draw draw(111);
-  Specimen specimen;
+packing::Specimen tangle(int elements) {
+  hand_made::Draw draw(111);
+  packing::Specimen specimen;
   specimen.box = {.length = 0.2, .height = 0.04, .thickness = 0.002};
   for (int i = 0; i < elements; ++i) {
     specimen.centre.emplace_back(0.01 * draw.vector());
     specimen.radius.push_back(1e-3 * draw.between(0.4, 0.6));
-    specimen.grip.push_back(static_cast<Grip>(i % 3));
+    specimen.grip.push_back(static_cast<packing::Grip>(i % 3));
     for (int j = i + 1; j < std::min(i + 3, elements); ++j) specimen.beam.push_back({i, j});
   }
   specimen.rattlers = 4;
@@ -43,7 +43,7 @@ TEST(Lattice, WeighsDensityTimesItsBox) {
 }
 
 TEST(Lattice, SharesTheMassByVolumeAsSolidSpheres) {
-  const Specimen specimen = tangle(50);
+  const packing::Specimen specimen = tangle(50);
   const Lattice lattice = make_lattice(specimen, micro, 667.05);
   for (int i = 0; i < 50; ++i) {
     const double r = specimen.radius[i];
@@ -53,7 +53,7 @@ TEST(Lattice, SharesTheMassByVolumeAsSolidSpheres) {
 }
 
 TEST(Lattice, HasBeamsOfRadiusRatioTimesTheMeanOfTheirElements) {
-  const Specimen specimen = tangle(50);
+  const packing::Specimen specimen = tangle(50);
   const Lattice lattice = make_lattice(specimen, micro, 667.05);
   ASSERT_FALSE(specimen.beam.empty());
   ASSERT_EQ(lattice.beam.size(), specimen.beam.size());
@@ -71,7 +71,7 @@ TEST(Lattice, HasBeamsOfRadiusRatioTimesTheMeanOfTheirElements) {
 }
 
 TEST(Lattice, KeepsPlacesGripsBoxAndTheMeanRadiusOfThePacking) {
-  const Specimen specimen = tangle(10);
+  const packing::Specimen specimen = tangle(10);
   const Lattice lattice = make_lattice(specimen, micro, 667.05);
   EXPECT_EQ(lattice.centre, specimen.centre);
   EXPECT_EQ(lattice.grip, specimen.grip);

@@ -1,24 +1,26 @@
 #include "engine/lattice/stiffness.hpp"
 
-#include "engine/mechanics/statics.hpp"
+#include "engine/lattice/statics.hpp"
 #include "engine/scene/scene.hpp"
-#include "tests/engine/mechanics/hand_made.hpp"
+#include "tests/engine/lattice/hand_made.hpp"
 
 #include <gtest/gtest.h>
 
 namespace rift::lattice {
 namespace {
 
-using mechanics::hand_made::Rod;
+using hand_made::Rod;
 
 /// Columns of `beams` equal beams each along y, at x = 0.5, 1.5, ..., in a box of the given length, height
 /// `beams` and thickness 0.5.
 Lattice colonnade(int columns, int beams, const Rod& rod) {
-  Lattice lattice = mechanics::hand_made::chain(0, Eigen::Vector3d::UnitY(), rod);
+  Lattice lattice = hand_made::chain(0, Eigen::Vector3d::UnitY(), rod);
   for (int c = 0; c < columns; ++c) {
     for (int k = 0; k <= beams; ++k) {
       lattice.centre.emplace_back(c + 0.5, k, 0.25);
-      lattice.grip.push_back(k == 0 ? Grip::bottom : k == beams ? Grip::top : Grip::none);
+      lattice.grip.push_back(k == 0       ? packing::Grip::bottom
+                             : k == beams ? packing::Grip::top
+                                          : packing::Grip::none);
       const int here = static_cast<int>(lattice.centre.size()) - 1;
       if (k == 0) continue;
       lattice.ends.push_back({here - 1, here});
@@ -32,8 +34,8 @@ Lattice colonnade(int columns, int beams, const Rod& rod) {
   return lattice;
 }
 
-std::vector<mechanics::Vector6> stretched(const Lattice& lattice, double displacement) {
-  return mechanics::stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), displacement);
+std::vector<Vector6> stretched(const Lattice& lattice, double displacement) {
+  return stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), displacement);
 }
 
 TEST(StripModulus, OfColumnsIsTheirShareOfTheSection) {
@@ -70,14 +72,14 @@ TEST(EnergyPerLength, TakesABeamByItsMiddleAndHalfOpen) {
                                                                                        {5.5, 6.5, false},
                                                                                        {5.0, 6.9, true},
                                                                                        {4.0, 4.0, true}}) {
-    Lattice lattice = mechanics::hand_made::chain(2, Eigen::Vector3d::UnitY(), rod);
+    Lattice lattice = hand_made::chain(2, Eigen::Vector3d::UnitY(), rod);
     lattice.centre = {{x_i, 0.0, 0.0}, {x_j, 1.0, 0.0}};
     lattice.beam = {rod.between(lattice.centre[0], lattice.centre[1])};
     lattice.box.length = 8.0;
-    std::vector<mechanics::Vector6> q(2, mechanics::Vector6::Zero());
+    std::vector<Vector6> q(2, Vector6::Zero());
     q[1].head<3>() = 0.1 * lattice.beam[0].axis;
     const double energy = 0.5 * lattice.beam[0].axial * 0.01;
-    EXPECT_NEAR(energy_per_length(lattice, scene::Kinematics::linear, q), counted ? energy / 4.0 : 0.0, 1e-15)
+    EXPECT_NEAR(energy_per_length(lattice, Kinematics::linear, q), counted ? energy / 4.0 : 0.0, 1e-15)
         << x_i << ' ' << x_j;
   }
 }

@@ -1,6 +1,6 @@
 #include "engine/measurement/camera.hpp"
 
-#include "tests/engine/mechanics/hand_made.hpp"
+#include "tests/engine/lattice/hand_made.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
 
 std::vector<Eigen::Vector2d> plate_of_elements() {
-  mechanics::hand_made::Draw draw(5);
+  lattice::hand_made::Draw draw(5);
   std::vector<Eigen::Vector2d> at;
   for (int i = 0; i < 4000; ++i) {
     const double x = draw.between(0, 2), y = draw.between(0, 1);

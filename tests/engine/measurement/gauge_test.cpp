@@ -1,14 +1,14 @@
 #include "engine/measurement/gauge.hpp"
 
 #include "engine/scene/issue.hpp"
-#include "tests/engine/mechanics/hand_made.hpp"
+#include "tests/engine/lattice/hand_made.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
 namespace rift::measurement {
 namespace {
 
 std::vector<Eigen::Vector2d> scattered(int count) {
-  mechanics::hand_made::Draw draw(3);
+  lattice::hand_made::Draw draw(3);
   std::vector<Eigen::Vector2d> at;
   for (int i = 0; i < count; ++i) {
     const double x = draw.between(0, 1), y = draw.between(0, 1);

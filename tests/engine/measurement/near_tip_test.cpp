@@ -1,7 +1,7 @@
 #include "engine/measurement/stress_intensity.hpp"
 #include "engine/theory/references.hpp"
 #include "engine/theory/wave_speeds.hpp"
-#include "tests/engine/mechanics/hand_made.hpp"
+#include "tests/engine/lattice/hand_made.hpp"
 
 #include <gtest/gtest.h>
 
@@ -114,7 +114,7 @@ TEST(NearTip, ReleasesTheWorkOfClosingIt) {
 struct Seen {
   std::vector<Eigen::Vector2d> at, moved;
   Seen(const NearTip& field, double k_one, double k_two, double noise) {
-    mechanics::hand_made::Draw draw(7);
+    lattice::hand_made::Draw draw(7);
     for (int i = 0; i < 900; ++i) {
       const Eigen::Vector2d p(draw.between(-0.02, 0.02), draw.between(-0.02, 0.02));
       Eigen::Vector2d u = Eigen::Vector2d(1e-3, -2e-3) + 0.01 * Eigen::Vector2d(-p.y(), p.x());

@@ -1,7 +1,7 @@
 #include "engine/results/archive.hpp"
 
+#include "engine/base/world_error.hpp"
 #include "engine/results/journal.hpp"
-#include "engine/results/world_error.hpp"
 #include "tests/engine/results/small_run.hpp"
 
 #include <gtest/gtest.h>
@@ -99,7 +99,7 @@ std::vector<Record> one_lane() {
 }
 
 TEST(Archive, DeclaresItselfAsVtkhdfAsksFor) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
@@ -133,7 +133,7 @@ TEST(Archive, DeclaresItselfAsVtkhdfAsksFor) {
 }
 
 TEST(Archive, StoresTheLatticeOnce) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
@@ -166,7 +166,7 @@ TEST(Archive, StoresTheLatticeOnce) {
 }
 
 TEST(Archive, StepsLeadToEachMomentsRows) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
@@ -212,7 +212,7 @@ TEST(Archive, StepsLeadToEachMomentsRows) {
 }
 
 TEST(Archive, EachLaneHasItsArraysAndTheStepsAreShared) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(
       scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), small_run::frame(0, 1),
                        small_run::frame(1, 0), small_run::frame(2, 0), small_run::frame(2, 1)});
@@ -230,7 +230,7 @@ TEST(Archive, EachLaneHasItsArraysAndTheStepsAreShared) {
 }
 
 TEST(Archive, HoldsOnlyTheFieldsThatWereAskedFor) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   auto frame = small_run::frame(1, 0);
   frame.velocity.clear();
   frame.damage_factor.clear();
@@ -248,7 +248,7 @@ TEST(Archive, HoldsOnlyTheFieldsThatWereAskedFor) {
 }
 
 TEST(Archive, WithoutFramesIsStatic) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry()});
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
@@ -259,7 +259,7 @@ TEST(Archive, WithoutFramesIsStatic) {
 }
 
 TEST(Archive, HoldsTheBooksBesideTheMesh) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
@@ -286,7 +286,7 @@ TEST(Archive, HoldsTheBooksBesideTheMesh) {
 }
 
 TEST(Archive, FieldsOverTimeAreCompressed) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), one_lane());
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
@@ -309,7 +309,7 @@ TEST(Archive, LargeFramesComeBackWhole) {
       frame.displacement.push_back({static_cast<float>(i), 1, static_cast<float>(step)});
     records.emplace_back(frame);
   }
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), records);
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
@@ -322,10 +322,10 @@ TEST(Archive, LargeFramesComeBackWhole) {
 }
 
 TEST(Archive, ComesFromWhatIsWholeOfADamagedJournal) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), one_lane());
-  auto bytes = small_run::bytes_of(scratch / "journal.rift");
-  small_run::put_bytes(scratch / "journal.rift", bytes.substr(0, bytes.size() - 200));
+  auto bytes = read_text(scratch / "journal.rift");
+  write_text(scratch / "journal.rift", bytes.substr(0, bytes.size() - 200));
   assemble_archive(scratch.path());
   const Archive archive(scratch.path());
   EXPECT_EQ(archive.values("/VTKHDF/Steps/Values"), (Numbers{0, 1e-6}));
@@ -333,12 +333,12 @@ TEST(Archive, ComesFromWhatIsWholeOfADamagedJournal) {
 }
 
 TEST(Archive, WithoutAGeometryIsRefusedAndLeavesNothing) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}});
   try {
     assemble_archive(scratch.path());
     FAIL() << "an archive of nothing";
-  } catch (const WorldError& error) {
+  } catch (const base::WorldError& error) {
     EXPECT_EQ(error.what(), "cannot assemble an archive from " + (scratch / "journal.rift").string() +
                                 ": it holds no geometry");
   }

@@ -1,8 +1,8 @@
 #include "engine/results/export_ovito.hpp"
 
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/journal.hpp"
-#include "engine/results/world_error.hpp"
 #include "tests/engine/results/small_run.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ struct Snapshot {
 };
 
 std::vector<Snapshot> read_dump(const fs::path& path) {
-  std::istringstream text(small_run::bytes_of(path));
+  std::istringstream text(read_text(path));
   std::vector<Snapshot> snapshots;
   std::size_t count = 0;
   for (std::string line; std::getline(text, line);) {
@@ -51,7 +51,7 @@ std::vector<Snapshot> read_dump(const fs::path& path) {
 }
 
 TEST(ExportOvito, ElementsComeBackWithTheirFieldsAtEveryMoment) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0),
                                             small_run::frame(3, 0)});
   EXPECT_EQ(export_ovito(scratch.path()), scratch / "ovito");
@@ -78,7 +78,7 @@ TEST(ExportOvito, ElementsComeBackWithTheirFieldsAtEveryMoment) {
 }
 
 TEST(ExportOvito, OnlyBeamsThatBearSomethingAreListed) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0),
                                             small_run::frame(3, 0)});
   export_ovito(scratch.path());
@@ -91,7 +91,7 @@ TEST(ExportOvito, OnlyBeamsThatBearSomethingAreListed) {
 }
 
 TEST(ExportOvito, AFrameWithoutDamageHasNoSnapshotOfBeams) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   Frame bare = small_run::frame(1, 0);
   bare.damage_factor.clear();
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0),
@@ -102,7 +102,7 @@ TEST(ExportOvito, AFrameWithoutDamageHasNoSnapshotOfBeams) {
 }
 
 TEST(ExportOvito, EachLaneHasFilesOfItsOwn) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(),
                            {RunHeader{R"({"lanes":2})"}, small_run::geometry(), small_run::frame(0, 0),
                             small_run::frame(0, 1), small_run::frame(5, 1)});
@@ -112,7 +112,7 @@ TEST(ExportOvito, EachLaneHasFilesOfItsOwn) {
 }
 
 TEST(ExportOvito, ARunWithoutFramesGivesItsElementsUnloaded) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry()});
   export_ovito(scratch.path());
   const auto snapshots = read_dump(scratch / "ovito/run.dump");
@@ -123,22 +123,22 @@ TEST(ExportOvito, ARunWithoutFramesGivesItsElementsUnloaded) {
 }
 
 TEST(ExportOvito, LeavesNoDumpOfAnEarlierExport) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   fs::create_directories(scratch / "ovito");
   for (const char* name : {"run.dump", "beams_lane7.dump", "notes.txt"})
-    small_run::put_bytes(scratch.path() / "ovito" / name, "earlier");
+    write_text(scratch.path() / "ovito" / name, "earlier");
   small_run::write_journal(scratch.path(), {RunHeader{R"({"lanes":2})"}, small_run::geometry(),
                                             small_run::frame(0, 0), small_run::frame(0, 1)});
   export_ovito(scratch.path());
   EXPECT_TRUE(fs::exists(scratch / "ovito/run_lane1.dump"));
   EXPECT_FALSE(fs::exists(scratch / "ovito/run.dump"));
   EXPECT_FALSE(fs::exists(scratch / "ovito/beams_lane7.dump"));
-  EXPECT_EQ(small_run::bytes_of(scratch / "ovito/notes.txt"), "earlier");
+  EXPECT_EQ(read_text(scratch / "ovito/notes.txt"), "earlier");
 }
 
 TEST(ExportOvito, OfNoRunThrowsAndMakesNothing) {
-  const small_run::Scratch scratch;
-  EXPECT_THROW(export_ovito(scratch.path()), WorldError);
+  const TemporaryFolder scratch;
+  EXPECT_THROW(export_ovito(scratch.path()), base::WorldError);
   EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 

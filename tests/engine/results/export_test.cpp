@@ -1,8 +1,8 @@
 #include "engine/results/export.hpp"
 
+#include "engine/base/ownership.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/journal.hpp"
-#include "engine/results/ownership.hpp"
-#include "engine/results/world_error.hpp"
 #include "tests/engine/results/small_run.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,6 @@ namespace rift::results {
 namespace {
 
 namespace fs = std::filesystem;
-using small_run::bytes_of;
 
 /// A reader of its own for .vtp files: knows the VTK XML rules and nothing of how ours are written.
 struct Vtp {
@@ -45,7 +44,7 @@ std::map<std::string, std::string> attributes_of(const std::string& tag) {
 }
 
 Vtp parse_vtp(const fs::path& path) {
-  const auto text = bytes_of(path);
+  const auto text = read_text(path);
   const auto data = text.find('_', text.find("<AppendedData encoding=\"raw\">")) + 1;
   Vtp vtp;
   std::string section;
@@ -75,7 +74,7 @@ Vtp parse_vtp(const fs::path& path) {
 }
 
 TEST(ExportPvd, AFrameReadsBackWhole) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0)});
   EXPECT_EQ(export_pvd(scratch.path()), scratch / "pvd/run.pvd");
   auto vtp = parse_vtp(scratch / "pvd/frame_000000.vtp");
@@ -113,29 +112,29 @@ TEST(ExportPvd, AFrameReadsBackWhole) {
 }
 
 TEST(ExportVtkhdf, IsTheRunsOwnOrMadeOfWhatIsWhole) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0)});
   EXPECT_EQ(export_vtkhdf(scratch.path()), scratch / "paraview/run.vtkhdf");
   EXPECT_GT(fs::file_size(scratch / "paraview/run.vtkhdf"), 1000U);
   EXPECT_FALSE(fs::exists(scratch / "run.vtkhdf")) << "that is of a run that has ended";
-  const small_run::Scratch finished;
+  const TemporaryFolder finished;
   small_run::write_journal(finished.path(),
                            {RunHeader{"{}"}, small_run::geometry(), small_run::frame(1, 0), RunEnd{"{}"}});
-  small_run::put_bytes(finished / "run.vtkhdf", "its own");
+  write_text(finished / "run.vtkhdf", "its own");
   EXPECT_EQ(export_vtkhdf(finished.path()), finished / "run.vtkhdf");
-  EXPECT_EQ(bytes_of(finished / "run.vtkhdf"), "its own");
+  EXPECT_EQ(read_text(finished / "run.vtkhdf"), "its own");
   fs::create_directories(finished / "paraview");
-  small_run::put_bytes(finished / "paraview/run.vtkhdf", "of the run before it had ended");
+  write_text(finished / "paraview/run.vtkhdf", "of the run before it had ended");
   EXPECT_EQ(export_vtkhdf(finished.path()), finished / "run.vtkhdf");
   EXPECT_FALSE(fs::exists(finished / "paraview/run.vtkhdf"));
 }
 
 TEST(ExportPvd, TheCollectionNamesEachMomentAndItsTime) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(
       scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0), small_run::frame(0, 1),
                        small_run::frame(3, 0), small_run::frame(3, 1)});
-  const auto text = bytes_of(export_pvd(scratch.path()));
+  const auto text = read_text(export_pvd(scratch.path()));
   EXPECT_NE(text.find("<VTKFile type=\"Collection\""), std::string::npos);
   EXPECT_NE(text.find("timestep=\"0\" group=\"\" part=\"0\" file=\"frame_000000.vtp\""), std::string::npos)
       << text;
@@ -149,10 +148,10 @@ TEST(ExportPvd, TheCollectionNamesEachMomentAndItsTime) {
 }
 
 TEST(ExportPvd, LeavesNoFrameOfAnEarlierExport) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   fs::create_directories(scratch / "pvd");
-  small_run::put_bytes(scratch / "pvd/frame_000007.vtp", "earlier");
-  small_run::put_bytes(scratch / "pvd/notes.txt", "mine");
+  write_text(scratch / "pvd/frame_000007.vtp", "earlier");
+  write_text(scratch / "pvd/notes.txt", "mine");
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0)});
   export_pvd(scratch.path());
   EXPECT_TRUE(fs::exists(scratch / "pvd/frame_000000.vtp"));
@@ -161,15 +160,15 @@ TEST(ExportPvd, LeavesNoFrameOfAnEarlierExport) {
 }
 
 TEST(Export, IntoAFolderThatAnotherProcessWritesIsRefused) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0)});
   fs::create_directories(scratch / "csv");
-  const FolderLock lock(scratch / "csv");
-  EXPECT_THROW(export_csv(scratch.path()), WorldError);
+  const base::FolderLock lock(scratch / "csv");
+  EXPECT_THROW(export_csv(scratch.path()), base::WorldError);
 }
 
 TEST(ExportPvd, WithoutFramesShowsTheGeometry) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry()});
   export_pvd(scratch.path());
   const auto vtp = parse_vtp(scratch / "pvd/frame_000000.vtp");
@@ -178,7 +177,7 @@ TEST(ExportPvd, WithoutFramesShowsTheGeometry) {
 }
 
 TEST(ExportCsv, WritesEachTable) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   auto loading = small_run::sample(0, 0, 0.01);
   loading.phase = Phase::loading;
   small_run::write_journal(
@@ -186,38 +185,38 @@ TEST(ExportCsv, WritesEachTable) {
       {RunHeader{"{}"}, small_run::geometry(), loading, small_run::sample(2, 0, 0.02),
        ReleaseEvent{2, 0, 2e-8, 0.015, 3e-9}, RateCurve{0, {{0.02, 0.5, 0.25, 0.625, 0.75}}}});
   EXPECT_EQ(export_csv(scratch.path()), scratch / "csv");
-  EXPECT_EQ(bytes_of(scratch / "csv/events.csv"),
+  EXPECT_EQ(read_text(scratch / "csv/events.csv"),
             "beam,lane,time_s,position_m,energy_j\n2,0,2e-08,0.015,3e-09\n");
-  EXPECT_EQ(bytes_of(scratch / "csv/rate.csv"),
+  EXPECT_EQ(read_text(scratch / "csv/rate.csv"),
             "lane,tip_m,ratio,ratio_release,ratio_with_damping,ratio_translation_only\n0,0.02,0.5,0.25,0.625,"
             "0.75\n");
-  EXPECT_EQ(bytes_of(scratch / "csv/crack.csv"),
+  EXPECT_EQ(read_text(scratch / "csv/crack.csv"),
             "step,time_s,lane,tip_m,velocity_m_s\n2,2e-08,0,0.02,1100.1\n");
-  const auto series = bytes_of(scratch / "csv/series.csv");
+  const auto series = read_text(scratch / "csv/series.csv");
   EXPECT_NE(series.find("\n0,0,loading,0,0.01,"), std::string::npos) << series;
   EXPECT_TRUE(series.ends_with(",0.5,0.25,0.625,0.75\n")) << series;
 }
 
 TEST(Export, SaysWhatIsMissing) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   try {
     export_csv(scratch.path());
     FAIL() << "exported nothing";
-  } catch (const WorldError& error) {
+  } catch (const base::WorldError& error) {
     EXPECT_EQ(error.what(),
               "cannot open " + (scratch / "journal.rift").string() + ": No such file or directory");
   }
   EXPECT_FALSE(fs::exists(scratch / "csv"));
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}});
-  EXPECT_THROW(export_pvd(scratch.path()), WorldError);
+  EXPECT_THROW(export_pvd(scratch.path()), base::WorldError);
 }
 
 TEST(Export, WorksFromARunThatWasCutShort) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), {RunHeader{"{}"}, small_run::geometry(), small_run::frame(0, 0),
                                             small_run::frame(1, 0)});
-  const auto bytes = bytes_of(scratch / "journal.rift");
-  small_run::put_bytes(scratch / "journal.rift", bytes.substr(0, bytes.size() - 1));
+  const auto bytes = read_text(scratch / "journal.rift");
+  write_text(scratch / "journal.rift", bytes.substr(0, bytes.size() - 1));
   export_pvd(scratch.path());
   EXPECT_TRUE(fs::exists(scratch / "pvd/frame_000000.vtp"));
   EXPECT_FALSE(fs::exists(scratch / "pvd/frame_000001.vtp"));

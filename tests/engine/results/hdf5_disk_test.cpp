@@ -1,7 +1,7 @@
+#include "engine/base/world_error.hpp"
 #include "engine/results/hdf5.hpp"
-#include "engine/results/world_error.hpp"
-#include "tests/engine/results/full_disk.hpp"
 #include "tests/engine/results/small_run.hpp"
+#include "tests/full_disk.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ void write_file(const fs::path& path) {
 std::string failure_of(const fs::path& path) {
   try {
     write_file(path);
-  } catch (const WorldError& error) {
+  } catch (const base::WorldError& error) {
     return error.what();
   }
   return "";
@@ -57,7 +57,7 @@ std::string failure_of(const fs::path& path) {
 }
 
 TEST(Hdf5File, SaysWhereverTheDiskEndsThatItIsFullAndEndsInOrder) {
-  const small_run::Scratch folder;
+  const TemporaryFolder folder;
   const fs::path path = folder / "a.h5";
   write_file(path);
   const std::uintmax_t size = fs::file_size(path);
@@ -66,22 +66,22 @@ TEST(Hdf5File, SaysWhereverTheDiskEndsThatItIsFullAndEndsInOrder) {
 }
 
 TEST(Hdf5File, ThatIsNoneIsNamedInPlainWords) {
-  const small_run::Scratch folder;
+  const TemporaryFolder folder;
   const fs::path path = folder / "a.h5";
   const auto complaint = [&] {
     try {
       (void)InputFile(path).doubles("rows");
-    } catch (const WorldError& error) {
+    } catch (const base::WorldError& error) {
       return std::string(error.what());
     }
     return std::string();
   };
   EXPECT_EQ(complaint(), "cannot open " + path.string() + ": No such file or directory");
-  small_run::put_bytes(path, "no such thing");
+  write_text(path, "no such thing");
   EXPECT_EQ(complaint(), "cannot open " + path.string() + ": it is damaged, or no HDF5 file");
   write_file(path);
   EXPECT_EQ(InputFile(path).doubles("rows").size(), 4000U);
-  EXPECT_THROW((void)InputFile(path).doubles("columns"), WorldError);
+  EXPECT_THROW((void)InputFile(path).doubles("columns"), base::WorldError);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "engine/results/journal_index.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 #include "tests/engine/results/small_run.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ void write_steps(JournalWriter& writer, std::int64_t first, std::int64_t last) {
 }
 
 TEST(JournalIndex, GivesEveryFrameInAnyOrder) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   JournalWriter writer(scratch / "journal.rift");
   writer.write(RunHeader{two_lanes});
   writer.write(small_run::geometry());
@@ -46,7 +46,7 @@ TEST(JournalIndex, GivesEveryFrameInAnyOrder) {
 }
 
 TEST(JournalIndex, SeesWhatARunHasAddedSince) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   JournalWriter writer(scratch / "journal.rift");
   writer.write(RunHeader{two_lanes});
   writer.write(small_run::geometry());
@@ -66,35 +66,35 @@ TEST(JournalIndex, SeesWhatARunHasAddedSince) {
 }
 
 TEST(JournalIndex, GoesOnFromWhereARecordWasCutShort) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   {
     JournalWriter writer(scratch / "whole");
     writer.write(RunHeader{two_lanes});
     writer.write(small_run::geometry());
     write_steps(writer, 1, 2);
   }
-  const std::string bytes = small_run::bytes_of(scratch / "whole");
-  small_run::put_bytes(scratch / "journal.rift", bytes.substr(0, bytes.size() - 5));
+  const std::string bytes = read_text(scratch / "whole");
+  write_text(scratch / "journal.rift", bytes.substr(0, bytes.size() - 5));
   JournalIndex index(scratch / "journal.rift");
   EXPECT_EQ(index.state(), JournalState::truncated);
   EXPECT_EQ(index.frames(1).size(), 1U);
-  small_run::put_bytes(scratch / "journal.rift", bytes);
+  write_text(scratch / "journal.rift", bytes);
   index.extend();
   EXPECT_EQ(index.state(), JournalState::whole);
   EXPECT_EQ(index.frames(1).size(), 2U);
 }
 
 TEST(JournalIndex, KeepsWhatLiesBeforeDamage) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   {
     JournalWriter writer(scratch / "journal.rift");
     writer.write(RunHeader{two_lanes});
     writer.write(small_run::geometry());
     write_steps(writer, 1, 2);
   }
-  std::string bytes = small_run::bytes_of(scratch / "journal.rift");
+  std::string bytes = read_text(scratch / "journal.rift");
   bytes[bytes.size() - 20] ^= 1;
-  small_run::put_bytes(scratch / "journal.rift", bytes);
+  write_text(scratch / "journal.rift", bytes);
   const JournalIndex index(scratch / "journal.rift");
   EXPECT_EQ(index.state(), JournalState::damaged);
   EXPECT_NE(index.reason(), "");
@@ -103,24 +103,24 @@ TEST(JournalIndex, KeepsWhatLiesBeforeDamage) {
 }
 
 TEST(JournalIndex, RefusesWhatHasNoGeometryAndLanesThatAreNotThere) {
-  const small_run::Scratch scratch;
-  EXPECT_THROW(JournalIndex(scratch / "nothing"), WorldError);
+  const TemporaryFolder scratch;
+  EXPECT_THROW(JournalIndex(scratch / "nothing"), base::WorldError);
   {
     JournalWriter writer(scratch / "bare");
     writer.write(RunHeader{"{}"});
   }
-  EXPECT_THROW(JournalIndex(scratch / "bare"), WorldError);
+  EXPECT_THROW(JournalIndex(scratch / "bare"), base::WorldError);
   {
     JournalWriter writer(scratch / "lanes");
     writer.write(RunHeader{two_lanes});
     writer.write(small_run::geometry());
     writer.write(small_run::sample(1, 2000000000, 0));
   }
-  EXPECT_THROW(JournalIndex(scratch / "lanes"), WorldError);
+  EXPECT_THROW(JournalIndex(scratch / "lanes"), base::WorldError);
 }
 
 TEST(JournalIndex, SaysWhenAFrameIsNotWhereItWas) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   JournalWriter writer(scratch / "journal.rift");
   writer.write(RunHeader{two_lanes});
   writer.write(small_run::geometry());
@@ -128,9 +128,9 @@ TEST(JournalIndex, SaysWhenAFrameIsNotWhereItWas) {
   const JournalIndex index(scratch / "journal.rift");
   FrameEntry moved = index.frames(0)[0];
   moved.step = 17;
-  EXPECT_THROW((void)index.frame(moved), WorldError);
+  EXPECT_THROW((void)index.frame(moved), base::WorldError);
   moved.offset += 3;
-  EXPECT_THROW((void)index.frame(moved), WorldError);
+  EXPECT_THROW((void)index.frame(moved), base::WorldError);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "engine/results/journal.hpp"
 
+#include "engine/base/world_error.hpp"
 #include "engine/results/columns.hpp"
 #include "engine/results/journal_scan.hpp"
-#include "engine/results/world_error.hpp"
-#include "tests/engine/results/full_disk.hpp"
 #include "tests/engine/results/small_run.hpp"
 #include "tests/expectations.hpp"
+#include "tests/full_disk.hpp"
 
 #include <cstring>
 #include <limits>
@@ -19,8 +19,6 @@ namespace rift::results {
 namespace {
 
 namespace fs = std::filesystem;
-using small_run::bytes_of;
-using small_run::put_bytes;
 
 /// Every kind of record, in the order of a run.
 std::vector<Record> all_kinds() {
@@ -50,7 +48,7 @@ std::pair<std::string, std::vector<std::size_t>> whole_journal(const fs::path& p
     }
     writer.close();
   }
-  return {bytes_of(path), ends};
+  return {read_text(path), ends};
 }
 
 struct Reading {
@@ -93,7 +91,7 @@ std::string forged(std::uint32_t kind, const std::string& payload, std::uint64_t
 }
 
 TEST(Journal, EveryKindComesBackAsItWas) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   whole_journal(scratch / "j");
   JournalReader reader(scratch / "j");
 
@@ -128,7 +126,7 @@ TEST(Journal, EveryKindComesBackAsItWas) {
 }
 
 TEST(Journal, StartsAsDocumented) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const auto [bytes, ends] = whole_journal(scratch / "j");
   EXPECT_EQ(bytes.substr(0, 16), std::string("RIFTJRNL\1\0\0\0\0\0\0\0", 16));
   const std::string header = R"({"version":"0.1.0","lanes":2})";
@@ -136,12 +134,12 @@ TEST(Journal, StartsAsDocumented) {
 }
 
 TEST(Journal, CutAtAnyByteKeepsAllWholeRecordsBefore) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const auto [bytes, ends] = whole_journal(scratch / "whole");
   ASSERT_FALSE(bytes.empty());
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     SCOPED_TRACE(size);
-    put_bytes(scratch / "cut", bytes.substr(0, size));
+    write_text(scratch / "cut", bytes.substr(0, size));
     std::size_t whole = 0;
     while (whole + 1 < ends.size() && ends[whole + 1] <= size) ++whole;
     const auto reading = read_all(scratch / "cut");
@@ -154,14 +152,14 @@ TEST(Journal, CutAtAnyByteKeepsAllWholeRecordsBefore) {
 }
 
 TEST(Journal, AnyFlippedByteEndsTheReadingAtItsRecord) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const auto [bytes, ends] = whole_journal(scratch / "whole");
   ASSERT_FALSE(bytes.empty());
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     SCOPED_TRACE(at);
     auto flipped = bytes;
     flipped[at] = static_cast<char>(flipped[at] ^ 0x5a);
-    put_bytes(scratch / "flipped", flipped);
+    write_text(scratch / "flipped", flipped);
     std::size_t whole = 0;
     while (whole + 1 < ends.size() && ends[whole + 1] <= at) ++whole;
     const auto reading = read_all(scratch / "flipped");
@@ -174,11 +172,11 @@ TEST(Journal, AnyFlippedByteEndsTheReadingAtItsRecord) {
 
 TEST(Journal, SizesThatLieAllocateNothingBeyondTheFile) {
   // Each of these would need up to 2^64 bytes if believed; an attempt would throw bad_alloc or length_error.
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const auto [bytes, ends] = whole_journal(scratch / "j");
   constexpr auto huge = std::numeric_limits<std::uint64_t>::max();
   for (const std::uint64_t claimed : {huge, huge - 23, huge / 2, std::uint64_t{1} << 40}) {
-    put_bytes(scratch / "j", bytes + forged(4, "short", claimed));
+    write_text(scratch / "j", bytes + forged(4, "short", claimed));
     const auto reading = read_all(scratch / "j");
     expect_first(reading, all_kinds().size());
     EXPECT_EQ(reading.state, JournalState::truncated);
@@ -186,12 +184,12 @@ TEST(Journal, SizesThatLieAllocateNothingBeyondTheFile) {
 }
 
 TEST(Journal, CountsThatLieInsideAPayloadAreDamage) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const auto [bytes, ends] = whole_journal(scratch / "j");
   auto frame = encode(small_run::frame(1, 0));
   for (const std::uint64_t count : {std::uint64_t{5}, std::uint64_t{1} << 61, ~std::uint64_t{0}}) {
     std::memcpy(frame.data() + 28, &count, 8);  // after step, time, lane and tip: elements displaced
-    put_bytes(scratch / "j", bytes + forged(4, frame, frame.size()));
+    write_text(scratch / "j", bytes + forged(4, frame, frame.size()));
     const auto reading = read_all(scratch / "j");
     expect_first(reading, all_kinds().size());
     EXPECT_EQ(reading.state, JournalState::damaged);
@@ -199,7 +197,7 @@ TEST(Journal, CountsThatLieInsideAPayloadAreDamage) {
 }
 
 TEST(Journal, RecordsThatMakeNoSenseAreDamage) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const auto [bytes, ends] = whole_journal(scratch / "j");
   auto beyond = small_run::geometry();
   beyond.beam[1][1] = 4;
@@ -222,7 +220,7 @@ TEST(Journal, RecordsThatMakeNoSenseAreDamage) {
   ASSERT_FALSE(senseless.empty());
   for (std::size_t i = 0; i < senseless.size(); ++i) {
     SCOPED_TRACE(i);
-    put_bytes(scratch / "j", bytes + senseless[i]);
+    write_text(scratch / "j", bytes + senseless[i]);
     const auto reading = read_all(scratch / "j");
     expect_first(reading, all_kinds().size());
     EXPECT_EQ(reading.state, JournalState::damaged);
@@ -231,28 +229,28 @@ TEST(Journal, RecordsThatMakeNoSenseAreDamage) {
 }
 
 TEST(Journal, AnotherFileOrVersionIsForeign) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   for (const std::string& content : {std::string("step,time_s,phase,lane\n"), std::string("R!"),
                                      std::string("RIFTJRNL\2\0\0\0\0\0\0\0", 16)}) {
-    put_bytes(scratch / "j", content);
+    write_text(scratch / "j", content);
     EXPECT_EQ(read_all(scratch / "j").state, JournalState::foreign);
   }
 }
 
 TEST(Journal, IsNeverOverwritten) {
-  const small_run::Scratch scratch;
-  put_bytes(scratch / "j", "mine");
+  const TemporaryFolder scratch;
+  write_text(scratch / "j", "mine");
   try {
     JournalWriter writer(scratch / "j");
     FAIL() << "opened an existing file";
-  } catch (const WorldError& error) {
+  } catch (const base::WorldError& error) {
     EXPECT_EQ(error.what(), "cannot create " + (scratch / "j").string() + ": File exists");
   }
-  EXPECT_EQ(bytes_of(scratch / "j"), "mine");
+  EXPECT_EQ(read_text(scratch / "j"), "mine");
 }
 
 TEST(Journal, CanBeFollowedWhileItGrows) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   JournalWriter writer(scratch / "j");
   writer.write(small_run::sample(1, 0, 0.01));
   writer.flush();
@@ -267,7 +265,7 @@ TEST(Journal, CanBeFollowedWhileItGrows) {
 }
 
 TEST(Journal, AFullDiskIsToldAndNothingIsLost) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   JournalWriter writer(scratch / "j");
   writer.write(small_run::sample(1, 0, 0.01));
   writer.flush();
@@ -277,7 +275,7 @@ TEST(Journal, AFullDiskIsToldAndNothingIsLost) {
     try {
       writer.flush();
       FAIL() << "a full disk went unnoticed";
-    } catch (const WorldError& error) {
+    } catch (const base::WorldError& error) {
       EXPECT_EQ(error.what(), "cannot write " + (scratch / "j").string() + ": File too large");
     }
     const auto reading = read_all(scratch / "j");
@@ -291,7 +289,7 @@ TEST(Journal, AFullDiskIsToldAndNothingIsLost) {
 }
 
 TEST(JournalScan, GathersAllButTheFields) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   whole_journal(scratch / "j");
   const auto scan = scan_journal(scratch / "j");
   EXPECT_EQ(scan.samples.size(), 1U);
@@ -305,7 +303,7 @@ TEST(JournalScan, GathersAllButTheFields) {
 }
 
 TEST(JournalScan, GivesTheLanesOfAMomentTogether) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   {
     JournalWriter writer(scratch / "j");
     writer.write(small_run::geometry());
@@ -324,7 +322,7 @@ TEST(JournalScan, GivesTheLanesOfAMomentTogether) {
 }
 
 TEST(JournalScan, OfTwoFramesOfALaneAtOneMomentTheLaterHolds) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   auto later = small_run::frame(1, 0);
   later.displacement[0][0] = 77;
   {
@@ -343,7 +341,7 @@ TEST(JournalScan, OfTwoFramesOfALaneAtOneMomentTheLaterHolds) {
 }
 
 TEST(JournalScan, RefusesAFrameThatDoesNotFitTheGeometry) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   auto frame = small_run::frame(3, 0);
   frame.damage_factor.push_back(1);
   {
@@ -351,7 +349,7 @@ TEST(JournalScan, RefusesAFrameThatDoesNotFitTheGeometry) {
     writer.write(frame);
     writer.close();
   }
-  EXPECT_THROW(for_each_moment(scratch / "j", small_run::geometry(), [](auto) {}), WorldError);
+  EXPECT_THROW(for_each_moment(scratch / "j", small_run::geometry(), [](auto) {}), base::WorldError);
 }
 
 TEST(JournalScan, NamesCarryTheirLaneOnlyAmongSeveral) {

@@ -1,9 +1,8 @@
-#include "engine/results/json_input.hpp"
-
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/journal.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/results/verify.hpp"
-#include "engine/results/world_error.hpp"
 #include "tests/engine/results/small_run.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +38,7 @@ TEST(JsonText, ThatCannotBeReadIsNamedWithItsPath) {
   const auto said = [](const std::string& text) -> std::string {
     try {
       (void)read_json(text, "runs/a/journal.rift");
-    } catch (const WorldError& error) {
+    } catch (const base::WorldError& error) {
       return error.what();
     }
     return "";
@@ -62,7 +61,7 @@ void write_journal(const std::filesystem::path& folder, const std::string& heade
 }
 
 TEST(Verify, OfAJournalWhoseSummaryNestsDeepNamesIt) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const std::filesystem::path run = scratch / "run";
   write_journal(run, "{\"lanes\": 1}", nested(100000));
   const Verification verified = verify_run(run, true);
@@ -73,7 +72,7 @@ TEST(Verify, OfAJournalWhoseSummaryNestsDeepNamesIt) {
 }
 
 TEST(Verify, OfAJournalWhoseHeaderNestsDeepComesToAnEnd) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   write_journal(scratch / "run", nested(100000), "{\"scenarios\": []}");
   EXPECT_NO_THROW((void)verify_run(scratch / "run", true));
 }

@@ -1,7 +1,7 @@
-#include "engine/results/ownership.hpp"
+#include "engine/base/ownership.hpp"
 
+#include "engine/base/files.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/journal_index.hpp"
 #include "engine/results/run_writer.hpp"
 #include "tests/engine/results/small_run.hpp"
@@ -23,7 +23,6 @@ namespace rift::results {
 namespace {
 
 namespace fs = std::filesystem;
-using small_run::put_bytes;
 
 /// Makes every flock of this process fail with an error, as on a file system without locks.
 bool take_locks_away(int error) {
@@ -56,46 +55,46 @@ int without_locks(int error, const std::function<bool()>& holds) {
 }
 
 TEST(FolderLock, KeepsOthersOutWhileItLives) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   {
-    const FolderLock lock(scratch.path());
+    const base::FolderLock lock(scratch.path());
     EXPECT_TRUE(lock.is_kept());
     EXPECT_TRUE(is_folder_being_written(scratch.path()));
     try {
-      const FolderLock other(scratch.path());
+      const base::FolderLock other(scratch.path());
       FAIL() << "two owners";
-    } catch (const WorldError& error) {
+    } catch (const base::WorldError& error) {
       EXPECT_EQ(error.what(),
                 "cannot write into " + scratch.path().string() + ": another process is writing it");
     }
-    EXPECT_THROW(FolderLock(scratch.path(), FolderLock::Kind::together), WorldError);
+    EXPECT_THROW(base::FolderLock(scratch.path(), base::FolderLock::Kind::together), base::WorldError);
   }
   EXPECT_FALSE(is_folder_being_written(scratch.path()));
-  const FolderLock part(scratch.path(), FolderLock::Kind::together);
-  const FolderLock other_part(scratch.path(), FolderLock::Kind::together);
+  const base::FolderLock part(scratch.path(), base::FolderLock::Kind::together);
+  const base::FolderLock other_part(scratch.path(), base::FolderLock::Kind::together);
   EXPECT_TRUE(is_folder_being_written(scratch.path()));
-  EXPECT_THROW(FolderLock(scratch.path()), WorldError);
+  EXPECT_THROW(base::FolderLock(scratch.path()), base::WorldError);
 }
 
 class WithoutLocks : public testing::TestWithParam<int> {};
 
 TEST_P(WithoutLocks, NobodyIsTakenForAnotherProcess) {
-  const small_run::Scratch scratch;
-  put_bytes(scratch / journal_name, "12");
+  const TemporaryFolder scratch;
+  write_text(scratch / journal_name, "12");
   const int said = without_locks(GetParam(), [&] {
-    const OwnedFolder owned(scratch.path());
-    AppendFile file(scratch / journal_name, 2);
+    const base::OwnedFolder owned(scratch.path());
+    base::AppendFile file(scratch / journal_name, 2);
     file.append("3");
     file.close();
     return !owned.has_locks() && !is_folder_being_written(scratch.path());
   });
   if (said == 77) GTEST_SKIP() << "filtering system calls is not allowed here";
   EXPECT_EQ(said, 0);
-  EXPECT_EQ(small_run::bytes_of(scratch / journal_name), "123");
+  EXPECT_EQ(read_text(scratch / journal_name), "123");
 }
 
 TEST_P(WithoutLocks, ARunComesToItsEndAllTheSame) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const int said = without_locks(GetParam(), [&] {
     RunWriter writer(scratch.path(), {{"lanes", 1}}, small_run::geometry());
     writer.sample(small_run::sample(1, 0, 0.01));
@@ -109,29 +108,29 @@ TEST_P(WithoutLocks, ARunComesToItsEndAllTheSame) {
 INSTANTIATE_TEST_SUITE_P(Whatever, WithoutLocks, testing::Values(ENOSYS, ENOLCK, EOPNOTSUPP));
 
 TEST(OwnedFolder, IsGivenBackWhereNothingCameOfIt) {
-  const small_run::Scratch scratch;
-  { const OwnedFolder owned(scratch / "a/b"); }
+  const TemporaryFolder scratch;
+  { const base::OwnedFolder owned(scratch / "a/b"); }
   EXPECT_FALSE(fs::exists(scratch / "a"));
-  OwnedFolder(scratch / "a/b").keep();
+  base::OwnedFolder(scratch / "a/b").keep();
   EXPECT_TRUE(fs::exists(scratch / "a/b"));
-  { const OwnedFolder owned(scratch / "a/b"); }
+  { const base::OwnedFolder owned(scratch / "a/b"); }
   EXPECT_TRUE(fs::exists(scratch / "a/b")) << "it was there before";
 }
 
 TEST(HeldFile, TellsAnotherFileOfItsName) {
-  const small_run::Scratch scratch;
-  put_bytes(scratch / "f", "one");
-  const HeldFile held(scratch / "f");
+  const TemporaryFolder scratch;
+  write_text(scratch / "f", "one");
+  const base::HeldFile held(scratch / "f");
   EXPECT_TRUE(held.is_still_there());
   EXPECT_EQ(held.size(), 3U);
   fs::remove(scratch / "f");
   EXPECT_FALSE(held.is_still_there());
-  put_bytes(scratch / "f", "other");
+  write_text(scratch / "f", "other");
   EXPECT_FALSE(held.is_still_there());
 }
 
 TEST(JournalIndex, NoticesThatAnotherRunHasTakenItsPlace) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const auto write = [&](double tip) {
     JournalWriter writer(scratch / journal_name);
     writer.write(RunHeader{R"({"lanes": 1})"});

@@ -1,12 +1,12 @@
 #include "engine/results/run_folder.hpp"
 
+#include "engine/base/files.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/files.hpp"
 #include "engine/results/run_writer.hpp"
 #include "engine/results/verify.hpp"
-#include "engine/results/world_error.hpp"
-#include "tests/engine/results/full_disk.hpp"
 #include "tests/engine/results/small_run.hpp"
+#include "tests/full_disk.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,8 +26,6 @@ namespace rift::results {
 namespace {
 
 namespace fs = std::filesystem;
-using small_run::bytes_of;
-using small_run::put_bytes;
 
 nlohmann::ordered_json header() {
   return {{"version", "0.1.0"}, {"lanes", 1}, {"preset", "[crack]\nvelocity = \"0.5 c_r\"\n"}};
@@ -56,22 +54,22 @@ std::string message_of(const fs::path& folder, bool force) {
 }
 
 TEST(RunFolder, IsMadeWithItsParents) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   create_run_folder(scratch / "a/b/run", false);
   EXPECT_TRUE(fs::is_empty(scratch / "a/b/run"));
   create_run_folder(scratch / "a/b/run", false);  // empty is as good as none
 }
 
 TEST(RunFolder, ThatHoldsAnythingIsNotWrittenInto) {
-  const small_run::Scratch scratch;
-  put_bytes(scratch / "journal.rift", "a run");
+  const TemporaryFolder scratch;
+  write_text(scratch / "journal.rift", "a run");
   EXPECT_EQ(message_of<FolderExists>(scratch.path(), false),
             scratch.path().string() + " exists and is not empty; --force replaces a run in it");
-  EXPECT_EQ(bytes_of(scratch / "journal.rift"), "a run");
+  EXPECT_EQ(read_text(scratch / "journal.rift"), "a run");
 }
 
 TEST(RunFolder, ForceRemovesOnlyWhatRiftWrote) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const std::vector<std::string> ours{
       "journal.rift",  "run.vtkhdf",           "run.vtkhdf.part",   "series.csv",           "summary.json",
       "checkpoint.h5", "checkpoint-2.h5",      "measure/field.csv", "measure/charts/vy.gp", "csv/series.csv",
@@ -81,8 +79,8 @@ TEST(RunFolder, ForceRemovesOnlyWhatRiftWrote) {
                                         "film/frame_000000.vtp"};
   for (const char* folder : {"csv", "pvd", "ovito", "paraview", "film", "measure/charts"})
     fs::create_directories(scratch / folder);
-  for (const auto& name : ours) put_bytes(scratch / name, "x");
-  for (const auto& name : theirs) put_bytes(scratch / name, "x");
+  for (const auto& name : ours) write_text(scratch / name, "x");
+  for (const auto& name : theirs) write_text(scratch / name, "x");
   create_run_folder(scratch.path(), true);
   for (const auto& name : ours) EXPECT_FALSE(fs::exists(scratch / name)) << name;
   for (const auto& name : theirs) EXPECT_TRUE(fs::exists(scratch / name)) << name;
@@ -91,8 +89,8 @@ TEST(RunFolder, ForceRemovesOnlyWhatRiftWrote) {
 }
 
 TEST(RunFolder, ForceRefusesAFolderThatHoldsNoRun) {
-  const small_run::Scratch scratch;
-  put_bytes(scratch / "thesis.tex", "x");
+  const TemporaryFolder scratch;
+  write_text(scratch / "thesis.tex", "x");
   EXPECT_EQ(message_of<FolderExists>(scratch.path(), true),
             scratch.path().string() + " holds other files and no run; --force replaces only runs");
   EXPECT_EQ(fs::file_size(scratch / "thesis.tex"), 1U);
@@ -100,23 +98,23 @@ TEST(RunFolder, ForceRefusesAFolderThatHoldsNoRun) {
 
 // A second `rift run --force` beside a run, and beside an export of it.
 TEST(RunFolder, IsNotReplacedWhileAnotherWritesIntoIt) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path run = scratch / "run";
   const std::string taken = "cannot write into " + run.string() + ": another process is writing it";
   {
     ClaimedFolder folder(run, false);
-    EXPECT_EQ(message_of<WorldError>(run, true), taken);
+    EXPECT_EQ(message_of<base::WorldError>(run, true), taken);
     folder.keep();
     RunWriter writer(run, header(), small_run::geometry());
     write_some(writer);
-    EXPECT_EQ(message_of<WorldError>(run, true), taken);
-    EXPECT_EQ(message_of<WorldError>(run, false), taken);
+    EXPECT_EQ(message_of<base::WorldError>(run, true), taken);
+    EXPECT_EQ(message_of<base::WorldError>(run, false), taken);
     writer.finish({{"scenarios", nlohmann::json::array()}}, {});
-    EXPECT_EQ(message_of<WorldError>(run, true), taken);
+    EXPECT_EQ(message_of<base::WorldError>(run, true), taken);
   }
   {
-    const OwnedFolder csv(run / "csv");
-    EXPECT_EQ(message_of<WorldError>(run, true),
+    const base::OwnedFolder csv(run / "csv");
+    EXPECT_EQ(message_of<base::WorldError>(run, true),
               "cannot write into " + run.string() + ": another process is writing csv in it");
   }
   EXPECT_TRUE(fs::exists(run / "summary.json"));
@@ -125,7 +123,7 @@ TEST(RunFolder, IsNotReplacedWhileAnotherWritesIntoIt) {
 }
 
 TEST(RunFolder, OfARunThatCanGoOnOffersThat) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   {
     RunWriter writer(scratch.path(), header(), small_run::geometry());
     write_some(writer);
@@ -137,49 +135,51 @@ TEST(RunFolder, OfARunThatCanGoOnOffersThat) {
 
 // On a file system without locks nothing keeps another run out.
 TEST(RunWriter, EndsWhereAnotherRunHasTakenItsPlace) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   RunWriter writer(scratch.path(), header(), small_run::geometry());
   write_some(writer);
   const std::uint64_t bytes = writer.journal_bytes();
   fs::remove(scratch / "journal.rift");
-  put_bytes(scratch / "journal.rift", "another run's");
+  write_text(scratch / "journal.rift", "another run's");
   EXPECT_EQ(writer.journal_bytes(), bytes) << "of its own journal";
-  EXPECT_THROW(writer.flush(), WorldError);
-  EXPECT_THROW(writer.finish({{"scenarios", nlohmann::json::array()}}, {}), WorldError);
-  EXPECT_EQ(bytes_of(scratch / "journal.rift"), "another run's");
+  EXPECT_THROW(writer.flush(), base::WorldError);
+  EXPECT_THROW(writer.finish({{"scenarios", nlohmann::json::array()}}, {}), base::WorldError);
+  EXPECT_EQ(read_text(scratch / "journal.rift"), "another run's");
   EXPECT_FALSE(fs::exists(scratch / "run.vtkhdf"));
   EXPECT_FALSE(fs::exists(scratch / "summary.json"));
 }
 
 TEST(RunFolder, ThatCannotBeMadeSaysWhy) {
-  const small_run::Scratch scratch;
-  put_bytes(scratch / "file", "");
+  const TemporaryFolder scratch;
+  write_text(scratch / "file", "");
   const auto below = (scratch / "file" / "run").string();
-  EXPECT_EQ(message_of<WorldError>(below, false), "cannot create the folder " + below + ": Not a directory");
+  EXPECT_EQ(message_of<base::WorldError>(below, false),
+            "cannot create the folder " + below + ": Not a directory");
   const auto file = (scratch / "file").string();
-  EXPECT_EQ(message_of<WorldError>(file, true), "cannot create the folder " + file + ": Not a directory");
+  EXPECT_EQ(message_of<base::WorldError>(file, true),
+            "cannot create the folder " + file + ": Not a directory");
 }
 
 TEST(RunFolder, ThatCannotBeWrittenToIsNoticedAtOnce) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   std::string message;
   {
     const FullDisk full(0);
-    message = message_of<WorldError>(scratch.path(), false);
+    message = message_of<base::WorldError>(scratch.path(), false);
   }
   EXPECT_EQ(message.find("cannot write into " + scratch.path().string() + ": "), 0U) << message;
   EXPECT_TRUE(fs::is_empty(scratch.path())) << "nothing half-written";
 }
 
 TEST(RunWriter, CompletesItsFolder) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   {
     RunWriter writer(scratch.path(), header(), small_run::geometry());
     write_some(writer);
-    EXPECT_TRUE(bytes_of(scratch / "series.csv").ends_with(",5e-12,0,0,,,,\n"));
+    EXPECT_TRUE(read_text(scratch / "series.csv").ends_with(",5e-12,0,0,,,,\n"));
     writer.finish({{"scenarios", nlohmann::json::array()}}, {{{0.02, 0.5, 0.25, 0.625, 0.75}}});
   }
-  const auto series = bytes_of(scratch / "series.csv");
+  const auto series = read_text(scratch / "series.csv");
   EXPECT_TRUE(series.ends_with(",5e-12,0,0,0.5,0.25,0.625,0.75\n")) << series;
   EXPECT_NE(series.find(",5e-12,0,0,,,,\n"), std::string::npos) << "the first sample has no rate";
   std::vector<std::string> names;
@@ -198,7 +198,7 @@ TEST(RunWriter, CompletesItsFolder) {
 
 // Only where there are gauges; then beside the series, in the archive, and made anew where it is lost.
 TEST(RunWriter, LeavesTheGaugesAsATable) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   RunWriter writer(scratch.path(), header(), small_run::geometry());
   write_some(writer);
   writer.gauge(
@@ -207,16 +207,16 @@ TEST(RunWriter, LeavesTheGaugesAsATable) {
   const std::string expected =
       "step,time_s,lane,gauge,x_m,y_m,ux_m,uy_m,uz_m,vx_m_s,vy_m_s,vz_m_s,strain_xx,strain_yy,strain_xy\n"
       "10,0.5,1,2,0.25,0,0,0,0,0,-3,0,0,0.125,0\n";
-  EXPECT_EQ(bytes_of(scratch / "gauges.csv"), expected);
+  EXPECT_EQ(read_text(scratch / "gauges.csv"), expected);
   EXPECT_TRUE(is_whole(verify_run(scratch.path(), false)));
   fs::remove(scratch / "gauges.csv");
   EXPECT_FALSE(is_whole(verify_run(scratch.path(), false)));
   EXPECT_TRUE(is_whole(verify_run(scratch.path(), true)));
-  EXPECT_EQ(bytes_of(scratch / "gauges.csv"), expected);
+  EXPECT_EQ(read_text(scratch / "gauges.csv"), expected);
 }
 
 TEST(RunWriter, UndefinedSummaryValuesAreNull) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   RunWriter writer(scratch.path(), header(), small_run::geometry());
   nlohmann::ordered_json scenario{{"ratio", std::nan("")},
                                   {"error_converged", nullptr},
@@ -224,7 +224,7 @@ TEST(RunWriter, UndefinedSummaryValuesAreNull) {
                                   {"dt_s", 2.35e-8},
                                   {"place", "caf\xe9"}};
   writer.finish({{"scenarios", {scenario}}}, {});
-  const auto summary = nlohmann::json::parse(bytes_of(scratch / "summary.json"));
+  const auto summary = nlohmann::json::parse(read_text(scratch / "summary.json"));
   const auto& one = summary.at("scenarios").at(0);
   EXPECT_TRUE(one.at("ratio").is_null());
   EXPECT_TRUE(one.at("error_converged").is_null());
@@ -244,7 +244,7 @@ constexpr int done = 0, cannot_mount = 77;
 /// Leaves `room` bytes of the disk that `folder` is on.
 void fill_disk(const fs::path& folder, std::uintmax_t room) {
   fs::remove(folder / "ballast");
-  put_bytes(folder / "ballast", std::string(fs::space(folder).available - room, 'x'));
+  write_text(folder / "ballast", std::string(fs::space(folder).available - room, 'x'));
 }
 
 /// What the test below does, in a process of its own: a mount must not leak into the other tests.
@@ -272,7 +272,7 @@ void fill_disk(const fs::path& folder, std::uintmax_t room) {
   try {
     writer.finish({{"scenarios", nlohmann::json::array()}}, {});
     expect(false, "a full disk went unnoticed");
-  } catch (const WorldError& error) {
+  } catch (const base::WorldError& error) {
     expect(std::string(error.what()).find("run.vtkhdf") != std::string::npos, error.what());
   }
   expect(inspect_run(folder).condition == RunCondition::finished, "the journal is not whole");
@@ -283,10 +283,10 @@ void fill_disk(const fs::path& folder, std::uintmax_t room) {
     fill_disk(folder, room);
     try {
       assemble_archive(folder);
-    } catch (const WorldError&) {
+    } catch (const base::WorldError&) {
       ++failures;
       for (const auto& entry : fs::directory_iterator(folder))
-        expect(target_name(entry.path().filename()) != "run.vtkhdf", "half a file is left");
+        expect(base::target_name(entry.path().filename()) != "run.vtkhdf", "half a file is left");
     }
   }
   expect(failures > 10, "the disk was not full often enough: " + std::to_string(failures));
@@ -295,7 +295,7 @@ void fill_disk(const fs::path& folder, std::uintmax_t room) {
 }
 
 TEST(RunWriter, AFullDiskAtTheEndLeavesNoHalfFile) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) finish_on_a_full_disk(scratch.path());
@@ -307,7 +307,7 @@ TEST(RunWriter, AFullDiskAtTheEndLeavesNoHalfFile) {
 }
 
 TEST(RunState, AKilledRunSaysWhatItIsAndHowFarItCame) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   int ready[2];
   ASSERT_EQ(pipe(ready), 0);
   const pid_t child = fork();
@@ -339,16 +339,16 @@ TEST(RunState, AKilledRunSaysWhatItIsAndHowFarItCame) {
 }
 
 TEST(RunState, DamageIsTold) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   {
     RunWriter writer(scratch.path(), header(), small_run::geometry());
     write_some(writer);
   }
   const auto before = inspect_run(scratch.path());
   EXPECT_EQ(before.condition, RunCondition::unfinished);
-  auto bytes = bytes_of(scratch / "journal.rift");
+  auto bytes = read_text(scratch / "journal.rift");
   bytes[bytes.size() - 4] ^= 1;  // within the checksum of the event
-  put_bytes(scratch / "journal.rift", bytes);
+  write_text(scratch / "journal.rift", bytes);
   const auto state = inspect_run(scratch.path());
   EXPECT_EQ(state.condition, RunCondition::damaged);
   EXPECT_EQ(state.samples, 2);
@@ -358,10 +358,10 @@ TEST(RunState, DamageIsTold) {
 }
 
 TEST(RunState, OtherFoldersAreNoRuns) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   EXPECT_EQ(inspect_run(scratch.path()).condition, RunCondition::not_a_run);
   EXPECT_EQ(inspect_run(scratch / "none").reason, (scratch / "none").string() + " holds no journal.rift");
-  put_bytes(scratch / "journal.rift", "something else altogether");
+  write_text(scratch / "journal.rift", "something else altogether");
   EXPECT_EQ(inspect_run(scratch.path()).condition, RunCondition::not_a_run);
 }
 

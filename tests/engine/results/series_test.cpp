@@ -95,12 +95,12 @@ TEST(Series, LoadingHasNoRate) {
 }
 
 TEST(Series, CanBeReadWhileItGrows) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   SeriesWriter writer(scratch / "s.csv");
   writer.write(small_run::sample(1, 0, 0.1));
   writer.write(small_run::sample(2, 0, 0.2));
   writer.flush();
-  EXPECT_EQ(small_run::bytes_of(scratch / "s.csv"),
+  EXPECT_EQ(read_text(scratch / "s.csv"),
             series_csv(std::vector{small_run::sample(1, 0, 0.1), small_run::sample(2, 0, 0.2)}, {}));
 }
 

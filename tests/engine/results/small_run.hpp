@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/results/archive.hpp"
 #include "engine/results/journal.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/schema.hpp"
@@ -50,14 +51,6 @@ inline Frame frame(std::int64_t step, std::int32_t lane) {
   frame.damage_factor = {1, 0.5F};
   if (step > 0) frame.damage_factor = {0.25F, 0};
   return frame;
-}
-
-using Scratch = TemporaryFolder;
-
-inline std::string bytes_of(const std::filesystem::path& path) { return read_text(path); }
-
-inline void put_bytes(const std::filesystem::path& path, const std::string& bytes) {
-  write_text(path, bytes);
 }
 
 /// A run's journal that holds these records.

@@ -1,13 +1,13 @@
 #include "engine/results/verify.hpp"
 
+#include "engine/base/ownership.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/archive_check.hpp"
 #include "engine/results/checkpoint.hpp"
 #include "engine/results/child.hpp"
 #include "engine/results/journal.hpp"
-#include "engine/results/ownership.hpp"
 #include "engine/results/run_writer.hpp"
-#include "engine/results/world_error.hpp"
 #include "tests/engine/results/small_run.hpp"
 #include "tests/expectations.hpp"
 
@@ -23,8 +23,6 @@ namespace rift::results {
 namespace {
 
 namespace fs = std::filesystem;
-using small_run::bytes_of;
-using small_run::put_bytes;
 
 /// A finished run of two frames and three samples.
 void write_run(const fs::path& folder, bool to_the_end = true) {
@@ -54,31 +52,31 @@ std::string text_of(const Verification& v, const std::string& file) {
 }
 
 void flip(const fs::path& path, std::size_t at) {
-  std::string bytes = bytes_of(path);
+  std::string bytes = read_text(path);
   bytes.at(at) = static_cast<char>(bytes[at] ^ 0x20);
-  put_bytes(path, bytes);
+  write_text(path, bytes);
 }
 
 TEST(Verify, OfAFinishedRunFindsItWholeAndChangesNothing) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   write_run(scratch / "run");
-  const std::string archive = bytes_of(scratch.path() / "run" / archive_name);
+  const std::string archive = read_text(scratch.path() / "run" / archive_name);
   const Verification v = verify_run(scratch / "run", true);
   EXPECT_TRUE(is_whole(v));
   for (const Finding& f : not_empty(v.files)) EXPECT_EQ(f.found, Found::sound) << f.file << ": " << f.text;
   EXPECT_EQ(v.files.size(), 4U);
-  EXPECT_EQ(bytes_of(scratch.path() / "run" / archive_name), archive);
+  EXPECT_EQ(read_text(scratch.path() / "run" / archive_name), archive);
 }
 
 TEST(Verify, MakesWhatIsMissingOrWrongAnewAndKeepsTheOld) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path run = scratch / "run";
   write_run(run);
-  const std::string series = bytes_of(run / series_name), summary = bytes_of(run / summary_name);
-  put_bytes(run / archive_name, bytes_of(run / archive_name).substr(0, 900));
-  put_bytes(run / series_name, "step\n");
+  const std::string series = read_text(run / series_name), summary = read_text(run / summary_name);
+  write_text(run / archive_name, read_text(run / archive_name).substr(0, 900));
+  write_text(run / series_name, "step\n");
   fs::remove(run / summary_name);
-  put_bytes(run / "run.vtkhdf.part", "half");
+  write_text(run / "run.vtkhdf.part", "half");
 
   const Verification looked = verify_run(run, false);
   EXPECT_FALSE(is_whole(looked));
@@ -92,9 +90,9 @@ TEST(Verify, MakesWhatIsMissingOrWrongAnewAndKeepsTheOld) {
   for (const char* file : {archive_name, series_name, summary_name})
     EXPECT_EQ(found_of(v, file), Found::mended) << file;
   EXPECT_EQ(found_of(v, "run.vtkhdf.part"), Found::removed);
-  EXPECT_EQ(bytes_of(run / series_name), series);
-  EXPECT_EQ(bytes_of(run / summary_name), summary);
-  EXPECT_EQ(bytes_of(run / "series_damaged.csv"), "step\n");
+  EXPECT_EQ(read_text(run / series_name), series);
+  EXPECT_EQ(read_text(run / summary_name), summary);
+  EXPECT_EQ(read_text(run / "series_damaged.csv"), "step\n");
   EXPECT_TRUE(fs::exists(run / "run_damaged.vtkhdf"));
   EXPECT_TRUE(is_whole(verify_run(run, false)));
 
@@ -104,10 +102,10 @@ TEST(Verify, MakesWhatIsMissingOrWrongAnewAndKeepsTheOld) {
 
 // A small dataset of the series: the library keeps no checksum of it.
 TEST(Verify, SeesAnArchiveWhoseValuesAreNotTheJournals) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path run = scratch / "run";
   write_run(run);
-  const std::string archive = bytes_of(run / archive_name);
+  const std::string archive = read_text(run / archive_name);
   const double tip = 0.02;
   const auto at = archive.find(std::string(reinterpret_cast<const char*>(&tip), sizeof tip));
   ASSERT_NE(at, std::string::npos);
@@ -119,10 +117,10 @@ TEST(Verify, SeesAnArchiveWhoseValuesAreNotTheJournals) {
 }
 
 TEST(Verify, SavesWhatLiesBehindDamageOfTheJournal) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path run = scratch / "run";
   write_run(run, false);
-  const std::string bytes = bytes_of(run / journal_name);
+  const std::string bytes = read_text(run / journal_name);
   const double tip = 0.01;  // of the first sample: in its middle
   flip(run / journal_name, bytes.find(std::string(reinterpret_cast<const char*>(&tip), sizeof tip)));
   Checkpoint late;
@@ -134,7 +132,7 @@ TEST(Verify, SavesWhatLiesBehindDamageOfTheJournal) {
   EXPECT_EQ(found_of(v, journal_name), Found::damaged);
   EXPECT_NE(text_of(v, journal_name).find("2 samples and 2 frames are saved"), std::string::npos)
       << text_of(v, journal_name);
-  EXPECT_EQ(bytes_of(run / "journal_damaged.rift").size(), bytes.size());
+  EXPECT_EQ(read_text(run / "journal_damaged.rift").size(), bytes.size());
   EXPECT_EQ(found_of(v, checkpoint_name), Found::damaged);  // it would cut the new journal within a record
   EXPECT_FALSE(fs::exists(run / checkpoint_name));
   const RunState state = inspect_run(run);
@@ -145,7 +143,7 @@ TEST(Verify, SavesWhatLiesBehindDamageOfTheJournal) {
 }
 
 TEST(Verify, OfAnUnfinishedRunMakesAnArchiveOfWhatThereIs) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path run = scratch / "run";
   write_run(run, false);
   EXPECT_TRUE(is_whole(verify_run(run, false)));
@@ -156,11 +154,11 @@ TEST(Verify, OfAnUnfinishedRunMakesAnArchiveOfWhatThereIs) {
 }
 
 TEST(Verify, LeavesARunAloneThatIsBeingWritten) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path run = scratch / "run";
   fs::create_directories(run);
   RunWriter writer(run, {{"lanes", 1}}, small_run::geometry());
-  put_bytes(run / "summary.json.part", "half");
+  write_text(run / "summary.json.part", "half");
   const Verification v = verify_run(run, true);
   EXPECT_TRUE(v.running);
   EXPECT_TRUE(fs::exists(run / "summary.json.part"));
@@ -169,7 +167,7 @@ TEST(Verify, LeavesARunAloneThatIsBeingWritten) {
 
 // As when one run replaced the files of another that went on, and either was killed.
 TEST(Verify, KnowsASummaryAnArchiveAndACheckpointOfAnotherRun) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path run = scratch / "run", other = scratch / "other";
   write_run(run, false);
   fs::create_directories(other);
@@ -193,11 +191,11 @@ TEST(Verify, KnowsASummaryAnArchiveAndACheckpointOfAnotherRun) {
 }
 
 TEST(Verify, FollowsNoLinkAndLeavesNothingInTheFolderForTemporaryFiles) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path run = scratch / "run", tmp = scratch / "tmp", victim = scratch / "victim";
   write_run(run);
   fs::create_directories(tmp);
-  put_bytes(victim, "mine");
+  write_text(victim, "mine");
   fs::create_symlink(victim, tmp / fmt::format("rift_verify_{}.vtkhdf", getpid()));
   const char* former = std::getenv("TMPDIR");
   const std::string kept = former == nullptr ? "" : former;
@@ -205,21 +203,21 @@ TEST(Verify, FollowsNoLinkAndLeavesNothingInTheFolderForTemporaryFiles) {
   const Verification v = verify_run(run, false);
   former == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", kept.c_str(), 1);
   EXPECT_TRUE(is_whole(v));
-  EXPECT_EQ(bytes_of(victim), "mine");
+  EXPECT_EQ(read_text(victim), "mine");
   EXPECT_EQ(std::distance(fs::directory_iterator(tmp), fs::directory_iterator()), 1);
 }
 
 TEST(Verify, OfAFolderThatAnotherProcessOwnsOnlyLooks) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   write_run(scratch / "run");
   fs::remove(scratch.path() / "run" / summary_name);
-  const FolderLock lock(scratch / "run");
+  const base::FolderLock lock(scratch / "run");
   EXPECT_TRUE(verify_run(scratch / "run", true).running);
   EXPECT_FALSE(fs::exists(scratch.path() / "run" / summary_name));
 }
 
 TEST(Verify, AJournalOfAnotherVersionIsNamed) {
-  const small_run::Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path run = scratch / "run";
   write_run(run);
   flip(run / journal_name, 8);
@@ -230,13 +228,13 @@ TEST(Verify, AJournalOfAnotherVersionIsNamed) {
 }
 
 TEST(Verify, OfNoRunThrows) {
-  const small_run::Scratch scratch;
-  EXPECT_THROW(verify_run(scratch.path(), true), WorldError);
+  const TemporaryFolder scratch;
+  EXPECT_THROW(verify_run(scratch.path(), true), base::WorldError);
 }
 
 TEST(ArchiveCheck, OfAFileThatIsNoArchiveIsAProblem) {
-  const small_run::Scratch scratch;
-  put_bytes(scratch / "x", "no archive");
+  const TemporaryFolder scratch;
+  write_text(scratch / "x", "no archive");
   EXPECT_FALSE(check_archive_in_child(scratch / "x").problems.empty());
 }
 

@@ -34,7 +34,7 @@ TEST(AxisText, IsTheValueWithoutQuotes) {
 
 TEST(AxisText, IsADashWhereTheAxisDoesNotApplyOrHasNoValue) {
   Scene scene = default_scene();
-  scene.crack.technique = Technique::simple;
+  scene.crack.technique = fracture::Technique::simple;
   EXPECT_EQ(axis_text(scene, *find_axis("relaxation")), "-");
   EXPECT_EQ(axis_text(scene, *find_axis("damage_zone_ratio")), "-");
   EXPECT_EQ(axis_text(scene, *find_axis("dt_fraction")), "-");

@@ -27,7 +27,7 @@ Scene scene_with_everything() {
   scene.damping.region = DampingRegion::surface;
   scene.solver.beta = 0.9;
   scene.loading.method = LoadingMethod::ramp;
-  scene.solver.kinematics = Kinematics::corotational;
+  scene.solver.kinematics = lattice::Kinematics::corotational;
   scene.crack.friction = 0.0;
   scene.output.gauges = {{0.1, 0.03}};
   return scene;
@@ -61,7 +61,7 @@ TEST(Needs, OfALoadCurveAreBooksOfTheMovingGrip) {
 
 TEST(LeftOut, SaysWhatAndWhy) {
   Scene scene = default_scene();
-  scene.crack.technique = Technique::simple;
+  scene.crack.technique = fracture::Technique::simple;
   scene.output.frames = 0;
   EXPECT_EQ(left_out(scene),
             (std::vector<std::string>{

@@ -94,7 +94,7 @@ TEST(Assign, WordsNameTheEnumerators) {
   EXPECT_EQ(set("loading.method", "ramp"), "");
   EXPECT_EQ(s.loading.method, LoadingMethod::ramp);
   EXPECT_EQ(set("crack.technique", "simple"), "");
-  EXPECT_EQ(s.crack.technique, Technique::simple);
+  EXPECT_EQ(s.crack.technique, fracture::Technique::simple);
   EXPECT_EQ(set("damping.region", "surface"), "");
   EXPECT_EQ(s.damping.region, DampingRegion::surface);
   EXPECT_EQ(set("damping.region", "all"), "");

@@ -105,7 +105,7 @@ TEST(Override, TakesBareWordsQuotedTextAndLists) {
       scene_with({"crack.velocity=0.3 c_r", "crack.technique=simple", "loading.method=\"ramp\"",
                   "output.window = [0.1, 0.3]", "solver.dt='20 ns'"});
   EXPECT_EQ(scene.crack.velocity, (std::vector<VelocityPiece>{{{0.3, true}, {}}}));
-  EXPECT_EQ(scene.crack.technique, Technique::simple);
+  EXPECT_EQ(scene.crack.technique, fracture::Technique::simple);
   EXPECT_EQ(scene.loading.method, LoadingMethod::ramp);
   EXPECT_EQ(scene.output.window, (std::array{0.1, 0.3}));
   EXPECT_EQ(scene.solver.dt, 2e-8);
@@ -180,7 +180,7 @@ TEST(PresetText, KeepsATitleWithQuotesAndLineBreaks) {
 
 TEST(PresetText, ExplainsEveryKey) {
   Scene scene = default_scene();
-  scene.specimen.shape = Shape::cylinder;  // which alone has a [calibration]
+  scene.specimen.shape = packing::Shape::cylinder;  // which alone has a [calibration]
   const std::string text = preset_text(scene);
   for (const Parameter& row : not_empty(parameters()))
     EXPECT_NE(text.find(row.doc), std::string::npos) << row.key;

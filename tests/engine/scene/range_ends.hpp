@@ -62,7 +62,7 @@ struct EndsOf {
     return in({"[[0, 1e-3], [{}, 24e-3]]", "[[0, 1e-3], [20e-6, {}]]", "[[{}, 1e-3], [20e-6, 24e-3]]",
                "[[0, 1e-3, {}], [10e-6, 12e-3, 1e-4], [20e-6, 24e-3, 1e-4]]"});
   }
-  std::vector<std::string> operator()(CriticalRate*) const {
+  std::vector<std::string> operator()(fracture::CriticalRate*) const {
     return in({R"([["0 c_r", {}], ["0.9 c_r", 1e4]])", R"([["0 c_r", 1e4], ["{} c_r", 1e4]])"});
   }
   std::vector<std::string> operator()(LoadCurve*) const {

@@ -1,4 +1,4 @@
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset.hpp"
@@ -20,7 +20,7 @@ struct Folder {
   Folder() { fs::remove_all(path), fs::create_directories(path); }
   ~Folder() { fs::remove_all(path); }
   std::string write(const char* name, const std::string& text) const {
-    results::write_whole_file(path / name, text);
+    base::write_whole_file(path / name, text);
     return (path / name).string();
   }
 };
@@ -230,13 +230,13 @@ TEST(ToughnessFile, IsAgainstVelocityOrPosition) {
     EXPECT_EQ(again.scene.crack.toughness, preset.scene.crack.toughness);
     return preset.scene.crack.toughness;
   };
-  using enum CriticalRate::Against;
+  using enum fracture::CriticalRate::Against;
   EXPECT_EQ(read("velocity [c_r];release_rate [kJ/m2]\n0;1.5\n0.9;4\n"),
-            (CriticalRate{velocity_over_cr, {{0.0, 1500.0}, {0.9, 4000.0}}}));
+            (fracture::CriticalRate{velocity_over_cr, {{0.0, 1500.0}, {0.9, 4000.0}}}));
   EXPECT_EQ(read("velocity [m/s];release_rate [J/m2]\n0;1500\n700;4000\n"),
-            (CriticalRate{velocity, {{0.0, 1500.0}, {700.0, 4000.0}}}));
+            (fracture::CriticalRate{velocity, {{0.0, 1500.0}, {700.0, 4000.0}}}));
   EXPECT_EQ(read("position [mm];release_rate [N/mm]\n10;1.5\n90;4\n"),
-            (CriticalRate{position, {{0.01, 1500.0}, {0.09, 4000.0}}}));
+            (fracture::CriticalRate{position, {{0.01, 1500.0}, {0.09, 4000.0}}}));
   EXPECT_EQ(complaints_of_rows("toughness", "velocity [c_r];release_rate [J/m2]\n0.2;5\n0.1;-3\n"),
             "x.csv:3: release rate -3 J/m2 must lie above 0\n"
             "x.csv:3: velocity 0.1 does not lie above the 0.2 of the row before\n");

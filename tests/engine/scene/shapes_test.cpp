@@ -22,14 +22,14 @@ Scene shape_of(const std::vector<std::string>& overrides) {
 }
 
 TEST(Shapes, FillTheirBox) {
-  const lattice::Box cylinder =
+  const packing::Box cylinder =
       box_of(shape_of({"specimen.shape=cylinder", "specimen.length=10 mm", "specimen.height=20 mm"}));
   EXPECT_NEAR(cylinder.volume(), 500e-9 * std::numbers::pi, 1e-20);
-  const lattice::Box sphere = box_of(shape_of({"specimen.shape=sphere", "specimen.length=10 mm"}));
+  const packing::Box sphere = box_of(shape_of({"specimen.shape=sphere", "specimen.length=10 mm"}));
   EXPECT_EQ(sphere.height, 10e-3);
-  const lattice::Box box = box_of(shape_of({"specimen.shape=periodic", "specimen.thickness=30 mm"}));
+  const packing::Box box = box_of(shape_of({"specimen.shape=periodic", "specimen.thickness=30 mm"}));
   EXPECT_EQ(box.thickness, 30e-3);
-  EXPECT_EQ(box.walls, lattice::Walls::periodic);
+  EXPECT_EQ(box.shape, packing::Shape::periodic);
 }
 
 TEST(Shapes, TakeTheKeysThatAreTheirs) {

@@ -142,9 +142,9 @@ TEST(Lanes, AreTheBaseWithTheirValuesInPlace) {
   const Preset preset =
       sound("[[lanes]]\ntechnique = \"simple\"\n[[lanes]]\ncrack_velocity = \"0.3 c_r\"\nrelaxation = 3\n");
   ASSERT_EQ(preset.lanes.size(), 2u);
-  EXPECT_EQ(preset.lanes[0].crack.technique, Technique::simple);
+  EXPECT_EQ(preset.lanes[0].crack.technique, fracture::Technique::simple);
   EXPECT_EQ(preset.lanes[0].crack.velocity, default_scene().crack.velocity);
-  EXPECT_EQ(preset.lanes[1].crack.technique, Technique::progressive);
+  EXPECT_EQ(preset.lanes[1].crack.technique, fracture::Technique::progressive);
   EXPECT_EQ(preset.lanes[1].crack.velocity, (std::vector<VelocityPiece>{{{0.3, true}, {}}}));
   EXPECT_EQ(preset.lanes[1].crack.relaxation, 3.0);
   EXPECT_TRUE(preset.study.empty());

@@ -1,4 +1,4 @@
-#include "engine/cache.hpp"
+#include "engine/base/cache.hpp"
 
 #include "tests/expectations.hpp"
 #include "tests/temporary_folder.hpp"
@@ -34,9 +34,9 @@ std::vector<std::uint64_t> bits(const std::vector<double>& values) {
 
 TEST(CacheFile, GivesBackTheSameBits) {
   const TemporaryFolder folder;
-  Cache cache{folder.path() / "not" / "there" / "yet", {}};
-  remember(cache, "packing", key, numbers());
-  const auto found = recall(cache, "packing", key);
+  base::Cache cache{folder.path() / "not" / "there" / "yet", {}};
+  base::remember(cache, "packing", key, numbers());
+  const auto found = base::recall(cache, "packing", key);
   ASSERT_TRUE(found);
   EXPECT_EQ(bits(*found), bits(numbers()));
   EXPECT_TRUE(cache.notes.empty());
@@ -44,39 +44,39 @@ TEST(CacheFile, GivesBackTheSameBits) {
 
 TEST(CacheFile, HoldsAnEmptyListAsWell) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
-  remember(cache, "packing", key, {});
-  const auto found = recall(cache, "packing", key);
+  base::Cache cache{folder.path(), {}};
+  base::remember(cache, "packing", key, {});
+  const auto found = base::recall(cache, "packing", key);
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->empty());
 }
 
 TEST(CacheFile, OfAnotherKeyOrKindIsAbsentWithoutANote) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
-  remember(cache, "packing", key, numbers());
-  EXPECT_FALSE(recall(cache, "packing", key + " "));
-  EXPECT_FALSE(recall(cache, "statics", key));
+  base::Cache cache{folder.path(), {}};
+  base::remember(cache, "packing", key, numbers());
+  EXPECT_FALSE(base::recall(cache, "packing", key + " "));
+  EXPECT_FALSE(base::recall(cache, "statics", key));
   EXPECT_TRUE(cache.notes.empty());
 }
 
 // Two keys whose names collide, or a file put in another's place.
 TEST(CacheFile, WithTheContentOfAnotherKeyIsDamaged) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
+  base::Cache cache{folder.path(), {}};
   std::string other = key;
   other.back() = '4';
-  remember(cache, "packing", key, numbers());
-  fs::rename(cache_file(cache, "packing", key), cache_file(cache, "packing", other));
-  EXPECT_FALSE(recall(cache, "packing", other));
+  base::remember(cache, "packing", key, numbers());
+  fs::rename(base::cache_file(cache, "packing", key), base::cache_file(cache, "packing", other));
+  EXPECT_FALSE(base::recall(cache, "packing", other));
   EXPECT_EQ(cache.notes.size(), 1U);
 }
 
 TEST(CacheFile, IsNotUsedWithAnyOneByteChanged) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
-  remember(cache, "packing", key, numbers());
-  const fs::path file = cache_file(cache, "packing", key);
+  base::Cache cache{folder.path(), {}};
+  base::remember(cache, "packing", key, numbers());
+  const fs::path file = base::cache_file(cache, "packing", key);
   const std::string whole = read_text(file);
   ASSERT_GT(whole.size(), 8 * numbers().size());
   for (std::size_t k = 0; k < whole.size(); ++k)
@@ -85,36 +85,36 @@ TEST(CacheFile, IsNotUsedWithAnyOneByteChanged) {
       damaged[k] = static_cast<char>(damaged[k] ^ flip);
       write_text(file, damaged);
       cache.notes.clear();
-      ASSERT_FALSE(recall(cache, "packing", key)) << "byte " << k;
+      ASSERT_FALSE(base::recall(cache, "packing", key)) << "byte " << k;
       ASSERT_EQ(cache.notes, std::vector{file.string() + ": damaged, built anew"}) << "byte " << k;
     }
 }
 
 TEST(CacheFile, IsNotUsedWhenCutShortOrGrown) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
-  remember(cache, "packing", key, numbers());
-  const fs::path file = cache_file(cache, "packing", key);
+  base::Cache cache{folder.path(), {}};
+  base::remember(cache, "packing", key, numbers());
+  const fs::path file = base::cache_file(cache, "packing", key);
   const std::string whole = read_text(file);
   ASSERT_FALSE(whole.empty());
   for (std::size_t size = 0; size < whole.size(); ++size) {
     write_text(file, whole.substr(0, size));
-    ASSERT_FALSE(recall(cache, "packing", key)) << "cut to " << size;
+    ASSERT_FALSE(base::recall(cache, "packing", key)) << "cut to " << size;
   }
   EXPECT_EQ(cache.notes.size(), whole.size());
   for (const std::string& more : {std::string("x"), std::string(8, '\0'), whole}) {
     write_text(file, whole + more);
-    EXPECT_FALSE(recall(cache, "packing", key));
+    EXPECT_FALSE(base::recall(cache, "packing", key));
   }
 }
 
 TEST(CacheFile, ThatWasDamagedIsReplaced) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
-  write_text(cache_file(cache, "packing", key), "nonsense");
-  EXPECT_FALSE(recall(cache, "packing", key));
-  remember(cache, "packing", key, numbers());
-  EXPECT_TRUE(recall(cache, "packing", key));
+  base::Cache cache{folder.path(), {}};
+  write_text(base::cache_file(cache, "packing", key), "nonsense");
+  EXPECT_FALSE(base::recall(cache, "packing", key));
+  base::remember(cache, "packing", key, numbers());
+  EXPECT_TRUE(base::recall(cache, "packing", key));
   EXPECT_EQ(cache.notes.size(), 1U);  // of the damage only
 }
 
@@ -122,42 +122,42 @@ TEST(CacheFile, ThatWasDamagedIsReplaced) {
 TEST(CacheFile, ThatCannotBeWrittenIsANoteAndNoError) {
   const TemporaryFolder folder;
   write_text(folder.path() / "file", "in the way");
-  Cache cache{folder.path() / "file" / "rift", {}};
-  remember(cache, "packing", key, numbers());
+  base::Cache cache{folder.path() / "file" / "rift", {}};
+  base::remember(cache, "packing", key, numbers());
   ASSERT_EQ(cache.notes.size(), 1U);
-  EXPECT_TRUE(contains(cache.notes[0], cache_file(cache, "packing", key).string()));
+  EXPECT_TRUE(contains(cache.notes[0], base::cache_file(cache, "packing", key).string()));
   EXPECT_TRUE(contains(cache.notes[0], "could not be written, so the next run computes this again"));
-  EXPECT_FALSE(recall(cache, "packing", key));
+  EXPECT_FALSE(base::recall(cache, "packing", key));
 }
 
 TEST(CacheFile, LeavesNoTemporaryFileBehind) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
-  remember(cache, "packing", key, numbers());
-  fs::create_directories(cache_file(cache, "statics", key) / "in the way");  // the rename fails
-  remember(cache, "statics", key, numbers());
+  base::Cache cache{folder.path(), {}};
+  base::remember(cache, "packing", key, numbers());
+  fs::create_directories(base::cache_file(cache, "statics", key) / "in the way");  // the rename fails
+  base::remember(cache, "statics", key, numbers());
   EXPECT_EQ(cache.notes.size(), 1U);
   for (const auto& entry : fs::directory_iterator(folder.path()))
     EXPECT_EQ(entry.path().extension(), ".bin") << entry.path();
 }
 
 TEST(CacheFile, IsNoneWithoutAFolder) {
-  Cache none;
-  remember(none, "packing", key, numbers());
-  EXPECT_FALSE(recall(none, "packing", key));
+  base::Cache none;
+  base::remember(none, "packing", key, numbers());
+  EXPECT_FALSE(base::recall(none, "packing", key));
   EXPECT_TRUE(none.notes.empty());
 }
 
 TEST(UserCache, IsBelowXdgCacheHomeElseBelowHome) {
   ASSERT_EQ(setenv("XDG_CACHE_HOME", "/some/where", 1), 0);
   ASSERT_EQ(setenv("HOME", "/home/me", 1), 0);
-  EXPECT_EQ(user_cache().folder, "/some/where/rift");
+  EXPECT_EQ(base::user_cache().folder, "/some/where/rift");
   ASSERT_EQ(setenv("XDG_CACHE_HOME", "relative", 1), 0);  // the XDG specification: to be ignored
-  EXPECT_EQ(user_cache().folder, "/home/me/.cache/rift");
+  EXPECT_EQ(base::user_cache().folder, "/home/me/.cache/rift");
   ASSERT_EQ(unsetenv("XDG_CACHE_HOME"), 0);
-  EXPECT_EQ(user_cache().folder, "/home/me/.cache/rift");
+  EXPECT_EQ(base::user_cache().folder, "/home/me/.cache/rift");
   ASSERT_EQ(unsetenv("HOME"), 0);
-  EXPECT_TRUE(user_cache().folder.empty());
+  EXPECT_TRUE(base::user_cache().folder.empty());
 }
 
 }  // namespace

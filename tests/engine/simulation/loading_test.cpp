@@ -1,5 +1,5 @@
+#include "engine/lattice/statics.hpp"
 #include "engine/lattice/stiffness.hpp"
-#include "engine/mechanics/statics.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/study/passes.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
@@ -13,11 +13,12 @@ namespace {
 TEST(GripForce, IsTheSlopeOfTheEnergy) {
   const Prepared p = small_plate();
   const std::vector<char> present(p.lattice.beam.size(), 1);
-  for (const scene::Kinematics kinematics : {scene::Kinematics::linear, scene::Kinematics::corotational}) {
+  for (const lattice::Kinematics kinematics :
+       {lattice::Kinematics::linear, lattice::Kinematics::corotational}) {
     const auto at_rest = [&](double d) {
-      return kinematics == scene::Kinematics::linear
-                 ? mechanics::stretched_at_rest(p.lattice, present, d)
-                 : mechanics::stretched_at_rest_corotational(p.lattice, present, d);
+      return kinematics == lattice::Kinematics::linear
+                 ? lattice::stretched_at_rest(p.lattice, present, d)
+                 : lattice::stretched_at_rest_corotational(p.lattice, present, d);
     };
     const auto energy = [&](double d) {
       const auto q = at_rest(d);
@@ -81,7 +82,7 @@ TEST(LoadingCurve, MovesTheGripWhileTheCrackRunsAndTheBooksClose) {
     const RunResult run = march(p, {});
     EXPECT_EQ(run.outcome, Outcome::finished);
     EXPECT_LT(run.lane[0].worst_residual,
-              ledger_limit(p.preset.scene.solver.kinematics, scene::Precision::double_precision))
+              ledger_limit(p.preset.scene.solver.kinematics, ensemble::Precision::double_precision))
         << testing::PrintToString(more);
     // Of a crack that has not come far the force stays about what it is: the work is about F times the way.
     const std::vector<results::Sample>& books = run.lane[0].books;
@@ -103,7 +104,7 @@ TEST(LoadingCurve, EndsWhereItSays) {
   Observer observer;
   observer.frame = [&](const results::Frame& frame) {
     for (std::size_t i = 0; i < p.lattice.centre.size(); ++i)
-      if (p.lattice.grip[i] == lattice::Grip::top) top = frame.displacement[i][1];
+      if (p.lattice.grip[i] == packing::Grip::top) top = frame.displacement[i][1];
   };
   (void)march(p, observer);
   EXPECT_NEAR(top, 6.2e-4, 1e-9);

@@ -157,7 +157,7 @@ TEST(March, FillsARegisterWithLanesAndLetsTheOthersWait) {
     scenes.push_back(small_preset({std::string("crack.velocity=") + velocity, "crack.end=12 mm",
                                    "output.window=[0.1, 0.2]"})
                          .scene);
-  Cache none;
+  base::Cache none;
   const Prepared p = prepare(small_preset({"crack.end=12 mm", "output.window=[0.1, 0.2]"}), scenes, none);
   const RunResult narrow = march(p, {}, {.threads = 1}), wide = march(p, {}, {.threads = 1, .lanes = 8});
   EXPECT_EQ(narrow.lanes, ensemble::lanes_in_register<double>(ensemble::InstructionSet::baseline));

@@ -1,8 +1,8 @@
 #include "engine/simulation/prepare.hpp"
 
+#include "engine/base/interrupted.hpp"
 #include "engine/calibration/calibrate.hpp"
-#include "engine/interrupted.hpp"
-#include "engine/mechanics/statics.hpp"
+#include "engine/lattice/statics.hpp"
 #include "tests/engine/ensemble/plain_simulation.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 #include "tests/expectations.hpp"
@@ -29,13 +29,13 @@ std::string refusal(const std::vector<std::string>& overrides) {
 
 /// Energy of the beams in the middle half of the plate [J], by the forces on them: 1/2 of displacement x
 /// load.
-double middle_half_energy(const lattice::Lattice& lattice, const std::vector<mechanics::Vector6>& q) {
+double middle_half_energy(const lattice::Lattice& lattice, const std::vector<lattice::Vector6>& q) {
   double energy = 0.0;
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
     const auto& [i, j] = lattice.ends[b];
     const double middle = 0.5 * (lattice.centre[i].x() + lattice.centre[j].x()) / lattice.box.length;
     if (middle < 0.25 || middle >= 0.75) continue;
-    const mechanics::BeamLoads l = mechanics::loads_of(lattice.beam[b], q[i], q[j]);
+    const lattice::BeamLoads l = lattice::loads_of(lattice.beam[b], q[i], q[j]);
     energy += 0.5 * (l.force_i.dot(q[j].head<3>() - q[i].head<3>()) - l.moment_i.dot(q[i].tail<3>()) -
                      l.moment_j.dot(q[j].tail<3>()));
   }
@@ -47,7 +47,7 @@ TEST(Prepare, InSituBeamsMakeAStripOfTheMaterialsOwnModulus) {
   const Prepared p = small_plate({"material.poisson_ratio=0.25"});
   const std::vector<char> all(p.lattice.beam.size(), 1);
   const double delta = 1e-4,
-               energy = middle_half_energy(p.lattice, mechanics::stretched_at_rest(p.lattice, all, delta));
+               energy = middle_half_energy(p.lattice, lattice::stretched_at_rest(p.lattice, all, delta));
   const double modulus = 2.0 * (energy / 0.024) * 0.012 / (p.lattice.box.thickness * delta * delta);
   const double wanted = 10e9 / (1.0 - 0.25 * 0.25);
   EXPECT_NEAR(modulus / wanted, 1.0, 1e-9);
@@ -105,7 +105,7 @@ TEST(Prepare, CalibratedBeamsAreThoseOfCylindersOfTheScenesMaterial) {
   const Prepared plate =
       small_plate({"material.stiffness=calibrated", "material.poisson_ratio=0.25", "calibration.elements=400",
                    "calibration.packings=2", "calibration.radius_ratios=[0.2, 0.4, 0.8]"});
-  Cache none;
+  base::Cache none;
   const lattice::MicroMaterial beams = calibration::calibrate(plate.preset.scene, 10e9, 0.25, none).micro;
   EXPECT_EQ(plate.micro.young_modulus, beams.young_modulus);
   EXPECT_EQ(plate.micro.radius_ratio, beams.radius_ratio);
@@ -154,7 +154,7 @@ double unbalanced(const Prepared& p, double notch_end) {
   double worst = 0.0, largest = 0.0;
   for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
     const double force = s.motion(s.f, i).head<3>().norm();
-    if (p.lattice.grip[i] == lattice::Grip::none) worst = std::max(worst, force);
+    if (p.lattice.grip[i] == packing::Grip::none) worst = std::max(worst, force);
     largest = std::max(largest, force);
   }
   return worst / largest;
@@ -181,7 +181,7 @@ TEST(Prepare, NotchedBeamsAreAbsentFromThePreStressOn) {
 
 TEST(Prepare, NotchOfTwoTipsLiesInTheMiddleAndIsSolvedForItself) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
+  base::Cache cache{folder.path(), {}};
   prepare(small_preset({"crack.start=0.008"}), cache);
   const Prepared p = prepare(small_preset(two_tips_and({"crack.start=0.008"})), cache);
   EXPECT_TRUE(p.packing_from_cache);
@@ -227,7 +227,7 @@ TEST(Prepare, DampsTheBeamsNearThePathOrAllOrNone) {
   for (const auto& [i, j] : surface.lattice.ends) expected += is_near(i) || is_near(j) ? 1 : 0;
   EXPECT_EQ(surface.damped.size(), expected);
   EXPECT_GT(expected, 50U);
-  for (const mechanics::DampedBeam& b : surface.damped) EXPECT_TRUE(is_near(b.i) || is_near(b.j));
+  for (const lattice::DampedBeam& b : surface.damped) EXPECT_TRUE(is_near(b.i) || is_near(b.j));
 }
 
 TEST(Prepare, RefusesAPathThatCrossesNoBeam) {
@@ -240,12 +240,12 @@ TEST(Prepare, RefusesACoordinationThatThePlateCannotHave) {
 }
 
 TEST(Prepare, StopsWhenToldToWhilePacking) {
-  Cache none;
+  base::Cache none;
   int asked = 0;
   try {
     prepare(small_preset(), none, [&](std::string_view, double) { return ++asked < 3; });
     ADD_FAILURE() << "went on";
-  } catch (const Interrupted& stopped) {
+  } catch (const base::Interrupted& stopped) {
     EXPECT_STREQ(stopped.what(), "stopped while packing");
   }
   EXPECT_EQ(asked, 3);
@@ -253,7 +253,7 @@ TEST(Prepare, StopsWhenToldToWhilePacking) {
 
 TEST(Prepare, GivesTheSameBitsFromTheCacheAndRebuildsADamagedOne) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
+  base::Cache cache{folder.path(), {}};
   const scene::Preset preset = small_preset({"crack.start=0.008"});
   const Prepared first = prepare(preset, cache), second = prepare(preset, cache);
   EXPECT_FALSE(first.packing_from_cache || first.statics_from_cache);
@@ -284,7 +284,7 @@ TEST(Prepare, GivesTheSameBitsFromTheCacheAndRebuildsADamagedOne) {
 // A cached packing, or stretch, of one plate must never serve another.
 TEST(Prepare, TakesNothingFromTheCacheOfAnotherPlate) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
+  base::Cache cache{folder.path(), {}};
   prepare(small_preset({"crack.start=0.008"}), cache);
   for (const std::string other : {"specimen.seed=2", "specimen.radius_spread=0.1", "specimen.length=0.0481",
                                   "specimen.coordination=5.6"}) {
@@ -314,7 +314,7 @@ TEST(Prepare, RefusesWhatFollowsFromTheLatticeAndIsOutOfItsRange) {
 // It depends on what is damped and how much, and on nothing else of a lane.
 TEST(Prepare, ComputesTheDampedLimitOnceForLanesThatDampAlike) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
+  base::Cache cache{folder.path(), {}};
   const scene::Preset preset = small_preset({"damping.alpha=0.01", "damping.region=all"});
   const auto rounds = [&](const std::vector<scene::Scene>& lanes) {
     int told = 0;
@@ -335,12 +335,12 @@ TEST(Prepare, ComputesTheDampedLimitOnceForLanesThatDampAlike) {
 
 TEST(Prepare, StopsWhileTheCriticalStepIsComputed) {
   const TemporaryFolder folder;
-  Cache cache{folder.path(), {}};
+  base::Cache cache{folder.path(), {}};
   for (const char* at : {"critical step", "critical step with damping"}) try {
       prepare(small_preset({"damping.alpha=0.01", "damping.region=all"}), cache,
               [&](std::string_view stage, double) { return stage != at; });
       FAIL() << "went on";
-    } catch (const Interrupted& stopped) {
+    } catch (const base::Interrupted& stopped) {
       EXPECT_STREQ(stopped.what(), "stopped while computing the critical step");
     }
 }

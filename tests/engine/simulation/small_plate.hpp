@@ -63,10 +63,10 @@ inline ensemble::Ensemble<double> ready(const Prepared& p) {
 inline std::vector<fracture::LaneScenario> four_laws(const Prepared& p) {
   const double zone = p.lattice.mean_radius;
   std::vector<fracture::LaneScenario> lanes(4, p.lane[0].scenario);
-  lanes[0].law = {scene::Technique::simple, 1.0, 0.0};
-  lanes[1].law = {scene::Technique::progressive, 1.0, zone};
-  lanes[2].law = {scene::Technique::progressive, 0.5, zone};
-  lanes[3].law = {scene::Technique::progressive, 2.0, zone};
+  lanes[0].law = {fracture::Technique::simple, 1.0, 0.0};
+  lanes[1].law = {fracture::Technique::progressive, 1.0, zone};
+  lanes[2].law = {fracture::Technique::progressive, 0.5, zone};
+  lanes[3].law = {fracture::Technique::progressive, 2.0, zone};
   return lanes;
 }
 

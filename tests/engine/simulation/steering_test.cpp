@@ -103,16 +103,16 @@ TEST(Steering, AChangeOfVelocityMovesTheTipFromThatStepOn) {
 // Beams that the damage zone has reached keep their law, so that a longer zone damages nothing in one jump.
 TEST(Steering, ALongerZoneNeverSoftensABeamInOneJump) {
   fracture::LaneScenario scenario{.history = history::history_of(0, {{1.0, 100.0}}),
-                                  .law = {scene::Technique::progressive, 1.0, 2.0}};
-  fracture::change_law(scenario, {scene::Technique::progressive, 1.0, 6.0}, 10.0);
+                                  .law = {fracture::Technique::progressive, 1.0, 2.0}};
+  fracture::change_law(scenario, {fracture::Technique::progressive, 1.0, 6.0}, 10.0);
   for (double s = 10.0; s < 30.0; s += 0.1) {
-    const double before = fracture::stiffness_left({scene::Technique::progressive, 1.0, 2.0}, 10.0, s);
+    const double before = fracture::stiffness_left({fracture::Technique::progressive, 1.0, 2.0}, 10.0, s);
     EXPECT_EQ(fracture::stiffness_left(fracture::law_at(scenario, s), 10.0, s), before) << s;
   }
   EXPECT_EQ(fracture::law_at(scenario, 15.9).zone_length, 2.0);
   EXPECT_EQ(fracture::law_at(scenario, 16.0).zone_length, 6.0);
   EXPECT_EQ(fracture::reach_ahead(scenario, 10.0), 6.0);
-  fracture::change_law(scenario, {scene::Technique::progressive, 1.0, 1.0}, 11.0);
+  fracture::change_law(scenario, {fracture::Technique::progressive, 1.0, 1.0}, 11.0);
   EXPECT_EQ(fracture::law_at(scenario, 16.5).zone_length, 6.0);
   EXPECT_EQ(fracture::law_at(scenario, 17.1).zone_length, 1.0);
   EXPECT_EQ(fracture::reach_ahead(scenario, 20.0), 1.0);

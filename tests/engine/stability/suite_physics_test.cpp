@@ -1,4 +1,4 @@
-#include "engine/mechanics/stable_step.hpp"
+#include "engine/lattice/stable_step.hpp"
 #include "engine/stability/cracked_plate.hpp"
 #include "engine/stability/free_vibration.hpp"
 #include "engine/stability/small_lattices.hpp"
@@ -51,7 +51,7 @@ TEST(GrowthOfAMode, IsThatOfTheRootsOfTheRecurrence) {
 
 TEST(HighestMode, IsWhatLanczosFindsAndNothingTheElementBoundForbids) {
   const lattice::Lattice block = small_block(4, 4, 2);
-  const mechanics::StableStep stable = mechanics::stable_step(block);
+  const lattice::StableStep stable = lattice::stable_step(block);
   const double exact = 2.0 / highest_mode(block).omega;
   EXPECT_NEAR(stable.critical / exact, 1.0, 2e-5);
   EXPECT_LT(stable.critical, exact);
@@ -59,7 +59,7 @@ TEST(HighestMode, IsWhatLanczosFindsAndNothingTheElementBoundForbids) {
 }
 
 TEST(Suite, SeesThatACaseIsNotAsExpected) {
-  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](scene::Precision) {
+  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](ensemble::Precision) {
                       Seen seen;
                       seen.ending = Ending::diverges;
                       return seen;
@@ -72,14 +72,14 @@ TEST(Suite, SeesThatACaseIsNotAsExpected) {
 }
 
 TEST(Suite, ACaseThatClosesButShowsAnotherNumberIsNotAsExpected) {
-  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](scene::Precision) {
+  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](ensemble::Precision) {
                       Seen seen;
                       seen.ending = Ending::closes;
                       seen.ratio = 0.5;
                       return seen;
                     }};
   const auto expect = [&](double low, double high, double factor) {
-    one.claims = [=](const Seen& seen, scene::Precision) {
+    one.claims = [=](const Seen& seen, ensemble::Precision) {
       return std::vector<Claim>{{"ratio", low, high, factor * seen.ratio}};
     };
     return try_case(one).as_expected;
@@ -90,17 +90,17 @@ TEST(Suite, ACaseThatClosesButShowsAnotherNumberIsNotAsExpected) {
 }
 
 TEST(Suite, ARatioThatSinglePrecisionChangesIsNotAsExpected) {
-  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](scene::Precision precision) {
+  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](ensemble::Precision precision) {
                       Seen seen;
                       seen.ending = Ending::closes;
-                      seen.ratio = precision == scene::Precision::double_precision ? 0.5 : 0.502;
+                      seen.ratio = precision == ensemble::Precision::double_precision ? 0.5 : 0.502;
                       return seen;
                     }};
   EXPECT_FALSE(try_case(one).as_expected);
 }
 
 TEST(Suite, CountsTheBeamsThatTheTipOfAPlateHasPassed) {
-  const Seen seen = crack({}, {}, {}, scene::Precision::double_precision);
+  const Seen seen = crack({}, {}, {}, ensemble::Precision::double_precision);
   ASSERT_EQ(seen.claims.size(), 1U);
   EXPECT_EQ(seen.claims[0].what, "beams released");
   EXPECT_GT(seen.claims[0].low, 20.0);
@@ -109,7 +109,7 @@ TEST(Suite, CountsTheBeamsThatTheTipOfAPlateHasPassed) {
 }
 
 TEST(Suite, ARefusalMustSayWhy) {
-  StabilityCase one{"f", "c", Ending::refused, std::nan(""), "the limit is", [](scene::Precision) {
+  StabilityCase one{"f", "c", Ending::refused, std::nan(""), "the limit is", [](ensemble::Precision) {
                       Seen seen;
                       seen.ending = Ending::refused;
                       seen.said = "no";
@@ -119,7 +119,7 @@ TEST(Suite, ARefusalMustSayWhy) {
 }
 
 TEST(Suite, ADivergenceMustBeCaughtInTime) {
-  StabilityCase one{"f", "c", Ending::diverges, std::nan(""), "", [](scene::Precision) {
+  StabilityCase one{"f", "c", Ending::diverges, std::nan(""), "", [](ensemble::Precision) {
                       Seen seen;
                       seen.ending = Ending::diverges;
                       seen.caught_within = caught_at_most + 1;

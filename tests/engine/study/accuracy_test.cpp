@@ -51,9 +51,9 @@ TEST(AccuracyPlan, VariesTheStepInBothPrecisions) {
   EXPECT_EQ(of(plan, Knob::time_step).front().label, "0.05 of critical");
   EXPECT_EQ(of(plan, Knob::time_step).back().label, "0.98 of critical");
   for (const Variant& v : not_empty(of(plan, Knob::time_step)))
-    EXPECT_EQ(v.scene.solver.precision, scene::Precision::double_precision);
+    EXPECT_EQ(v.scene.solver.precision, ensemble::Precision::double_precision);
   for (const Variant& v : not_empty(of(plan, Knob::precision)))
-    EXPECT_EQ(v.scene.solver.precision, scene::Precision::single_precision);
+    EXPECT_EQ(v.scene.solver.precision, ensemble::Precision::single_precision);
   EXPECT_EQ(of(plan, Knob::precision).size() + 2, of(plan, Knob::time_step).size());
 }
 
@@ -144,8 +144,8 @@ std::vector<Tried> made_up(const AccuracyPlan& plan, double scatter) {
     const scene::Scene& s = v.scene;
     const double step = s.solver.dt_fraction.value_or(0.5), size = std::sqrt(1000.0 / s.specimen.elements);
     double ratio = 0.6 + 0.02 * step * step + 0.1 * size + scatter * static_cast<double>(s.specimen.seed - 2);
-    if (s.solver.precision == scene::Precision::single_precision) ratio += 1e-4;
-    if (s.solver.kinematics == scene::Kinematics::corotational) ratio += 0.05;
+    if (s.solver.precision == ensemble::Precision::single_precision) ratio += 1e-4;
+    if (s.solver.kinematics == lattice::Kinematics::corotational) ratio += 0.05;
     const double wall = s.specimen.elements / step * (s.output.samples > 100 ? 2e-4 : 1e-4);
     tried.push_back(
         {v,
@@ -337,7 +337,7 @@ TEST(AccuracyRun, FillsARegisterInOnePass) {
   const AccuracyPlan plan = tiny_plan();
   const std::vector<SummaryRow> rows = fill_lanes(
       plan, plan.variants.front().scene, accuracy_into(folder.path()), shared_cache(), accuracy_build, {});
-  ASSERT_EQ(static_cast<int>(rows.size()), lanes_of_many(scene::Precision::double_precision));
+  ASSERT_EQ(static_cast<int>(rows.size()), lanes_of_many(ensemble::Precision::double_precision));
   for (const SummaryRow& row : rows) EXPECT_EQ(row.at("lanes"), rows.size());
 }
 

@@ -12,23 +12,24 @@ namespace {
 using Steps = std::vector<std::int64_t>;
 
 TEST(Queue, OfOneScenarioHasOneLane) {
-  EXPECT_EQ(soonest({1000}, scene::Precision::double_precision).lanes, 1);
-  EXPECT_EQ(soonest({1000}, scene::Precision::single_precision).lanes, 1);
+  EXPECT_EQ(soonest({1000}, ensemble::Precision::double_precision).lanes, 1);
+  EXPECT_EQ(soonest({1000}, ensemble::Precision::single_precision).lanes, 1);
 }
 
 // Beside one long scenario the short ones are done in the same time whatever the lanes; each lane more makes
 // its steps dearer.
 TEST(Queue, OfALongScenarioAndShortOnesHasFewLanes) {
-  const Queue queue = soonest({100000, 20000, 10000, 5000, 3000, 2000}, scene::Precision::single_precision);
-  const Queue even = soonest(Steps(6, 100000), scene::Precision::single_precision);
+  const Queue queue =
+      soonest({100000, 20000, 10000, 5000, 3000, 2000}, ensemble::Precision::single_precision);
+  const Queue even = soonest(Steps(6, 100000), ensemble::Precision::single_precision);
   EXPECT_LT(queue.lanes, even.lanes);
   EXPECT_LT(queue.time, even.time);
 }
 
 TEST(Queue, OfManyFillsAsManyLanesAsAreFastest) {
-  for (const scene::Precision precision :
-       {scene::Precision::double_precision, scene::Precision::single_precision}) {
-    const bool single = precision == scene::Precision::single_precision;
+  for (const ensemble::Precision precision :
+       {ensemble::Precision::double_precision, ensemble::Precision::single_precision}) {
+    const bool single = precision == ensemble::Precision::single_precision;
     const int lanes = lanes_of_many(precision);
     EXPECT_EQ(soonest(Steps(64, 1000), precision).lanes, lanes);
     EXPECT_GT(lanes, 1);

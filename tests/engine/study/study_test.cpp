@@ -1,4 +1,4 @@
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/series.hpp"
 #include "engine/simulation/summary.hpp"
@@ -291,7 +291,7 @@ TEST_P(DamagedResult, IsNotedAndComputedAgain) {
   text[text.find("0.", text.size() / 2) + 2] ^= 1;  // one digit becomes another
   for (const std::string& damaged : {text, sound.substr(0, sound.size() / 2), std::string()}) {
     write_text(file, damaged);
-    Cache cache = shared_cache();
+    base::Cache cache = shared_cache();
     cache.notes.clear();
     const StudyResult again = run_study(tiny_study(), into(folder.path()), cache, build, {});
     EXPECT_EQ(again.computed, 1);

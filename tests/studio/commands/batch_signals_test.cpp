@@ -54,8 +54,8 @@ TEST(BatchSignals, EveryCommandThatComputesHearsThem) {
       "--set specimen.elements=60000 --set specimen.length='500 mm' --set specimen.height='100 mm' --set "
       "crack.end='400 mm'";
   for (const std::string& command : {"pack '" + plate.preset().string() + "' --quiet " + large,
-                                    "check '" + plate.preset().string() + "' --quiet " + large,
-                                    std::string("bench --quiet --elements 1000 --seconds 2")}) {
+                                     "check '" + plate.preset().string() + "' --quiet " + large,
+                                     std::string("bench --quiet --elements 1000 --seconds 2")}) {
     const Ran ran = run_shell("env " + plate.environment() +
                               " timeout --preserve-status -s USR1 1 '" RIFT_EXE "' " + command);
     EXPECT_EQ(ran.exit_code, 128 + SIGUSR1) << command << ran.err;

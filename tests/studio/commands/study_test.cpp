@@ -1,4 +1,4 @@
-#include "engine/results/files.hpp"
+#include "engine/base/files.hpp"
 #include "tests/studio/commands/study_table.hpp"
 #include "tests/studio/commands/tiny_plate.hpp"
 
@@ -140,7 +140,7 @@ TEST(StudyCommand, RemovesWhatAKilledProcessHasLeft) {
   const TinyStudy plate;
   ASSERT_EQ(plate.study().exit_code, 0);
   const Ran gone = run_shell("sh -c 'echo $$'");
-  const std::string name = results::temporary_name(plate.out() / "runs" / "a.json").filename().string();
+  const std::string name = base::temporary_name(plate.out() / "runs" / "a.json").filename().string();
   const std::string dead = std::regex_replace(name, std::regex("-[0-9]+-([0-9a-f]{8})"),
                                               "-" + std::to_string(std::stoi(gone.out)) + "-$1");
   write_text(plate.out() / "runs" / dead, "half");

@@ -1,6 +1,6 @@
 #include "studio/report/chart.hpp"
 
-#include "engine/results/world_error.hpp"
+#include "engine/base/world_error.hpp"
 #include "studio/report/gnuplot.hpp"
 #include "studio/report/label.hpp"
 #include "tests/studio/run_rift.hpp"
@@ -46,7 +46,7 @@ template <class Draw>
 std::string complaint(const Draw& draw) {
   try {
     draw();
-  } catch (const results::WorldError& error) {
+  } catch (const base::WorldError& error) {
     return error.what();
   }
   return {};

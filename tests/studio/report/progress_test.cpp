@@ -16,9 +16,9 @@ TEST(Pace, OfASteadyStageTellsTheRest) {
 
 TEST(Pace, OfAStageThatSlowsDownIsThatOfItsLastQuarter) {
   Pace pace;
-  for (int k = 0; k <= 40; ++k) pace.note(k, 0.02 * k);           // 0.8 in 40 s
+  for (int k = 0; k <= 40; ++k) pace.note(k, 0.02 * k);             // 0.8 in 40 s
   for (int k = 1; k <= 60; ++k) pace.note(40 + k, 0.8 + 1e-4 * k);  // then a two hundredth of that
-  EXPECT_NEAR(pace.remaining(100.0), (1.0 - 0.806) / 1e-4, 1.0);  // not the 24 s of the whole
+  EXPECT_NEAR(pace.remaining(100.0), (1.0 - 0.806) / 1e-4, 1.0);    // not the 24 s of the whole
 }
 
 TEST(Pace, OfAStageThatStandsStillIsNotKnown) {

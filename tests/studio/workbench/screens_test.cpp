@@ -1,4 +1,4 @@
-#include "engine/results/ownership.hpp"
+#include "engine/base/ownership.hpp"
 #include "studio/workbench/compare_screen.hpp"
 #include "studio/workbench/form_screen.hpp"
 #include "studio/workbench/home_screen.hpp"
@@ -99,7 +99,7 @@ TEST(HomeScreen, DeletesARunOnlyAfterYes) {
   type(home, "dno\n");
   EXPECT_TRUE(fs::exists(shop.workshop.runs / "first"));
   {
-    const results::FolderLock lock(shop.workshop.runs / "first");
+    const base::FolderLock lock(shop.workshop.runs / "first");
     type(home, "dyes\n");
     EXPECT_TRUE(fs::exists(shop.workshop.runs / "first")) << "it is being written";
   }

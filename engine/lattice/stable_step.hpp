@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/base/interrupted.hpp"
+#include "engine/lattice/damping.hpp"
+#include "engine/lattice/forces.hpp"
+
+namespace rift::lattice {
+
+/// The limits of an explicit step on a lattice [s]; infinite where nothing can vibrate.
+struct StableStep {
+  double critical = 0;  // 2 / omega_max, by Lanczos iteration on the true lattice
+  double element_bound =
+      0;  // safe for certain: no lattice vibrates faster than its stiffest beam with its share of mass
+};
+
+/// 2 / omega_max of K x = omega^2 M x over the elements not gripped, all beams intact   [physics.md §3].
+/// Lanczos approaches omega_max from below; it goes on until 50 more rounds change it by less than 1e-5, and
+/// the result keeps that margin. Cost about 200 force evaluations. Throws Interrupted.
+StableStep stable_step(const Lattice& lattice, const base::FractionTold& told = {});
+
+/// The largest stable step with viscous damping [s]: dt such that dt^2 lambda_max(M^-1 (K + (2/dt) C)) = 4,
+/// which is (2/omega)(sqrt(1 + zeta^2) - zeta) for a single mode   [physics.md §3].
+/// Cost some ten times that of stable_step(). Throws Interrupted.
+/// @param[in] undamped  2 / omega_max [s]
+double damped_critical_step(const Lattice& lattice, const ViscousDamping& damping, double undamped,
+                            const base::FractionTold& told = {});
+
+}  // namespace rift::lattice
