@@ -47,7 +47,9 @@ void try_to_write_into(const fs::path& folder) {
     fs::remove(probe, ignored);
     throw WorldError("write into", folder, failure.what());
   }
-  fs::remove(probe, ignored);
+  std::error_code failure;
+  fs::remove(probe, failure);
+  if (failure) throw WorldError("remove a file from", folder, failure.message());
 }
 
 }  // namespace
