@@ -3,8 +3,8 @@
 #include "studio/workbench/form_screen.hpp"
 #include "studio/workbench/home_screen.hpp"
 #include "studio/workbench/lesson_screen.hpp"
-#include "studio/workbench/open.hpp"
 #include "studio/workbench/panel_screen.hpp"
+#include "studio/workbench/screen.hpp"
 #include "studio/workbench/study_screen.hpp"
 #include "tests/studio/commands/tiny_plate.hpp"
 
@@ -151,10 +151,12 @@ TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
   home.press({key_end});
   EXPECT_EQ(type(home, "u").way, Turn::Way::stay);
   EXPECT_NE(text_of(home).find("has come to its end"), std::string::npos);
-  const Ran stopped = run_shell(
-      "env " + shop.plate.environment() + " timeout -s INT 1 '" RIFT_EXE "' run '" + shop.preset().string() +
-      "' --quiet --set 'crack.velocity=0.002 c_r' --out '" + (shop.workshop.runs / "second").string() + "'");
-  ASSERT_EQ(stopped.exit_code, 124);
+  const std::string second = (shop.workshop.runs / "second").string();
+  run_shell("for limit in 0.1 0.2 0.4 0.8 1.6; do env " +
+            shop.plate.environment() +  // on a machine of any speed
+            " timeout -s INT $limit '" RIFT_EXE "' run '" + shop.preset().string() +
+            "' --quiet --force --set 'crack.velocity=0.006 c_r' --out '" + second + "'; test -e '" + second +
+            "/journal.rift' && break; done");
   home.resume();
   std::string text = text_of(home);
   ASSERT_NE(text.find("stopped"), std::string::npos) << text;
@@ -163,7 +165,7 @@ TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
   Turn turn = type(home, "u");
   ASSERT_EQ(turn.way, Turn::Way::forward) << text_of(home);
   text.clear();
-  for (int k = 0; k < 1000 && text.find("finished") == std::string::npos; ++k) {
+  for (int k = 0; k < 3000 && text.find("finished") == std::string::npos; ++k) {
     turn.next->look();
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
     text = text_of(*turn.next);
