@@ -6,12 +6,14 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// What the colours of a picture tell: a number per element, computed from the stored fields of a frame.
 namespace rift::viz {
+
+// What the colours of a picture tell: a number per element, computed from the stored fields of a frame.
 
 /// How the colours run from one end of the range to the other.
 enum class Scale : std::uint8_t {
@@ -49,5 +51,28 @@ struct Field {
 /// The range of these values [SI] without the outermost hundredth, rounded up: symmetric about zero for a
 /// diverging scale, from zero for a sequential one. @param values  of one or several frames; reordered
 [[nodiscard]] std::array<double, 2> range_of(const Field& field, std::vector<float>& values);
+
+// Colour maps that are perceptually uniform and read by the colour-blind.
+
+using Colour = std::array<double, 3>;  // sRGB, 0 to 1
+
+/// A map by colours at equal distances.
+struct ColourMap {
+  std::string_view name;
+  Scale scale;
+  std::string_view source;
+  std::vector<std::uint32_t> stops;  // 0xRRGGBB
+};
+
+[[nodiscard]] const std::vector<ColourMap>& colour_maps();
+
+/// The map of a name, or null.
+[[nodiscard]] const ColourMap* find_colour_map(std::string_view name);
+
+/// The map that a field has where the user names none.
+[[nodiscard]] const ColourMap& colour_map_of(const Field& field);
+
+/// The colour at x in [0, 1], linear between the stops; beyond the ends the ends' colours.
+[[nodiscard]] Colour colour_at(const ColourMap& map, double x);
 
 }  // namespace rift::viz

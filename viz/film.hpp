@@ -2,7 +2,7 @@
 
 #include "engine/base/files.hpp"
 #include "viz/child.hpp"
-#include "viz/image.hpp"
+#include "viz/png.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "viz/job.hpp"
 
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/results/json_input.hpp"
 
 #include <nlohmann/json.hpp>

@@ -31,7 +31,7 @@ struct Pane {
 struct Look {
   std::string field = "uy";       // a name of viz/field.hpp
   std::array<double, 2> range{};  // of the colours, in the field's SI unit; the same for all panes
-  std::string colours;            // a name of viz/colour_map.hpp
+  std::string colours;            // a name of viz/field.hpp
   Camera camera = Camera::plate;
   Beams beams = Beams::none;
   bool spheres = true;       // elements; false leaves the beams alone

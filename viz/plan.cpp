@@ -2,7 +2,7 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/lane_title.hpp"
-#include "viz/colour_map.hpp"
+#include "viz/field.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "viz/child.hpp"
-#include "viz/image.hpp"
 #include "viz/job.hpp"
+#include "viz/png.hpp"
 
 #include <deque>
 #include <filesystem>

@@ -1,13 +1,36 @@
 #pragma once
 
+#include "engine/base/cache.hpp"
+#include "engine/base/process_limits.hpp"
 #include "engine/calibration/cylinders.hpp"
+#include "engine/calibration/homogenise.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/scene/scene.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <stdexcept>
 
 namespace rift::calibration {
+
+/// The result of each test, several at once, the largest packing first; each thread has a cache of its own,
+/// whose notes are gathered in `cache`.
+/// @param[in] result_of  (test, cache, tell) -> result; tell as in side_by_side()
+template <class Test, class ResultOf>
+auto each_specimen(const std::vector<Test>& tests, base::Cache& cache, const CalibrationProgress& progress,
+                   int threads, const ResultOf& result_of) {
+  std::vector<double> work;
+  for (const Test& test : tests) work.push_back(test.packing.elements);
+  std::vector<base::Cache> caches(base::threads_or_all_cpus(threads), base::Cache{cache.folder, {}});
+  std::vector<decltype(result_of(tests.front(), cache, progress))> results(tests.size());
+  side_by_side(work, threads, progress, [&](std::size_t k, int thread, const CalibrationProgress& tell) {
+    results[k] = result_of(tests[k], caches[thread], tell);
+  });
+  for (const base::Cache& used : caches)
+    cache.notes.insert(cache.notes.end(), used.notes.begin(), used.notes.end());
+  return results;
+}
 
 /// A mean over packings and the standard deviation of one of them; that is NaN of a single packing.
 struct Scattered {
@@ -50,5 +73,27 @@ std::vector<Scattered> poisson_of(const std::vector<CylinderResult>& packings);
 /// throws.
 Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio,
                      base::Cache& cache, const CalibrationProgress& progress = {}, int threads = 0);
+
+/// What Fig. 17 of the paper shows, and the periodic boxes beside it.
+struct CalibrationStudy {
+  std::vector<std::vector<CylinderResult>> by_size;  // with the paper's beams; packings of each size
+  std::vector<CylinderResult> scan;                  // with the scanned beams
+  std::vector<CylinderResult> twisted;               // with the paper's r_mu and other nu_mu
+  std::vector<BoxResult> boxes;  // at the coordination asked for, then at the scanned cylinders' core's
+};
+
+/// Told the stage and the fraction of it done.
+using StudyStage = std::function<bool(const char* stage, double done)>;
+
+/// Convergence over the sizes of the scene's [calibration], the scan of r_mu, and homogenised boxes of as
+/// many packings. E_mu is not scanned: every modulus is proportional to it.
+CalibrationStudy study_calibration(const scene::Scene& scene, base::Cache& cache, const StudyStage& progress,
+                                   int threads);
+
+/// Every result as a row, as tables and verdicts take it: "series" (size, scan, twisted or box), "elements",
+/// "seed", "coordination", "core_coordination", "solid_fraction", "micro_radius_ratio",
+/// "micro_poisson_ratio", "young_over_micro", "young_ends_over_micro", "poisson_ratio", "anisotropy"; null
+/// what a row does not have.
+std::vector<nlohmann::ordered_json> rows_of(const CalibrationStudy& study);
 
 }  // namespace rift::calibration

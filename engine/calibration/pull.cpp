@@ -1,6 +1,6 @@
 #include "engine/calibration/pull.hpp"
 
-#include "engine/lattice/free_body.hpp"
+#include "engine/lattice/statics.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>

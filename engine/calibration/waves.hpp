@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/calibration/side_by_side.hpp"
+#include "engine/calibration/cylinders.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/theory/wave_speeds.hpp"
 

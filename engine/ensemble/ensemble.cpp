@@ -1,6 +1,6 @@
 #include "engine/ensemble/ensemble.hpp"
 
-#include "engine/fracture/notch.hpp"
+#include "engine/fracture/crack_path.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -4,8 +4,8 @@
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/ensemble/part_rows.hpp"
 #include "engine/fracture/face_contact.hpp"
-#include "engine/fracture/ledger.hpp"
-#include "engine/fracture/scenario.hpp"
+#include "engine/fracture/release.hpp"
+#include "engine/fracture/release_rate.hpp"
 #include "engine/results/checkpoint.hpp"
 
 #include <cstdint>

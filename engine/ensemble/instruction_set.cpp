@@ -1,7 +1,5 @@
 #include "engine/ensemble/instruction_set.hpp"
 
-#include "engine/ensemble/kernel_sets.hpp"
-
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>

@@ -1,14 +1,30 @@
 #pragma once
 
-#include "engine/ensemble/aligned.hpp"
 #include "engine/ensemble/part.hpp"
 #include "engine/fracture/crack_path.hpp"
-#include "engine/lattice/corotational.hpp"
-#include "engine/lattice/damping.hpp"
+#include "engine/lattice/beam.hpp"
+#include "engine/lattice/forces.hpp"
 
+#include <cstddef>
+#include <new>
 #include <vector>
 
 namespace rift::ensemble {
+
+/// Memory that begins on a cache line, so that no register straddles two.
+template <class T>
+struct OnCacheLine {
+  using value_type = T;
+  OnCacheLine() = default;
+  template <class U>
+  OnCacheLine(const OnCacheLine<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(64))); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t(64)); }
+  bool operator==(const OnCacheLine&) const { return true; }
+};
+
+template <class T>
+using AlignedVector = std::vector<T, OnCacheLine<T>>;
 
 /// What the rows of all parts are made from.
 struct RowSource {

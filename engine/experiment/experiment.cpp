@@ -4,11 +4,9 @@
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/kept_parts.hpp"
-#include "engine/experiment/law.hpp"
-#include "engine/experiment/resampling.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/simulation/quasi_static.hpp"
+#include "engine/simulation/own_numbers.hpp"
 #include "engine/simulation/record.hpp"
 #include "engine/simulation/summary.hpp"
 

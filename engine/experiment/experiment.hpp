@@ -2,8 +2,8 @@
 
 #include "engine/base/cache.hpp"
 #include "engine/scene/preset.hpp"
-#include "engine/simulation/build_info.hpp"
 #include "engine/simulation/march.hpp"
+#include "engine/simulation/record.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include "engine/base/files.hpp"
 #include "engine/base/interrupted.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/experiment/experiment.hpp"
 #include "engine/results/archive.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/simulation/build_info.hpp"
 #include "engine/simulation/kept_march.hpp"
+#include "engine/simulation/record.hpp"
 
 #include <filesystem>
 #include <string>

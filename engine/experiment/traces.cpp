@@ -3,8 +3,7 @@
 #include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/csv_table.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/scene/preset_file.hpp"
-#include "engine/scene/wording.hpp"
+#include "engine/scene/preset.hpp"
 
 #include <fmt/format.h>
 

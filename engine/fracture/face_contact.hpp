@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/lattice/corotational.hpp"
+#include "engine/lattice/beam.hpp"
 
 namespace rift::fracture {
 

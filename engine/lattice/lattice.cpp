@@ -1,5 +1,7 @@
 #include "engine/lattice/lattice.hpp"
 
+#include "engine/lattice/beam.hpp"
+
 namespace rift::lattice {
 namespace {
 
@@ -34,6 +36,47 @@ Lattice make_lattice(const packing::Specimen& specimen, const MicroMaterial& mic
                   micro.young_modulus, micro.poisson_ratio));
   }
   return lattice;
+}
+
+double energy_of_beam(const Lattice& lattice, int beam, Kinematics kinematics,
+                      const std::vector<Vector6>& q) {
+  const auto& [i, j] = lattice.ends[beam];
+  const Beam& b = lattice.beam[beam];
+  const bool linear = kinematics == Kinematics::linear;
+  return energy_of(b, linear ? strain_of(b, q[i], q[j]) : strain_of(b, pose_of(q[i]), pose_of(q[j])));
+}
+
+double grip_force(const Lattice& lattice, const std::vector<char>& present, Kinematics kinematics,
+                  const std::vector<Vector6>& q) {
+  const bool linear = kinematics == Kinematics::linear;
+  double pull = 0.0;
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
+    const auto& [i, j] = lattice.ends[b];
+    const bool i_on_top = lattice.grip[i] == packing::Grip::top,
+               j_on_top = lattice.grip[j] == packing::Grip::top;
+    if (!present[b] || i_on_top == j_on_top) continue;
+    const Beam& beam = lattice.beam[b];
+    const BeamLoads loads =
+        linear ? loads_of(beam, q[i], q[j]) : loads_of(beam, pose_of(q[i]), pose_of(q[j]));
+    pull += i_on_top ? -loads.force_i.y() : loads.force_i.y();
+  }
+  return pull;
+}
+
+double energy_per_length(const Lattice& lattice, Kinematics kinematics, const std::vector<Vector6>& q) {
+  const double from = 0.25 * lattice.box.length, to = 0.75 * lattice.box.length;
+  double energy = 0.0;
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
+    const auto& [i, j] = lattice.ends[b];
+    const double middle = 0.5 * (lattice.centre[i].x() + lattice.centre[j].x());
+    if (middle >= from && middle < to) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
+  }
+  return energy / (to - from);
+}
+
+double strip_modulus(const Lattice& lattice, const std::vector<Vector6>& q, double displacement) {
+  return 2.0 * energy_per_length(lattice, Kinematics::linear, q) * lattice.box.height /
+         (lattice.box.thickness * displacement * displacement);
 }
 
 }  // namespace rift::lattice

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/base/interrupted.hpp"
-#include "engine/lattice/damping.hpp"
 #include "engine/lattice/forces.hpp"
 
 namespace rift::lattice {

@@ -1,13 +1,21 @@
 #pragma once
 
-#include "engine/measurement/local_plane.hpp"
+#include "engine/measurement/near_tip.hpp"
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
 
 namespace rift::measurement {
+
+/// A virtual strain gauge and velocity probe: what it shows is the best plane through the motions of the
+/// elements under it, whatever their place through the thickness.
+struct Gauge {
+  std::array<double, 2> point{};  // [m]
+  LocalPlane plane;
+};
 
 /// Where the crack's tip must be [m] for its faces to lie between two places; infinity where it never parts
 /// them.

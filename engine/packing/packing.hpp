@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/cache.hpp"
 #include "engine/packing/walls.hpp"
 
 #include <Eigen/Core>
@@ -71,5 +72,12 @@ Packing pack(const PackingRequest& request, const PackingProgress& progress = {}
 std::vector<std::array<int, 2>> contacts(const Packing& packing, const Box& box, double tolerance);
 
 PackingStatistics statistics(const Packing& packing, const Box& box);
+
+/// Names all that a packing depends on.
+std::string key_of(const PackingRequest& request);
+
+/// The packing from the cache, or made and remembered. @param[out] from_cache  set where it was there
+Packing cached_packing(const PackingRequest& request, base::Cache& cache, bool& from_cache,
+                       const PackingProgress& progress = {}, int threads = 0);
 
 }  // namespace rift::packing

@@ -1,14 +1,13 @@
 #include "engine/results/archive.hpp"
 
 #include "engine/base/files.hpp"
-#include "engine/base/json_text.hpp"
 #include "engine/base/ownership.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
-#include "engine/results/cell_fields.hpp"
-#include "engine/results/columns.hpp"
 #include "engine/results/hdf5.hpp"
-#include "engine/results/journal_scan.hpp"
+#include "engine/results/journal_index.hpp"
 #include "engine/results/json_input.hpp"
+#include "engine/results/records.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/series.hpp"
 

@@ -1,10 +1,10 @@
 #include "engine/results/archive_check.hpp"
 
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/results/child.hpp"
-#include "engine/results/columns.hpp"
 #include "engine/results/hdf5.hpp"
 #include "engine/results/json_input.hpp"
+#include "engine/results/series.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "engine/results/checkpoint.hpp"
 
 #include "engine/base/files.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/hdf5.hpp"
 #include "engine/results/json_input.hpp"

@@ -1,6 +1,10 @@
 #include "engine/results/records.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <bit>
+#include <cassert>
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -158,6 +162,54 @@ std::string encode(const Record& record) {
 std::optional<Record> decode(std::uint32_t kind, std::string_view payload) {
   if (kind == 0) return std::nullopt;
   return decode_kind(kind - 1, payload);
+}
+
+CellFields cell_fields(const Geometry& geometry, const Frame& frame) {
+  assert(frame.damage_factor.size() == geometry.crossing.size());
+  const std::size_t elements = geometry.position.size();
+  CellFields fields{std::vector<float>(elements + geometry.beam.size(), 1.0F),
+                    std::vector<std::uint8_t>(elements + geometry.beam.size(), 0)};
+  for (std::size_t i = 0; i < frame.damage_factor.size(); ++i) {
+    const std::size_t cell = elements + static_cast<std::size_t>(geometry.crossing[i]);
+    fields.damage_factor[cell] = frame.damage_factor[i];
+    fields.broken[cell] = frame.damage_factor[i] == 0.0F;
+  }
+  return fields;
+}
+
+namespace {
+
+using Point = std::array<double, 2>;
+
+double distance(const Point& a, const Point& b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
+
+Point point_at(const std::vector<Point>& path, double arc) {
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    const double piece = distance(path[k], path[k + 1]);
+    if (arc > piece && k + 2 < path.size()) {
+      arc -= piece;
+      continue;
+    }
+    const double part = piece > 0 ? arc / piece : 0;
+    return {path[k][0] + part * (path[k + 1][0] - path[k][0]),
+            path[k][1] + part * (path[k + 1][1] - path[k][1])};
+  }
+  return path.front();
+}
+
+}  // namespace
+
+std::vector<Point> path_of(const nlohmann::ordered_json& header) {
+  return header.at("path").get<std::vector<Point>>();
+}
+
+std::vector<Point> tips_at(const nlohmann::ordered_json& header, double tip_m) {
+  const std::vector<Point> path = path_of(header);
+  if (header.value("tips", 1) == 0) return {};
+  if (header.value("tips", 1) == 1) return {point_at(path, tip_m)};
+  double length = 0;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) length += distance(path[k], path[k + 1]);
+  return {point_at(path, 0.5 * length - tip_m), point_at(path, 0.5 * length + tip_m)};
 }
 
 }  // namespace rift::results

@@ -2,6 +2,9 @@
 
 #include "engine/results/schema.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,8 +12,9 @@
 #include <variant>
 #include <vector>
 
-/// What a journal is made of, and the bytes each kind of record is stored as (docs/results-format.md).
 namespace rift::results {
+
+// What a journal is made of, and the bytes each kind of record is stored as (docs/results-format.md).
 
 /// First record: what is being run, as JSON text (effective preset, version, ...).
 struct RunHeader {
@@ -40,5 +44,21 @@ using Record = std::variant<RunHeader, Geometry, Sample, Frame, ReleaseEvent, Ra
 /// The record of this kind and payload; nothing where the kind is unknown or the payload's own counts do not
 /// add up to its size. Allocates no more than a small multiple of the payload, whatever its counts claim.
 [[nodiscard]] std::optional<Record> decode(std::uint32_t kind, std::string_view payload);
+
+/// What a viewer colours cells by, in its order of cells: the N vertices, then the B beams.
+struct CellFields {
+  std::vector<float> damage_factor;  // N + B; 1 for vertices and for beams that the path does not cross
+  std::vector<std::uint8_t> broken;  // N + B; 1 where the damage factor is 0
+};
+
+/// Spreads the frame's factors, one per crossing beam, over all cells.
+/// Asserts that the frame fits the geometry and has damage factors.
+[[nodiscard]] CellFields cell_fields(const Geometry& geometry, const Frame& frame);
+
+/// The polyline that the crack follows in the x-y plane [m], as the run's header has it.
+[[nodiscard]] std::vector<std::array<double, 2>> path_of(const nlohmann::ordered_json& header);
+
+/// Where the tips are [m]. @param tip_m  arc length of the tip; with two tips the half length of the crack
+[[nodiscard]] std::vector<std::array<double, 2>> tips_at(const nlohmann::ordered_json& header, double tip_m);
 
 }  // namespace rift::results

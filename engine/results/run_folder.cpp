@@ -4,7 +4,7 @@
 #include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/checkpoint.hpp"
-#include "engine/results/journal_scan.hpp"
+#include "engine/results/journal_index.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include "engine/results/run_writer.hpp"
 
 #include "engine/base/files.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/journal_scan.hpp"
+#include "engine/results/journal_index.hpp"
 #include "engine/results/json_input.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,5 @@
 #include "engine/results/series.hpp"
 
-#include "engine/results/columns.hpp"
-
 #include <fmt/format.h>
 
 #include <cassert>

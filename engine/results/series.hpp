@@ -2,16 +2,74 @@
 
 #include "engine/base/files.hpp"
 #include "engine/results/records.hpp"
+#include "engine/results/schema.hpp"
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// `series.csv`: one row per sample and lane. Numbers are the shortest text that reads back to the same bits;
-/// what is not defined (NaN, a release rate where none is known) is an empty field.
 namespace rift::results {
+
+// The names that series.csv, the archive and the exports share, each beside the number it stands for.
+
+template <typename Row>
+struct Column {
+  const char* name;
+  double Row::*value;
+};
+
+/// What follows step, time_s, phase and lane.
+inline constexpr std::array sample_columns{
+    Column<Sample>{"tip_m", &Sample::tip_m},
+    Column<Sample>{"velocity_m_s", &Sample::velocity_m_s},
+    Column<Sample>{"energy_elastic_j", &Sample::elastic_j},
+    Column<Sample>{"energy_kinetic_translation_j", &Sample::kinetic_translation_j},
+    Column<Sample>{"energy_kinetic_rotation_j", &Sample::kinetic_rotation_j},
+    Column<Sample>{"energy_step_correction_j", &Sample::step_correction_j},
+    Column<Sample>{"energy_fracture_j", &Sample::fracture_j},
+    Column<Sample>{"energy_damping_j", &Sample::damping_j},
+    Column<Sample>{"energy_numerical_damping_j", &Sample::numerical_damping_j},
+    Column<Sample>{"work_external_j", &Sample::work_external_j},
+    Column<Sample>{"ledger_residual", &Sample::residual},
+    Column<Sample>{"energy_contact_j", &Sample::contact_j},
+    Column<Sample>{"grip_force_n", &Sample::grip_force_n},
+};
+
+/// What follows step, time_s, lane and gauge.
+inline constexpr std::array gauge_columns{
+    Column<GaugeRow>{"x_m", &GaugeRow::x_m},
+    Column<GaugeRow>{"y_m", &GaugeRow::y_m},
+    Column<GaugeRow>{"ux_m", &GaugeRow::ux_m},
+    Column<GaugeRow>{"uy_m", &GaugeRow::uy_m},
+    Column<GaugeRow>{"uz_m", &GaugeRow::uz_m},
+    Column<GaugeRow>{"vx_m_s", &GaugeRow::vx_m_s},
+    Column<GaugeRow>{"vy_m_s", &GaugeRow::vy_m_s},
+    Column<GaugeRow>{"vz_m_s", &GaugeRow::vz_m_s},
+    Column<GaugeRow>{"strain_xx", &GaugeRow::strain_xx},
+    Column<GaugeRow>{"strain_yy", &GaugeRow::strain_yy},
+    Column<GaugeRow>{"strain_xy", &GaugeRow::strain_xy},
+};
+
+/// What follows a tip position.
+inline constexpr std::array rate_columns{
+    Column<RatePoint>{"ratio", &RatePoint::ratio},
+    Column<RatePoint>{"ratio_release", &RatePoint::ratio_release},
+    Column<RatePoint>{"ratio_with_damping", &RatePoint::ratio_with_damping},
+    Column<RatePoint>{"ratio_translation_only", &RatePoint::ratio_translation_only},
+};
+
+/// What follows beam and lane.
+inline constexpr std::array event_columns{
+    Column<ReleaseEvent>{"time_s", &ReleaseEvent::time_s},
+    Column<ReleaseEvent>{"position_m", &ReleaseEvent::position_m},
+    Column<ReleaseEvent>{"energy_j", &ReleaseEvent::energy_j},
+};
+
+// `series.csv`: one row per sample and lane. Numbers are the shortest text that reads back to the same bits;
+// what is not defined (NaN, a release rate where none is known) is an empty field.
 
 /// gauges.csv: one row per gauge, lane and moment, in the journal's order.
 std::string gauges_csv(std::span<const GaugeRow> rows);

@@ -1,13 +1,13 @@
 #include "engine/results/verify.hpp"
 
 #include "engine/base/files.hpp"
-#include "engine/base/json_text.hpp"
 #include "engine/base/ownership.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/archive_check.hpp"
 #include "engine/results/checkpoint.hpp"
-#include "engine/results/journal_scan.hpp"
+#include "engine/results/journal_index.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/series.hpp"
 

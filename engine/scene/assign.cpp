@@ -1,8 +1,7 @@
-#include "engine/scene/crack_text.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/rows_text.hpp"
 #include "engine/scene/toml_text.hpp"
-#include "engine/scene/wording.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,12 +1,11 @@
 #include "engine/scene/contradictions.hpp"
 
 #include "engine/scene/contradictions_rows.hpp"
-#include "engine/scene/crack_text.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/scene/derived_ranges.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/scene/needs.hpp"
+#include "engine/scene/rows_text.hpp"
 #include "engine/scene/units.hpp"
-#include "engine/scene/wording.hpp"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-/// What can be wrong with the rows of [crack]: each is found row by row, at its line where a file holds it.
 namespace rift::scene {
+
+// What can be wrong with the rows of [crack]: each is found row by row, at its line where a file holds it.
 
 /// Why a record of measured times, whose first is given [s], is none from near 0 on: a clock's time stamps
 /// have lost digits before they come here. Empty where it is one.
@@ -28,5 +29,9 @@ std::vector<Issue> load_issues(const Preset& preset);
 
 /// Points lie in the plate, and no two neighbours at one place.
 std::vector<Issue> path_issues(const Preset& preset);
+
+/// What is worth a look in rows without a defect, a line each: frames that a camera seems to have missed,
+/// with their times, and a crack path that crosses itself.
+std::vector<std::string> notes_on_rows(const Preset& preset);
 
 }  // namespace rift::scene

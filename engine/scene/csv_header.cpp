@@ -1,6 +1,6 @@
 #include "engine/scene/csv_header.hpp"
 
-#include "engine/scene/wording.hpp"
+#include "engine/scene/issue.hpp"
 
 #include <fmt/format.h>
 

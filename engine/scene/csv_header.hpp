@@ -1,6 +1,5 @@
 #pragma once
 
-#include "engine/scene/csv_rows.hpp"
 #include "engine/scene/csv_table.hpp"
 
 #include <optional>

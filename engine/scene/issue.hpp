@@ -1,10 +1,31 @@
 #pragma once
 
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rift::scene {
+
+// Small helpers for texts that quote what a user wrote.
+
+/// The text on one line, short and harmless on a terminal: escaped (base/text.hpp), bytes past `limit` "...".
+std::string printable(std::string_view text, std::size_t limit = 60);
+
+/// "a", "a or b", "a, b or c"; `last` is the word before the last name.
+std::string listed(std::span<const std::string> names, std::string_view last = "or");
+
+/// The candidate nearest to `name`, or empty where none is near enough to be meant.
+/// Distance: insertions, deletions, substitutions and swaps of neighbours; at most a third of the name, at
+/// most 3.
+std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
+
+/// Whether a comma stands between two digits, "60,5 mm", where a quantity wants a point.
+bool has_decimal_comma(std::string_view text);
+
+/// Without the blanks at both ends.
+std::string_view trimmed(std::string_view text);
 
 /// One mistake in what the user gave us; collected as a value, never thrown one by one.
 struct Issue {
@@ -30,5 +51,17 @@ struct InputError : std::runtime_error {
   explicit InputError(std::vector<Issue> found);
   std::vector<Issue> issues;
 };
+
+// Messages about names that the parameter table does not know, with the nearest one that it does.
+
+/// Whether presets have a table of this name.
+bool is_table(const std::string& name);
+
+/// "unknown table [spcimen], did you mean [specimen]?"
+std::string unknown_table(const std::string& name);
+
+/// "unknown key 'damge_zone_ratio', did you mean 'damage_zone_ratio'?"
+/// @param table  of the preset in which the key stands; empty where `name` is meant to be a full key
+std::string unknown_key(const std::string& table, const std::string& name);
 
 }  // namespace rift::scene

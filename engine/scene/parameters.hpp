@@ -2,7 +2,6 @@
 
 #include "engine/scene/scene.hpp"
 #include "engine/scene/units.hpp"
-#include "engine/scene/value.hpp"
 
 #include <array>
 #include <optional>

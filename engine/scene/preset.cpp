@@ -1,25 +1,28 @@
 #include "engine/scene/preset.hpp"
 
 #include "engine/scene/contradictions.hpp"
-#include "engine/scene/notes_on_rows.hpp"
+#include "engine/scene/contradictions_rows.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/scene/parameters.hpp"
-#include "engine/scene/preset_file.hpp"
 #include "engine/scene/rows_file.hpp"
-#include "engine/scene/scenario_tables.hpp"
+#include "engine/scene/scenario.hpp"
 #include "engine/scene/scenarios.hpp"
 #include "engine/scene/toml_text.hpp"
-#include "engine/scene/unknown_key.hpp"
-#include "engine/scene/wording.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
 #include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace rift::scene {
-
 namespace {
 
 constexpr std::size_t most_nearest_names = 100;  // that are looked for in a file without one right key
@@ -222,6 +225,29 @@ Issue issue_at_row(const Preset& preset, const std::string& key, std::size_t row
   if (rows != preset.rows.end() && row < rows->second.line.size())
     return {rows->second.file, rows->second.line[row], "", std::move(text)};
   return issue_at(preset, key, fmt::format("row {}: {}", row + 1, text));
+}
+
+PresetFile read_preset_file(const std::filesystem::path& path, std::size_t largest) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) return {"", "no such file"};
+  if (std::filesystem::is_directory(status)) return {"", "is a directory"};
+
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
+  if (!file) return {"", fmt::format("cannot be read: {}", std::strerror(errno))};
+  std::string text;
+  std::vector<char> buffer(std::size_t{1} << 16);
+  while (text.size() <= largest) {
+    const std::size_t most = std::min(buffer.size(), largest + 1 - text.size());
+    const std::size_t count = std::fread(buffer.data(), 1, most, file.get());
+    if (std::ferror(file.get()) != 0) return {"", fmt::format("cannot be read: {}", std::strerror(errno))};
+    if (count == 0) break;
+    text.append(buffer.data(), count);
+  }
+  return {std::move(text), ""};
 }
 
 }  // namespace rift::scene

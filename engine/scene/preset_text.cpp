@@ -1,12 +1,13 @@
-#include "engine/scene/axes.hpp"
+#include "engine/scene/preset_text.hpp"
+
 #include "engine/scene/needs.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset.hpp"
+#include "engine/scene/scenarios.hpp"
 
 #include <fmt/format.h>
 
 namespace rift::scene {
-
 namespace {
 
 /// Rows of numbers one below the other where there are many: for the eye, and because a reader of presets
@@ -83,6 +84,122 @@ std::string preset_text(const Preset& preset) {
     out += "\n[[study.rows]]\n" + axis_lines(row.scene, varied);
   }
   return out + steering_text(preset.steering);
+}
+
+namespace {
+
+constexpr std::string_view opening = R"(# Parameters
+
+<!-- Made from the parameter table (engine/scene/parameters.cpp); a test keeps it up to date. -->
+
+A preset is a TOML file with the tables below; a key that is not there has its default.
+Any key can be set on the command line by its full name: `--set crack.velocity='0.3 c_r'`.
+`--set` replaces what the preset says of that key and of the keys that it excludes, with a note: `--set specimen.thickness='3 mm'` on a preset with `layers` takes their place.
+`rift run PRESET --print-config` prints the effective preset.
+
+Quantities are numbers in SI units or text with a unit:
+
+| quantity | units |
+|---|---|
+)";
+
+constexpr std::string_view crack_words = R"(
+The velocity of the crack always carries its unit, `c_r` (the Rayleigh speed) or a unit of speed; a bare number is an error.
+The path is straight at a height, a fraction of it (`"0.5 H"`) or a length; or goes through points, a list `[["0 mm", "20 mm"], ["80 mm", "30 mm"]]` or a CSV file.
+
+`history`, `path`, `toughness` and `loading.curve` take a list of rows or the name of a CSV file, which is found from the preset's folder (`--set`: from where you are). Its header names columns and units:
+
+| key | columns |
+|---|---|
+| `history` | `time`, `position`, and where it is known the standard `uncertainty` of the position |
+| `path` | `x`, `y` |
+| `toughness` | `velocity` (`c_r` or a speed) or `position`, and `release_rate` |
+| `loading.curve` | `time`, and `displacement` or `force` |
+
+Files are read as spreadsheets, cameras and instruments write them: UTF-8 with or without a byte order mark, lines ended as on Unix or Windows, columns parted by semicolons, tabs, commas or bars (or as a first line `sep=;` says), cells in quotes, separators at the end of lines. Names are read in capitals and small letters; a unit stands in brackets (`Time [us]`, `time (us)`), behind a slash (`t / µs`), behind an underscore (`time_us`), or in the row below. Up to 100 lines before the header, columns beside, lines that begin with `#` and rows without anything in them are left out. Decimals have a point, and times count from near 0: a decimal comma, a time of day, a clock's time stamp and another encoding are named once, with what to do. A file holds at most 64 MiB and 100,000 rows (a path 10,000; a curve of `rift measure --against` 1,000,000).
+
+The effective preset of a run holds the rows themselves. Nothing is sorted, filled in or dropped: each defect is an error that names file and line; frames that seem to be missing, and a path that crosses itself, are noted.
+)";
+
+constexpr std::string_view scenario_words = R"(
+## Studies and lanes
+
+A preset may ask for many scenarios. Each is the preset's own scene with the values of some axes put in its place, checked as if they stood under their keys.
+
+`[study]` has one list of values per axis and stands for all their combinations, the first list varying slowest.
+Combinations that are physically one scenario are one: with `technique = "simple"` there is no damage zone, so `relaxation` and `damage_zone_ratio` do not count; without a damped region `damping_alpha` is 0, and with `damping_alpha = 0` there is no damped region.
+`[[study.rows]]` are scenarios written out, a table each; what a row does not name is as in the preset. They come after the grid.
+
+```toml
+[study]
+technique = ["simple", "progressive"]
+damage_zone_ratio = [1, 2, 4]
+crack_velocity = ["0.3 c_r", "0.6 c_r"]
+
+[[study.rows]]
+relaxation = "quadratic"
+layers = 2
+```
+
+These are eight scenarios of the grid (two simple, six progressive) and one more.
+
+`[[lanes]]` are scenarios that run at once as one ensemble, a table each. They share one lattice and one time step and may differ in the axes marked below only.
+
+```toml
+[[lanes]]
+technique = "simple"
+
+[[lanes]]
+damage_zone_ratio = 4
+```
+
+A preset has a study or lanes, not both. `--set` changes what they start from; of a key that they vary it is an error. Two rows or two lanes with the same scenario are an error as well.
+
+`[[steering]]` changes a lane of a run while its crack runs: a table each, with the `lane` (from 0; 0 where it is not named), the `step` of that lane after which the change is made, and one or more of `technique`, `relaxation`, `damage_zone_ratio`, `damping_alpha` and `crack_velocity`. The workbench writes such tables (`steering.toml`); beams that the damage zone has reached keep the law that they began with.
+
+```toml
+[[steering]]
+step = 1200
+damage_zone_ratio = 6
+crack_velocity = "0.3 c_r"
+```
+
+| axis | key | lanes may differ |
+|---|---|---|
+)";
+
+/// The text inside a cell of a table.
+std::string cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+std::string parameters_markdown() {
+  const Scene standard = default_scene();
+  std::string out(opening);
+  for (const Dimension d : {Dimension::length, Dimension::time, Dimension::pressure, Dimension::speed,
+                            Dimension::density, Dimension::release_rate, Dimension::force}) {
+    out +=
+        fmt::format("| {} | {} |\n", dimension_name(d).substr(2), understood_units(d));  // without its "a "
+  }
+  out += crack_words;
+  std::string table;
+  for (const Parameter& row : parameters()) {
+    if (table_of(row) != table) {
+      table = table_of(row);
+      out += fmt::format("\n## [{}]\n\n| key | default | allowed | meaning |\n|---|---|---|---|\n", table);
+    }
+    const std::string value = toml_value(standard, row);
+    out += fmt::format("| `{}` | {} | {} | {} |\n", name_of(row),
+                       value.empty() ? "none" : '`' + cell(value) + '`', cell(allowed(row)), cell(row.doc));
+  }
+  out += scenario_words;
+  for (const Axis& axis : axes())
+    out += fmt::format("| `{}` | `{}` | {} |\n", axis.name, axis.key, axis.per_lane ? "yes" : "no");
+  return out;
 }
 
 }  // namespace rift::scene

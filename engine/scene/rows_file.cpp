@@ -1,7 +1,7 @@
 #include "engine/scene/rows_file.hpp"
 
 #include "engine/scene/csv_table.hpp"
-#include "engine/scene/preset_file.hpp"
+#include "engine/scene/preset.hpp"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
 #include "engine/fracture/release.hpp"
-#include "engine/history/measured_course.hpp"
+#include "engine/history/crack_history.hpp"
 #include "engine/lattice/beam.hpp"
 #include "engine/packing/packing.hpp"
-#include "engine/theory/plane.hpp"
+#include "engine/theory/wave_speeds.hpp"
 
 #include <array>
 #include <optional>

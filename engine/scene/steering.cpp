@@ -1,8 +1,8 @@
 #include "engine/scene/steering.hpp"
 
-#include "engine/scene/axes.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/scene/preset.hpp"
-#include "engine/scene/wording.hpp"
+#include "engine/scene/scenarios.hpp"
 
 #include <fmt/format.h>
 

@@ -2,11 +2,52 @@
 
 #include "engine/simulation/march.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rift::simulation {
+
+/// A tip that runs by itself and has come to rest, or the last place where it did.
+struct Rest {
+  std::int64_t since = -1;  // the step at which it stopped; -1 while it runs
+  double driving = 0;       // G* then [J/m2]
+  double reference = 0;     // strain energy ahead of it once its field has spread; 0: not yet known
+  double sum = 0;           // of that energy over the looks since the last comparison
+  std::int64_t looks = 0;
+  double restarted_m = 0;  // tip position of the last restart; 0: none
+};
+
+/// Where a march was, beside the state of its ensemble: the words of a checkpoint.
+struct MarchNotes {
+  int lanes = 0;  // of the kernel
+  std::string instructions;
+  double dt = 0;  // [s], of the lattice
+  std::int64_t marched = 0, lane_steps = 0;
+  int next_scenario = 0;
+  bool cracking = true;  // false while the ramp is marched
+  double wall_prestress_s = 0, wall_fracture_s = 0;
+  struct Seat {
+    int scenario = -1;
+    std::size_t next_sample = 0, next_frame = 0;
+    std::int64_t framed_at = -1;
+    Rest rest = {};
+    double since_s = 0;
+  };
+  std::vector<Seat> seats = {};
+  std::vector<LaneResult> lane = {};  // without their books, which the journal holds
+};
+
+std::string to_json(const MarchNotes& notes);
+/// Throws std::invalid_argument where the text is not of such notes.
+MarchNotes march_notes(const std::string& json);
+
+/// Wall time that a run has taken up to a checkpoint, in all its calls, with what went before the march [s]:
+/// said by who keeps the checkpoint, for who goes on from it; 0 where nobody said it.
+void set_taken_s(results::Checkpoint& checkpoint, double seconds);
+double taken_s(const results::Checkpoint& checkpoint);
 
 /// Where a march that is not recorded as a run keeps how far it is: a pass of a study, a specimen of an
 /// experiment.

@@ -3,8 +3,8 @@
 #include "engine/base/process_limits.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/simulation/frame.hpp"
 #include "engine/simulation/march_run.hpp"
+#include "engine/simulation/schedule.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/simulation/change_lane.hpp"
+#include "engine/simulation/kept_march.hpp"
 #include "engine/simulation/march.hpp"
-#include "engine/simulation/march_notes.hpp"
+#include "engine/simulation/steering.hpp"
 
 #include <algorithm>
 #include <chrono>

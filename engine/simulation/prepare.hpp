@@ -3,10 +3,11 @@
 #include "engine/base/cache.hpp"
 #include "engine/base/interrupted.hpp"
 #include "engine/fracture/crack_path.hpp"
+#include "engine/fracture/release.hpp"
 #include "engine/fracture/release_rate.hpp"
-#include "engine/fracture/scenario.hpp"
-#include "engine/measurement/gauge.hpp"
-#include "engine/simulation/lane_units.hpp"
+#include "engine/measurement/camera.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/simulation/lane.hpp"
 #include "engine/simulation/schedule.hpp"
 #include "engine/simulation/time_step.hpp"
 
@@ -14,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rift::simulation {
 
@@ -97,5 +99,26 @@ fracture::RateScale scale_of(const Prepared& prepared, const LanePlan& lane);
 /// Speed of the waves in a lane's plate over that of the material's: 1 in situ, sqrt(E_mu / in-situ E_mu)
 /// else.
 double wave_speed_ratio(const Prepared& prepared, const LanePlan& lane);
+
+// What follows from a scene with its lattice, and the numbers that it may be; asked for as soon as each is
+// known, before anything is computed with it.
+
+/// Throws InputError with all that are out of their ranges.
+void refuse_out_of_range(const Prepared& p, const std::vector<scene::DerivedNumber>& numbers);
+
+/// Masses, inertias and stiffnesses of the lattice, the least and the greatest of each: such that neither
+/// they nor their reciprocals leave what the precision of the run holds.
+std::vector<scene::DerivedNumber> lattice_numbers(const Prepared& p);
+
+/// The strain that the grip's displacement makes, where it follows from a force or a curve.
+std::vector<scene::DerivedNumber> pull_numbers(const Prepared& p);
+
+/// G_I0, the energy stored and the grip's force, whatever their signs.
+std::vector<scene::DerivedNumber> prestress_numbers(const Prepared& p);
+
+std::vector<scene::DerivedNumber> critical_step_numbers(const Prepared& p);
+
+/// The step, and how many of them each lane takes.
+std::vector<scene::DerivedNumber> step_numbers(const Prepared& p);
 
 }  // namespace rift::simulation

@@ -2,13 +2,13 @@
 
 #include "engine/base/interrupted.hpp"
 #include "engine/calibration/calibrate.hpp"
-#include "engine/fracture/notch.hpp"
+#include "engine/fracture/crack_path.hpp"
+#include "engine/lattice/lattice.hpp"
 #include "engine/lattice/statics.hpp"
-#include "engine/lattice/stiffness.hpp"
-#include "engine/packing/cached_packing.hpp"
+#include "engine/packing/packing.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/simulation/prepared_ranges.hpp"
-#include "engine/theory/griffith.hpp"
+#include "engine/simulation/prepare.hpp"
+#include "engine/theory/references.hpp"
 
 #include <fmt/format.h>
 

@@ -5,12 +5,12 @@
 #include "engine/base/world_error.hpp"
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/journal_scan.hpp"
+#include "engine/results/journal_index.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/results/run_writer.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/simulation/march_notes.hpp"
+#include "engine/simulation/kept_march.hpp"
 #include "engine/simulation/summary.hpp"
 
 #include <fmt/format.h>

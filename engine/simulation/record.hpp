@@ -1,6 +1,5 @@
 #pragma once
 
-#include "engine/simulation/build_info.hpp"
 #include "engine/simulation/march.hpp"
 
 #include <nlohmann/json.hpp>
@@ -9,6 +8,12 @@
 #include <string>
 
 namespace rift::simulation {
+
+/// Which program made a result.
+struct BuildInfo {
+  std::string version;  // "0.1.0"
+  std::string compiler;
+};
 
 /// What a recorded run came to: its numbers, and the summary that stands in its folder.
 struct Recorded {

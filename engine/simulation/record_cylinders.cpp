@@ -3,9 +3,9 @@
 #include "engine/base/interrupted.hpp"
 #include "engine/calibration/calibrate.hpp"
 #include "engine/calibration/pull.hpp"
-#include "engine/lattice/free_body.hpp"
-#include "engine/lattice/stiffness.hpp"
-#include "engine/packing/cached_packing.hpp"
+#include "engine/lattice/lattice.hpp"
+#include "engine/lattice/statics.hpp"
+#include "engine/packing/packing.hpp"
 #include "engine/results/run_writer.hpp"
 
 #include <Eigen/Geometry>

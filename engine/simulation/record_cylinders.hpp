@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/base/cache.hpp"
-#include "engine/calibration/side_by_side.hpp"
+#include "engine/calibration/cylinders.hpp"
 #include "engine/scene/preset.hpp"
-#include "engine/simulation/build_info.hpp"
+#include "engine/simulation/record.hpp"
 
 #include <filesystem>
 

@@ -1,9 +1,9 @@
 #include "engine/simulation/summary.hpp"
 
 #include "engine/ensemble/instruction_set.hpp"
-#include "engine/scene/crack_text.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/simulation/change_lane.hpp"
+#include "engine/scene/rows_text.hpp"
+#include "engine/simulation/steering.hpp"
 #include "engine/theory/references.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/simulation/march.hpp"
-#include "engine/stability/stability_case.hpp"
+#include "engine/stability/suite.hpp"
 
 #include <functional>
 #include <memory>

@@ -1,12 +1,11 @@
 #include "engine/ensemble/ensemble.hpp"
+#include "engine/lattice/lattice.hpp"
 #include "engine/lattice/stable_step.hpp"
 #include "engine/lattice/statics.hpp"
-#include "engine/lattice/stiffness.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/simulation/march.hpp"
-#include "engine/stability/families.hpp"
 #include "engine/stability/free_vibration.hpp"
-#include "engine/stability/small_lattices.hpp"
+#include "engine/stability/suite.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "engine/base/cache.hpp"
+#include "engine/lattice/lattice.hpp"
 #include "engine/lattice/statics.hpp"
-#include "engine/lattice/stiffness.hpp"
-#include "engine/simulation/quasi_static.hpp"
+#include "engine/simulation/own_numbers.hpp"
 #include "engine/stability/cracked_plate.hpp"
-#include "engine/stability/families.hpp"
+#include "engine/stability/suite.hpp"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,8 @@
 
 #include "engine/scene/contradictions.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/scene/derived_ranges.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/study/cost.hpp"
+#include "engine/study/identity.hpp"
 
 #include <fmt/format.h>
 

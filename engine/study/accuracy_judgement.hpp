@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/study/accuracy_run.hpp"
-#include "engine/study/convergence.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/study/rules.hpp"
-#include "engine/study/series_table.hpp"
+#include "engine/study/curve.hpp"
+#include "engine/study/store.hpp"
 
 #include <functional>
 #include <span>

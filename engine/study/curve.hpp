@@ -62,4 +62,76 @@ std::string text_in(const SummaryRow& row, const char* name);
 /// The text of an axis of a row, or `absent` where the study does not name it.
 std::string axis_in(const SummaryRow& row, const char* axis, const std::string& absent);
 
+// What the words of a claim mean, fixed before any result was seen. Each judgement tells what was measured,
+// whichever way it goes.
+
+/// "near", "agrees": mean |ratio - Broberg| over the named velocities at most this.
+inline constexpr double near_margin = 0.05;
+/// "too low", "too high": mean signed difference below minus this, above plus this.
+inline constexpr double offset_margin = 0.03;
+/// "no influence": mean |difference| at most this.
+inline constexpr double influence_margin = 0.02;
+/// "quasi-constant": scatter over the window at most this.
+inline constexpr double constant_margin = 0.05;
+
+enum class Verdict { holds, does_not_hold, not_decidable };
+const char* name_of(Verdict verdict);  // "holds", "does not hold", "not decidable"
+
+/// A verdict and what it rests on: "0.6-1.0: mean |delta| 0.043, scatter 0.008".
+struct Judgement {
+  Verdict verdict = Verdict::not_decidable;
+  std::string measured;
+};
+
+/// Velocities of the claims [c_r].
+const std::vector<double>& claimed_velocities();
+
+/// Mean |ratio - Broberg| of the means over specimens; the signed one; NaN of an empty curve.
+double mean_distance(const Curve& curve);
+double mean_offset(const Curve& curve);
+
+/// Scatter of the specimens: standard deviation of the ratio over them, mean over the velocities that have
+/// more than one; 0 where none has. A claim whose margin is below it is not decidable.
+double specimen_scatter(const Curve& curve);
+
+/// A stretch of velocities, of which every claimed one must be there.
+struct Span {
+  double from = 0.01, to = 1.0;
+};
+
+Judgement is_near(const Curve& curve, Span span);
+Judgement is_too_low(const Curve& curve, Span span);
+Judgement is_too_high(const Curve& curve, Span span);
+
+/// Near within the span and not near outside it.
+Judgement agrees_only_in(const Curve& curve, Span span);
+
+/// Smaller mean |ratio - Broberg|. Compared specimen by specimen, those which have all the velocities in both
+/// curves; not decidable where the difference scatters over the specimens more than it amounts to.
+Judgement is_better(const Curve& curve, const Curve& than, Span span);
+
+/// Mean |difference| of two curves of the same specimens.
+Judgement has_no_influence(const Curve& curve, const Curve& reference, Span span);
+
+/// Scatter of the ratio along the window, its mean over specimens, at one velocity.
+Judgement is_quasi_constant(const CurvePoint& point);
+
+/// The same at more than half of the velocities of the span.
+Judgement is_mostly_constant(const Curve& curve, Span span);
+
+/// Ratio at one velocity within the margin of `value`, or below it.
+Judgement is_near_value(const Curve& curve, double v, double value);
+Judgement is_below(const Curve& curve, double v, double value);
+
+/// A claim of several parts: does not hold where one does not, is not decidable where one is not, else holds.
+/// The labels stand before what was measured.
+struct Part {
+  std::string label;
+  Judgement judgement;
+};
+Judgement all_of(const std::vector<Part>& parts);
+
+/// "0.6-1.0"
+std::string span_text(Span span);
+
 }  // namespace rift::study

@@ -1,5 +1,5 @@
 #include "engine/calibration/calibrate.hpp"
-#include "engine/lattice/stiffness.hpp"
+#include "engine/lattice/lattice.hpp"
 #include "engine/study/judges.hpp"
 
 #include <fmt/format.h>

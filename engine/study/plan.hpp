@@ -1,7 +1,9 @@
 #pragma once
 
 #include "engine/scene/preset.hpp"
+#include "engine/simulation/prepare.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,5 +24,24 @@ std::vector<StudyItem> plan_study(const scene::Preset& preset, const std::string
 /// The i-th of n parts of about equal cost, which keep groups together as far as that allows. The same for
 /// every process, whatever has been computed.
 std::vector<StudyItem> part_of(const std::vector<StudyItem>& items, int shard, int shards);
+
+/// Positions of the scenarios that march together, the longest first so that none is left over at the end:
+/// those of equal step, the damped apart from those that are not. After a ramp no lane can be filled again,
+/// so that a pass then holds no more than march side by side.
+std::vector<std::vector<std::size_t>> passes_of(const std::vector<simulation::LanePlan>& lanes);
+
+/// How a queue of scenarios is done soonest.
+struct Queue {
+  int lanes = 1;    // side by side
+  double time = 0;  // in steps of a kernel whose lanes fill half of 64 bytes
+};
+
+/// One long scenario beside many short ones wants few lanes, as the last steps are its own; many of a length
+/// fill a register.
+/// @param[in] steps  of each scenario
+Queue soonest(const std::vector<std::int64_t>& steps, ensemble::Precision precision);
+
+/// Lanes side by side where there is no end of scenarios.
+int lanes_of_many(ensemble::Precision precision);
 
 }  // namespace rift::study

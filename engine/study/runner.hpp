@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/base/cache.hpp"
-#include "engine/simulation/build_info.hpp"
 #include "engine/simulation/march.hpp"
+#include "engine/simulation/record.hpp"
 #include "engine/study/identity.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,15 +1,21 @@
 #include "engine/study/store.hpp"
 
 #include "engine/base/files.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/study/identity.hpp"
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace rift::study {
 namespace {
@@ -120,6 +126,105 @@ Json write_result(const fs::path& folder, const std::string& key, const Json& sc
                {"check", check_of(key, kept, series_hash)}};
   base::write_whole_file(file, base::json_text(j, 2) + "\n");
   return kept;
+}
+
+namespace {
+
+[[noreturn]] void refuse_study(const fs::path& file, std::string why) {
+  throw scene::InputError({scene::Issue{.file = file.string(), .key = {}, .text = std::move(why)}});
+}
+
+std::string member_text(const Json& object, const char* name) {
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// The result in a file of runs/, or null where there is none yet or none that is whole.
+Json stored_result(const fs::path& folder, const std::string& file, std::vector<std::string>& notes) {
+  if (file.empty() || !fs::exists(folder / file)) return nullptr;
+  const Json stored = results::json_or_discarded(base::read_whole_file(folder / file));
+  const std::string key = member_text(stored, "key");
+  if (key.empty() || result_file(folder, key) != folder / file) {
+    notes.push_back((folder / file).string() + ": damaged");
+    return nullptr;
+  }
+  return read_result(folder, key, notes).value_or(nullptr);
+}
+
+}  // namespace
+
+StoredStudy read_study(const fs::path& folder) {
+  const fs::path file = folder / study_name;
+  const Json manifest = results::json_or_discarded(base::read_whole_file(file));
+  if (!manifest.is_object() || !manifest.contains("scenarios") || !manifest["scenarios"].is_array())
+    refuse_study(file, "is damaged: 'rift study' with the same preset writes it anew");
+  const std::string text = member_text(manifest, "preset_text");
+  if (text.empty())
+    refuse_study(file, "holds no preset, as before rift 0.2: 'rift study' with its preset goes on with it");
+  StoredStudy study;
+  study.preset = scene::read_preset_text(text, member_text(manifest, "preset"));
+  if (!study.preset.issues.empty()) throw scene::InputError(study.preset.issues);
+  if (study.preset.study.empty() || study.preset.study.size() != manifest["scenarios"].size())
+    refuse_study(file, "is damaged: its preset and its list of scenarios do not fit each other");
+  for (const Json& scenario : manifest["scenarios"])
+    study.rows.push_back(stored_result(folder, member_text(scenario, "file"), study.notes));
+  return study;
+}
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::size_t from = 0; from <= line.size();) {
+    const std::size_t to = std::min(line.find(',', from), line.size());
+    fields.push_back(line.substr(from, to - from));
+    from = to + 1;
+  }
+  return fields;
+}
+
+double number(std::string_view field) {
+  double value = undefined;
+  std::from_chars(field.data(), field.data() + field.size(), value);
+  return value;
+}
+
+}  // namespace
+
+SeriesTable read_series(const std::filesystem::path& path) {
+  SeriesTable table;
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line)) return table;
+  std::vector<std::string> names;
+  for (std::string_view name : fields_of(line)) names.emplace_back(name);
+  while (std::getline(file, line)) {
+    const std::vector<std::string_view> fields = fields_of(line);
+    if (fields.size() != names.size()) continue;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (names[k] == "phase") {
+        table.phase.emplace_back(fields[k]);
+      } else {
+        table.column[names[k]].push_back(number(fields[k]));
+      }
+    }
+  }
+  return table;
+}
+
+Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
+  if (x.size() < 3) return {undefined, undefined};
+  const auto n = static_cast<double>(x.size());
+  double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) mx += x[k] / n, my += y[k] / n;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += (x[k] - mx) * (x[k] - mx);
+    xy += (x[k] - mx) * (y[k] - my);
+    yy += (y[k] - my) * (y[k] - my);
+  }
+  return {xy / xx, yy > 0.0 ? xy * xy / (xx * yy) : 1.0};
 }
 
 }  // namespace rift::study

@@ -1,16 +1,20 @@
 #pragma once
 
+#include "engine/scene/preset.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// A study's folder on the disk: study.json, and a pair of files per scenario under runs/
-/// (docs/results-format.md). Several processes may write into one: every file appears whole, under a name
-/// that follows from what is in it.
 namespace rift::study {
+
+// A study's folder on the disk: study.json, and a pair of files per scenario under runs/
+// (docs/results-format.md). Several processes may write into one: every file appears whole, under a name
+// that follows from what is in it.
 
 inline constexpr const char* study_name = "study.json";
 
@@ -44,5 +48,37 @@ std::optional<nlohmann::ordered_json> read_result(const std::filesystem::path& f
 /// @return the summary as read_result() will give it
 nlohmann::ordered_json write_result(const std::filesystem::path& folder, const std::string& key,
                                     const nlohmann::ordered_json& scenario, const std::string& series_csv);
+
+/// A study as its folder holds it.
+struct StoredStudy {
+  scene::Preset preset;
+  std::vector<nlohmann::ordered_json> rows;  // summaries in the order of preset.study; null: not computed yet
+  std::vector<std::string> notes;            // which results are damaged
+};
+
+/// Reads the preset and the results of a study's folder, and computes nothing. Throws InputError where
+/// study.json is damaged or holds no preset, as those of rift before 0.2, and WorldError where it cannot be
+/// read.
+StoredStudy read_study(const std::filesystem::path& folder);
+
+/// A scenario's series, column by column; an empty field is NaN, and `phase` is kept as text.
+struct SeriesTable {
+  std::map<std::string, std::vector<double>> column;
+  std::vector<std::string> phase;
+
+  /// The column of a name; throws std::out_of_range where there is none.
+  const std::vector<double>& at(const std::string& name) const { return column.at(name); }
+  bool empty() const { return phase.empty(); }
+};
+
+/// Reads a series as results::series_csv() writes it; empty where there is no such file.
+SeriesTable read_series(const std::filesystem::path& path);
+
+/// Straight line through points by least squares, and the share of the variance it explains (R^2; 1 for
+/// points on a line). NaN for less than three points.
+struct Line {
+  double slope = 0, r_squared = 0;
+};
+Line line_through(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace rift::study

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/theory/plane.hpp"
+#include "engine/theory/wave_speeds.hpp"
 
 namespace rift::theory {
 
@@ -38,5 +38,27 @@ double release_rate_function(double v_over_cr, double poisson_ratio, Plane plane
 ///          / (b^2 - 2 eta^2)^2] d eta / (1/v - eta)),   A_I(v) k(v) k(-v) = 1   [physics.md §8]
 /// @param v_over_cr  [-] in [-1, 1]; negative ones serve the identity
 double freund_k(double v_over_cr, double poisson_ratio, Plane plane);
+
+/// Static release rate of a central crack in a pulled plate over its half length, G_I0(a) / a = pi sigma^2 /
+/// E' [J/m3], from the energy per area G_strip [J/m2] that the plate stores as a clamped strip of height H
+/// [m]:
+///   G_I0(a) / a = 2 pi G_strip / (H (1 - nu'^2))   [Griffith 1921; physics.md §7]
+/// The strip has no strain along the crack, so that its modulus M = E' / (1 - nu'^2) and, pulled by delta, it
+/// has sigma = M delta / H and G_strip = M delta^2 / (2 H). nu' is Poisson's ratio in the plane: nu in plane
+/// stress, nu / (1 - nu) in plane strain, where E' = E / (1 - nu^2). M itself does not appear: the formula
+/// holds for the specimen's own modulus, whatever its beams are. The
+/// plate has to be long against its height: free ends relieve the stress along the crack (by plane finite
+/// elements the middle half of 300 x 200 mm stores 0.944 of a strip's energy, of 480 x 120 mm 0.988).
+double griffith_slope(double strip_energy, double height, double poisson_ratio, Plane plane);
+
+/// How far a tip of constant velocity advances before the first echo of its start is back [m]. The
+/// dilatational wave that it sent out when it started returns
+///   from the grips after t = H / sqrt(c_d^2 - v^2):  (c_d t)^2 = H^2 + (v t)^2, mirrored at half of H
+///   from an end ahead after t = 2 W / (c_d + v):     c_d t = W + (W - v t)   [physics.md §9.4-9.5]
+/// @param[in] v       of the tip [m/s]; infinity from c_d on, where no wave catches up with it
+/// @param[in] height  H [m], twice the distance from the path to the nearer grip
+/// @param[in] ahead   W [m], from the start to the end of the plate
+/// @param[in] c_d     dilatational speed [m/s]
+double echo_free_advance(double v, double height, double ahead, double c_d);
 
 }  // namespace rift::theory

@@ -1,18 +1,18 @@
 #include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/study/accuracy_run.hpp"
 #include "engine/study/curve.hpp"
 #include "engine/study/identity.hpp"
-#include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/common.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/report/accuracy_report.hpp"
-#include "studio/report/study_table.hpp"
+#include "studio/commands/stop_signal.hpp"
+#include "studio/reports/accuracy_report.hpp"
+#include "studio/reports/study_table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 #include "engine/base/console.hpp"
-#include "engine/base/json_text.hpp"
 #include "engine/base/process_limits.hpp"
+#include "engine/base/text.hpp"
 #include "engine/ensemble/benchmark.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_ending.hpp"
-#include "studio/report/progress.hpp"
+#include "studio/text/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

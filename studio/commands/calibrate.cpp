@@ -1,14 +1,15 @@
+#include "engine/calibration/calibrate.hpp"
+
 #include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
 #include "engine/base/interrupted.hpp"
-#include "engine/base/json_text.hpp"
-#include "engine/calibration/calibration_study.hpp"
-#include "engine/lattice/static_system.hpp"
-#include "engine/lattice/stiffness.hpp"
+#include "engine/base/text.hpp"
+#include "engine/lattice/lattice.hpp"
+#include "engine/lattice/statics.hpp"
 #include "engine/scene/units.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/report/calibration_report.hpp"
+#include "studio/reports/calibration_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

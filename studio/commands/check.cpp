@@ -1,11 +1,10 @@
 #include "engine/base/console.hpp"
 #include "engine/base/interrupted.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/simulation/own_numbers.hpp"
-#include "engine/simulation/quasi_static.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/report/dry_run.hpp"
+#include "studio/text/dry_run.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -4,7 +4,6 @@
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/scene/wording.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/base/ownership.hpp"
-#include "engine/simulation/build_info.hpp"
-#include "studio/report/table.hpp"
+#include "engine/simulation/record.hpp"
+#include "studio/text/table.hpp"
 
 #include <CLI/App.hpp>
 

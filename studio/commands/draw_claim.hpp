@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/base/cache.hpp"
-#include "studio/report/reproduction.hpp"
+#include "studio/reports/reproduction.hpp"
 
 #include <filesystem>
 #include <functional>

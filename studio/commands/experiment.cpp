@@ -2,19 +2,19 @@
 
 #include "engine/base/console.hpp"
 #include "engine/base/interrupted.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/experiment/kept_parts.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/rows_file.hpp"
-#include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/common.hpp"
 #include "studio/commands/film_of_run.hpp"
 #include "studio/commands/run_ending.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/report/experiment_report.hpp"
+#include "studio/commands/stop_signal.hpp"
+#include "studio/reports/experiment_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

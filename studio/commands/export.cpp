@@ -1,9 +1,8 @@
 #include "engine/results/export.hpp"
 
 #include "engine/base/console.hpp"
-#include "engine/results/export_ovito.hpp"
 #include "studio/commands/commands.hpp"
-#include "studio/report/progress.hpp"
+#include "studio/text/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

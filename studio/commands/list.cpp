@@ -1,7 +1,7 @@
 #include "engine/base/console.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "studio/commands/commands.hpp"
-#include "studio/report/catalogue.hpp"
+#include "studio/text/catalogue.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

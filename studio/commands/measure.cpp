@@ -1,7 +1,7 @@
 #include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
 #include "engine/base/interrupted.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
@@ -10,7 +10,7 @@
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_ending.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/report/instruments_report.hpp"
+#include "studio/reports/instruments_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

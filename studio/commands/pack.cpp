@@ -1,12 +1,12 @@
 #include "engine/base/console.hpp"
 #include "engine/base/interrupted.hpp"
-#include "engine/base/json_text.hpp"
-#include "engine/packing/cached_packing.hpp"
+#include "engine/base/text.hpp"
+#include "engine/packing/packing.hpp"
 #include "engine/packing/specimen.hpp"
 #include "engine/scene/derived.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/report/packing_report.hpp"
+#include "studio/reports/packing_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

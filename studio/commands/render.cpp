@@ -3,7 +3,7 @@
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/units.hpp"
 #include "studio/commands/commands.hpp"
-#include "studio/commands/film_options.hpp"
+#include "studio/commands/film_of_run.hpp"
 #include "studio/commands/scene_options.hpp"
 
 #include <CLI/CLI.hpp>

@@ -6,10 +6,10 @@
 #include "engine/base/world_error.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/simulation/record.hpp"
-#include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_ending.hpp"
 #include "studio/commands/run_panel.hpp"
+#include "studio/commands/stop_signal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -6,13 +6,13 @@
 #include "engine/scene/issue.hpp"
 #include "engine/scene/units.hpp"
 #include "engine/simulation/record.hpp"
-#include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
 #include "studio/commands/resume.hpp"
 #include "studio/commands/run_ending.hpp"
 #include "studio/commands/run_panel.hpp"
 #include "studio/commands/scene_options.hpp"
+#include "studio/commands/stop_signal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "studio/commands/run_ending.hpp"
 
 #include "engine/base/console.hpp"
-#include "engine/base/json_text.hpp"
-#include "studio/report/run_table.hpp"
+#include "engine/base/text.hpp"
+#include "studio/text/run_table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,10 +2,14 @@
 
 #include "studio/commands/scene_options.hpp"
 #include "studio/workbench/live_run.hpp"
+#include "studio/workbench/screen.hpp"
 
 #include <optional>
 
 namespace rift::studio {
+
+/// What the workbench's screens share, for whoever works in this folder.
+Workshop workshop_here(int threads);
 
 /// Whether there is a terminal for a live panel, and this build has one.
 bool panel_there();

@@ -3,7 +3,7 @@
 #include "engine/base/cache.hpp"
 #include "engine/scene/preset.hpp"
 #include "studio/commands/stop_signal.hpp"
-#include "studio/report/progress.hpp"
+#include "studio/text/progress.hpp"
 
 #include <CLI/App.hpp>
 

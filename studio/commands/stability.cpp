@@ -1,9 +1,9 @@
 #include "engine/base/console.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/stability/suite.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/report/stability_report.hpp"
+#include "studio/reports/stability_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

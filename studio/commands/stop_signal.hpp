@@ -2,8 +2,13 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 
 namespace rift::studio {
+
+/// The seconds of --budget, none for an empty text. A bare number is no time, as anywhere else: throws
+/// InputError, in which `command` ("rift study") is named.
+std::optional<double> read_budget(const std::string& command, const std::string& text);
 
 /// The signals by which a user, a terminal or a batch system asks for an end (SIGINT, SIGTERM, SIGHUP,
 /// SIGUSR1, SIGUSR2, SIGXCPU, and SIGXFSZ from another process) no longer kill, but set a flag that long work

@@ -1,11 +1,11 @@
 #include "engine/base/console.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/run_panel.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/commands/workshop.hpp"
 #include "studio/terminal/bench.hpp"
 #include "studio/terminal/terminal.hpp"
 #include "studio/workbench/home_screen.hpp"
-#include "studio/workbench/open.hpp"
+#include "studio/workbench/screen.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,17 +1,17 @@
 #include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
-#include "engine/study/cost.hpp"
+#include "engine/study/identity.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
-#include "studio/commands/budget.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/common.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/report/study_report.hpp"
-#include "studio/report/study_table.hpp"
+#include "studio/commands/stop_signal.hpp"
+#include "studio/reports/study_report.hpp"
+#include "studio/reports/study_table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "engine/base/console.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/theory/references.hpp"
 #include "engine/theory/wave_speeds.hpp"

@@ -1,10 +1,10 @@
 #include "engine/results/verify.hpp"
 
 #include "engine/base/console.hpp"
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 #include "studio/commands/commands.hpp"
-#include "studio/report/progress.hpp"
-#include "studio/report/table.hpp"
+#include "studio/text/progress.hpp"
+#include "studio/text/table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "engine/base/console.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/run_panel.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/commands/workshop.hpp"
 #include "studio/terminal/bench.hpp"
 #include "studio/terminal/terminal.hpp"
 #include "studio/workbench/panel_screen.hpp"

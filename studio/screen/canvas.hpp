@@ -5,8 +5,9 @@
 #include <string_view>
 #include <vector>
 
-/// What a terminal shows, as plain cells: drawn without any terminal, and tested cell by cell.
 namespace rift::studio {
+
+// What a terminal shows, as plain cells: drawn without any terminal, and tested cell by cell.
 
 /// What a colour means; a scheme of the terminal says which one it is.
 enum class Ink : std::uint8_t {
@@ -73,5 +74,21 @@ class Canvas {
 
 /// The letters of a UTF-8 text; what is no UTF-8 becomes '?'.
 [[nodiscard]] std::u32string letters_of(std::string_view text);
+
+/// The least size on which the screens make sense.
+inline constexpr int least_width = 60, least_height = 16;
+
+/// Blanks all cells of an area.
+void clear(Canvas& canvas, const Area& area, const Style& style = {});
+
+/// A frame in the middle of the screen for so many cells inside, as far as there is room, with a title in its
+/// upper edge. @return the inside
+Area draw_box(Canvas& canvas, int width, int height, std::string_view title, Glyphs glyphs);
+
+/// The text broken at blanks into lines of the area. @return the lines it took
+int draw_paragraph(Canvas& canvas, const Area& area, std::string_view text, const Style& style = {});
+
+/// On a screen that is too small: says how large it should be. @return whether it is
+bool draw_too_small(Canvas& canvas);
 
 }  // namespace rift::studio

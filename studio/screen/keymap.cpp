@@ -1,6 +1,6 @@
 #include "studio/screen/keymap.hpp"
 
-#include "studio/screen/box.hpp"
+#include "studio/screen/canvas.hpp"
 
 #include <fmt/format.h>
 

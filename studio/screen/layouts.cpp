@@ -1,6 +1,6 @@
 #include "studio/screen/layouts.hpp"
 
-#include "studio/screen/box.hpp"
+#include "studio/screen/canvas.hpp"
 
 #include <algorithm>
 

@@ -2,15 +2,16 @@
 
 #include "engine/fracture/release_rate.hpp"
 #include "engine/results/schema.hpp"
-#include "studio/screen/box.hpp"
+#include "studio/screen/canvas.hpp"
 
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// The screen of a run that goes on, or went.
 namespace rift::studio {
+
+// The screen of a run that goes on, or went.
 
 /// What is known of one lane.
 struct LiveLane {

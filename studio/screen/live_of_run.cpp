@@ -2,8 +2,8 @@
 
 #include "engine/fracture/release_rate.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/crack_tip.hpp"
 #include "engine/results/lane_title.hpp"
+#include "engine/results/records.hpp"
 #include "engine/scene/preset.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/theory/references.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studio/screen/canvas.hpp"
-#include "studio/screen/press.hpp"
+#include "studio/screen/keymap.hpp"
 
 #include <cstdint>
 #include <string>
@@ -28,6 +28,16 @@ class Prompt {
  private:
   std::string label_, text_;
   State state_ = State::idle;
+};
+
+/// Which row of a list is chosen, and which one is the first on the screen.
+struct ListView {
+  int chosen = 0, top = 0;
+
+  /// Moves as an action says. @return whether it is one of a list
+  bool move(Action action, int count, int rows);
+  /// Keeps the chosen one on the screen.
+  void keep(int count, int rows);
 };
 
 }  // namespace rift::studio

@@ -1,6 +1,6 @@
 #include "studio/terminal/bench.hpp"
 
-#include "studio/screen/box.hpp"
+#include "studio/screen/canvas.hpp"
 #include "studio/terminal/terminal.hpp"
 
 #include <chrono>

@@ -3,7 +3,7 @@
 #include "engine/base/files.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/json_input.hpp"
-#include "studio/screen/box.hpp"
+#include "studio/screen/canvas.hpp"
 #include "studio/screen/curves.hpp"
 #include "studio/screen/layouts.hpp"
 #include "studio/screen/live_of_run.hpp"

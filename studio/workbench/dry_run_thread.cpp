@@ -1,7 +1,7 @@
 #include "studio/workbench/dry_run_thread.hpp"
 
 #include "engine/base/interrupted.hpp"
-#include "studio/report/dry_run.hpp"
+#include "studio/text/dry_run.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 #include "engine/base/text.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
-#include "studio/screen/box.hpp"
+#include "studio/screen/canvas.hpp"
 #include "studio/screen/layouts.hpp"
-#include "studio/workbench/open.hpp"
+#include "studio/workbench/screen.hpp"
 
 #include <fmt/format.h>
 

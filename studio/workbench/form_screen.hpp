@@ -2,7 +2,6 @@
 
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset.hpp"
-#include "studio/screen/list_view.hpp"
 #include "studio/screen/prompt.hpp"
 #include "studio/workbench/dry_run_thread.hpp"
 #include "studio/workbench/screen.hpp"

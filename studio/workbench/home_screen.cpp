@@ -3,9 +3,9 @@
 #include "engine/base/ownership.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/preset.hpp"
-#include "studio/screen/box.hpp"
+#include "studio/screen/canvas.hpp"
 #include "studio/screen/layouts.hpp"
-#include "studio/workbench/open.hpp"
+#include "studio/workbench/screen.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "studio/report/catalogue.hpp"
-#include "studio/screen/list_view.hpp"
 #include "studio/screen/prompt.hpp"
+#include "studio/text/catalogue.hpp"
 #include "studio/workbench/errands.hpp"
 #include "studio/workbench/lesson.hpp"
 #include "studio/workbench/screen.hpp"

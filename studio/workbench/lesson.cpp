@@ -4,9 +4,8 @@
 #include "engine/base/world_error.hpp"
 #include "engine/results/lane_title.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/scene/wording.hpp"
-#include "studio/report/chart.hpp"
-#include "studio/report/html.hpp"
+#include "studio/charts/chart.hpp"
+#include "studio/text/html.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studio/report/table.hpp"
 #include "studio/screen/live.hpp"
+#include "studio/text/table.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "studio/workbench/lesson_screen.hpp"
 
 #include "engine/scene/issue.hpp"
-#include "studio/screen/box.hpp"
+#include "studio/screen/canvas.hpp"
 
 #include <fmt/format.h>
 

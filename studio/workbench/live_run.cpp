@@ -1,7 +1,7 @@
 #include "studio/workbench/live_run.hpp"
 
 #include "engine/base/interrupted.hpp"
-#include "engine/results/crack_tip.hpp"
+#include "engine/results/records.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/screen/live_of_run.hpp"
 

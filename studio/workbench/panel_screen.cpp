@@ -2,8 +2,8 @@
 
 #include "engine/base/ownership.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/scene/axes.hpp"
-#include "studio/screen/box.hpp"
+#include "engine/scene/scenarios.hpp"
+#include "studio/screen/canvas.hpp"
 
 #include <fmt/format.h>
 

@@ -1,19 +1,20 @@
 #pragma once
 
 #include "engine/base/cache.hpp"
-#include "engine/simulation/build_info.hpp"
+#include "engine/simulation/record.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/keymap.hpp"
-#include "studio/screen/press.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
-/// The workbench: screens on a stack. A screen draws itself into cells and answers presses; it knows no
-/// terminal.
 namespace rift::studio {
+
+// The workbench: screens on a stack. A screen draws itself into cells and answers presses; it knows no
+// terminal.
 
 class Screen;
 
@@ -50,5 +51,20 @@ struct Workshop {
 
 /// The first of folder/NAME, folder/NAME-2, ... that does not exist yet.
 [[nodiscard]] std::filesystem::path free_folder(const std::filesystem::path& folder, const std::string& name);
+
+// Which screen shows what. All throw with the reason where it cannot be shown.
+
+std::unique_ptr<Screen> form_of_preset(Workshop& workshop, const std::filesystem::path& preset);
+/// Starts it: a run or a study. @param overrides  as of --set
+std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const std::filesystem::path& preset,
+                                         const std::vector<std::string>& overrides);
+/// Of a folder with a run or a study in it, going on or ended; a study is shown as far as it has been
+/// computed.
+std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const std::filesystem::path& run);
+/// Goes on with a run or a study that was stopped or killed.
+std::unique_ptr<Screen> resumption_of(Workshop& workshop, const std::filesystem::path& run);
+std::unique_ptr<Screen> comparison_of(Workshop& workshop, const std::vector<std::filesystem::path>& runs);
+/// @param name  of a lesson
+std::unique_ptr<Screen> lesson_screen(Workshop& workshop, const std::string& name);
 
 }  // namespace rift::studio

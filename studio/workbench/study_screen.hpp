@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/study/runner.hpp"
-#include "engine/study/stored_study.hpp"
+#include "engine/study/store.hpp"
 #include "studio/workbench/screen.hpp"
 
 #include <atomic>

@@ -23,11 +23,13 @@ engine/experiment:   base history theory results packing lattice fracture ensemb
 engine/study:        base history theory results packing lattice fracture ensemble scene calibration simulation
 viz:                 base results
 viz/draw:            base results viz
-studio/report:       base history theory results packing lattice fracture ensemble measurement scene calibration simulation stability experiment study
-studio/screen:       base theory results fracture scene simulation studio/report
-studio/workbench:    base history theory results scene simulation study studio/report studio/screen
+studio/text:         base theory results scene simulation study
+studio/charts:       base theory study studio/text
+studio/reports:      base history theory results packing lattice fracture ensemble scene calibration simulation stability experiment study studio/text studio/charts
+studio/screen:       base theory results fracture scene simulation studio/text
+studio/workbench:    base history theory results scene simulation study studio/text studio/charts studio/reports studio/screen
 studio/terminal:     base studio/screen studio/workbench
-studio/commands:     base theory results packing lattice ensemble scene calibration simulation stability experiment study viz studio/report studio/screen studio/workbench studio/terminal
+studio/commands:     base theory results packing lattice ensemble scene calibration simulation stability experiment study viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/terminal
 studio:              base results scene studio/commands
 '
 
@@ -71,9 +73,9 @@ refuse() { # WHAT PATTERN FOLDERS...
   wrong=1
 }
 refuse 'VTK outside viz' '#include <vtk' engine studio
-refuse 'ncurses outside studio/terminal' '#include <n?curses' engine viz studio/commands studio/report studio/screen studio/workbench
+refuse 'ncurses outside studio/terminal' '#include <n?curses' engine viz studio/commands studio/text studio/charts studio/reports studio/screen studio/workbench
 refuse 'CLI11 outside studio' '#include <CLI/' engine viz studio/screen studio/workbench
 # What may be written wherever a name is shown is written in one place, which knows how.
 refuse 'a standard stream is written outside engine/base/console.cpp' '(fmt::print|std::(cerr|cout|clog|puts|printf)|fprintf|fputs|perror)\b' engine/[!b]* viz studio
-refuse 'JSON becomes text outside engine/base/json_text.cpp' '\.dump\(' engine/[!b]* viz studio
+refuse 'JSON becomes text outside engine/base/text.cpp' '\.dump\(' engine/[!b]* viz studio
 exit $wrong

@@ -1,5 +1,5 @@
 #include "engine/results/archive_check.hpp"
-#include "engine/results/columns.hpp"
+#include "engine/results/series.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/memory_file.hpp"
 

@@ -1,7 +1,7 @@
 #include "engine/base/files.hpp"
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/results/checkpoint.hpp"
-#include "engine/simulation/march_notes.hpp"
+#include "engine/simulation/kept_march.hpp"
 #include "tests/fuzz/bytes.hpp"
 
 #include <unistd.h>

@@ -1,8 +1,8 @@
 #include "engine/history/crack_history.hpp"
 #include "engine/scene/contradictions_rows.hpp"
-#include "engine/scene/crack_text.hpp"
 #include "engine/scene/csv_table.hpp"
 #include "engine/scene/preset.hpp"
+#include "engine/scene/rows_text.hpp"
 #include "tests/fuzz/bytes.hpp"
 
 #include <array>

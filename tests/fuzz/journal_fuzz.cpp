@@ -1,7 +1,6 @@
 #include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/journal_index.hpp"
-#include "engine/results/journal_scan.hpp"
 #include "engine/results/series.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/memory_file.hpp"

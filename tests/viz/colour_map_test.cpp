@@ -1,6 +1,5 @@
-#include "viz/colour_map.hpp"
-
 #include "tests/expectations.hpp"
+#include "viz/field.hpp"
 
 #include <gtest/gtest.h>
 

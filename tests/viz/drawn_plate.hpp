@@ -3,7 +3,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/journal.hpp"
 #include "tests/temporary_folder.hpp"
-#include "viz/colour_map.hpp"
+#include "viz/field.hpp"
 #include "viz/layout.hpp"
 #include "viz/renderer.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/colour_map.hpp"
+#include "viz/field.hpp"
 #include "viz/layout.hpp"
 
 #include <vtkCellArray.h>

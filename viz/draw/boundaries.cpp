@@ -1,6 +1,6 @@
 #include "viz/draw/boundaries.hpp"
 
-#include "engine/results/crack_tip.hpp"
+#include "engine/results/records.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "viz/draw/pane_view.hpp"
 
-#include "engine/results/crack_tip.hpp"
+#include "engine/results/records.hpp"
 #include "viz/draw/boundaries.hpp"
 #include "viz/front_layer.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/results/schema.hpp"
-#include "viz/colour_map.hpp"
+#include "viz/field.hpp"
 #include "viz/job.hpp"
 
 #include <vtkActor.h>

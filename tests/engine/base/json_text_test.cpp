@@ -1,4 +1,4 @@
-#include "engine/base/json_text.hpp"
+#include "engine/base/text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

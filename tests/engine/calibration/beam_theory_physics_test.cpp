@@ -1,5 +1,5 @@
 #include "engine/calibration/pull.hpp"
-#include "engine/lattice/free_body.hpp"
+#include "engine/lattice/statics.hpp"
 #include "tests/engine/packing/packed_once.hpp"
 
 #include <Eigen/Dense>

@@ -1,7 +1,6 @@
 #include "engine/calibration/calibrate.hpp"
 
 #include "engine/base/interrupted.hpp"
-#include "engine/calibration/calibration_study.hpp"
 #include "engine/scene/parameters.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "engine/calibration/pull.hpp"
 
-#include "engine/lattice/free_body.hpp"
+#include "engine/lattice/statics.hpp"
 #include "tests/engine/calibration/cubic_lattice.hpp"
 #include "tests/engine/packing/packed_once.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/experiment/law.hpp"
+#include "engine/experiment/application.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,3 @@
-#include "engine/experiment/resampling.hpp"
-
 #include "engine/experiment/efficiency.hpp"
 #include "engine/scene/derived.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/fracture/ledger.hpp"
+#include "engine/fracture/release_rate.hpp"
 
 #include <gtest/gtest.h>
 

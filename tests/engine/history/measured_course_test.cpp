@@ -1,4 +1,4 @@
-#include "engine/history/measured_course.hpp"
+#include "engine/history/crack_history.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
-#include "engine/lattice/corotational.hpp"
-
+#include "engine/lattice/beam.hpp"
 #include "tests/engine/lattice/hand_made.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-#include "engine/lattice/damping.hpp"
-
+#include "engine/lattice/forces.hpp"
 #include "tests/engine/lattice/dense.hpp"
 #include "tests/engine/lattice/hand_made.hpp"
 

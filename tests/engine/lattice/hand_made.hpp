@@ -1,6 +1,5 @@
 #pragma once
 
-#include "engine/lattice/damping.hpp"
 #include "engine/lattice/forces.hpp"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
+#include "engine/lattice/lattice.hpp"
 #include "engine/lattice/stable_step.hpp"
 #include "engine/lattice/statics.hpp"
-#include "engine/lattice/stiffness.hpp"
 #include "tests/engine/packing/packed_once.hpp"
 
 #include <gtest/gtest.h>

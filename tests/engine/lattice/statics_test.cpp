@@ -1,6 +1,6 @@
 #include "engine/lattice/statics.hpp"
 
-#include "engine/lattice/stiffness.hpp"
+#include "engine/lattice/lattice.hpp"
 #include "tests/engine/lattice/dense.hpp"
 #include "tests/engine/lattice/hand_made.hpp"
 #include "tests/engine/packing/packed_once.hpp"

@@ -1,5 +1,4 @@
-#include "engine/lattice/stiffness.hpp"
-
+#include "engine/lattice/lattice.hpp"
 #include "engine/lattice/statics.hpp"
 #include "engine/scene/scene.hpp"
 #include "tests/engine/lattice/hand_made.hpp"

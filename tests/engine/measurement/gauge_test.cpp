@@ -1,5 +1,4 @@
-#include "engine/measurement/gauge.hpp"
-
+#include "engine/measurement/camera.hpp"
 #include "engine/scene/issue.hpp"
 #include "tests/engine/lattice/hand_made.hpp"
 #include "tests/engine/simulation/small_plate.hpp"

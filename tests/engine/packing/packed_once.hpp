@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/packing/cached_packing.hpp"
+#include "engine/packing/packing.hpp"
 #include "tests/shared_cache.hpp"
 
 namespace rift::packing {

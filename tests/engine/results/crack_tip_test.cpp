@@ -1,4 +1,4 @@
-#include "engine/results/crack_tip.hpp"
+#include "engine/results/records.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

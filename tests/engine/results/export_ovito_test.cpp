@@ -1,7 +1,6 @@
-#include "engine/results/export_ovito.hpp"
-
 #include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
+#include "engine/results/export.hpp"
 #include "engine/results/journal.hpp"
 #include "tests/engine/results/small_run.hpp"
 

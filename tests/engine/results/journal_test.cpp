@@ -1,8 +1,8 @@
 #include "engine/results/journal.hpp"
 
 #include "engine/base/world_error.hpp"
-#include "engine/results/columns.hpp"
-#include "engine/results/journal_scan.hpp"
+#include "engine/results/journal_index.hpp"
+#include "engine/results/series.hpp"
 #include "tests/engine/results/small_run.hpp"
 #include "tests/expectations.hpp"
 #include "tests/full_disk.hpp"

@@ -1,5 +1,4 @@
-#include "engine/scene/axes.hpp"
-
+#include "engine/scene/scenarios.hpp"
 #include "tests/expectations.hpp"
 
 #include <gtest/gtest.h>

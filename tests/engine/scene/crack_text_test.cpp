@@ -1,4 +1,4 @@
-#include "engine/scene/crack_text.hpp"
+#include "engine/scene/rows_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
-#include "engine/scene/derived_ranges.hpp"
-
+#include "engine/scene/derived.hpp"
 #include "engine/scene/preset.hpp"
 #include "tests/engine/scene/range_ends.hpp"
 #include "tests/expectations.hpp"

@@ -1,5 +1,4 @@
-#include "engine/scene/notes_on_rows.hpp"
-
+#include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/preset.hpp"
 
 #include <fmt/format.h>

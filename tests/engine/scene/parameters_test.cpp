@@ -1,8 +1,8 @@
 #include "engine/scene/parameters.hpp"
 
 #include "engine/scene/derived.hpp"
-#include "engine/scene/parameters_page.hpp"
 #include "engine/scene/preset.hpp"
+#include "engine/scene/preset_text.hpp"
 #include "engine/scene/toml_text.hpp"
 #include "tests/expectations.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/scene/wording.hpp"
+#include "engine/scene/issue.hpp"
 
 #include <gtest/gtest.h>
 

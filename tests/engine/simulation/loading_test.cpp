@@ -1,7 +1,7 @@
+#include "engine/lattice/lattice.hpp"
 #include "engine/lattice/statics.hpp"
-#include "engine/lattice/stiffness.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/study/passes.hpp"
+#include "engine/study/plan.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "engine/scene/derived.hpp"
-#include "engine/simulation/change_lane.hpp"
 #include "engine/simulation/march.hpp"
+#include "engine/simulation/steering.hpp"
 #include "engine/simulation/summary.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 

@@ -1,5 +1,4 @@
-#include "engine/simulation/quasi_static.hpp"
-
+#include "engine/simulation/own_numbers.hpp"
 #include "engine/simulation/summary.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 

@@ -1,7 +1,6 @@
 #include "engine/lattice/stable_step.hpp"
 #include "engine/stability/cracked_plate.hpp"
 #include "engine/stability/free_vibration.hpp"
-#include "engine/stability/small_lattices.hpp"
 #include "engine/stability/suite.hpp"
 #include "tests/shared_cache.hpp"
 

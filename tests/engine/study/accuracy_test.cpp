@@ -1,8 +1,8 @@
 #include "engine/study/accuracy.hpp"
 
 #include "engine/study/accuracy_judgement.hpp"
-#include "engine/study/cost.hpp"
-#include "engine/study/passes.hpp"
+#include "engine/study/identity.hpp"
+#include "engine/study/plan.hpp"
 #include "tests/expectations.hpp"
 #include "tests/shared_cache.hpp"
 #include "tests/temporary_folder.hpp"

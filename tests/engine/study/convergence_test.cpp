@@ -1,4 +1,4 @@
-#include "engine/study/convergence.hpp"
+#include "engine/study/accuracy_run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
-#include "engine/study/passes.hpp"
-
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/scene/parameters.hpp"
+#include "engine/study/plan.hpp"
 #include "tests/expectations.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include "engine/study/plan.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
-#include "engine/study/stored_study.hpp"
 #include "tests/expectations.hpp"
 #include "tests/shared_cache.hpp"
 #include "tests/temporary_folder.hpp"

@@ -1,5 +1,4 @@
-#include "engine/theory/echo.hpp"
-
+#include "engine/theory/references.hpp"
 #include "engine/theory/wave_speeds.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "engine/theory/griffith.hpp"
+#include "engine/theory/references.hpp"
 
 #include <gtest/gtest.h>
 

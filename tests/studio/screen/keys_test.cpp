@@ -1,5 +1,4 @@
 #include "studio/screen/keymap.hpp"
-#include "studio/screen/list_view.hpp"
 #include "studio/screen/prompt.hpp"
 #include "tests/expectations.hpp"
 

@@ -1,0 +1,73 @@
+#include "studio/charts/chart.hpp"
+
+#include "engine/base/files.hpp"
+#include "engine/base/world_error.hpp"
+#include "studio/charts/chart_script.hpp"
+#include "studio/charts/gnuplot.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <cmath>
+#include <system_error>
+
+namespace rift::studio {
+
+namespace fs = std::filesystem;
+namespace {
+
+[[maybe_unused]] bool is_chart_name(const std::string& name) {
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
+  return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
+         std::all_of(name.begin(), name.end(), allowed);
+}
+
+bool has_points(const Chart& chart) {
+  const auto shown = [&](const ChartSeries& s) {
+    const auto points = drawable_points(s);
+    return std::any_of(points.begin(), points.end(), [&](std::size_t k) {
+      return (!chart.log_x || s.x[k] > 0.0) && (!chart.log_y || s.y[k] > 0.0);
+    });
+  };
+  return std::any_of(chart.series.begin(), chart.series.end(), shown);
+}
+
+bool has_points(const HeatMap& map) {
+  return std::any_of(map.value.begin(), map.value.end(), [](double v) { return std::isfinite(v); });
+}
+
+template <class AnyChart>  // Chart or HeatMap
+DrawnChart draw(const AnyChart& chart, const fs::path& given, const std::string& name) {
+  assert(is_chart_name(name));
+  const fs::path folder = given.empty() ? fs::path(".") : given;
+  if (!has_points(chart)) throw base::WorldError("draw", folder / name, "it has no points");
+  base::make_folder(folder);
+  DrawnChart drawn{folder / (name + ".svg"),
+                   folder / (name + ".png"),
+                   folder / (name + ".csv"),
+                   folder / (name + ".gp"),
+                   {}};
+  base::write_whole_file(drawn.data, chart_data(chart));
+  base::write_whole_file(drawn.script, chart_script(chart, name));
+  run_script(folder, name);
+  drawn.svg_text = inline_svg(base::read_whole_file(drawn.svg), name, plain_text(chart.title));
+  return drawn;
+}
+
+}  // namespace
+
+DrawnChart draw_chart(const Chart& chart, const fs::path& folder, const std::string& name) {
+  for ([[maybe_unused]] const ChartSeries& s : chart.series) {
+    assert(s.x.size() == s.y.size());
+    assert(s.error.empty() || s.error.size() == s.x.size());
+  }
+  return draw(chart, folder, name);
+}
+
+DrawnChart draw_chart(const HeatMap& map, const fs::path& folder, const std::string& name) {
+  assert(map.value.size() == map.x.size() * map.y.size());
+  assert(map.text.empty() || map.text.size() == map.value.size());
+  return draw(map, folder, name);
+}
+
+}  // namespace rift::studio

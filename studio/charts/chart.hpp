@@ -1,0 +1,82 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+// Charts of reports: plain data, drawn by gnuplot as a child process. The data (csv) and the script (gp)
+// stay beside the picture, so that a reader can restyle it.   [docs/adr/0004-charts-by-gnuplot.md]
+
+/// One curve or cloud of points. Its label is enhanced text (report/label.hpp) and empty to stay out of the
+/// key.
+struct ChartSeries {
+  enum class Style { line, points, line_points, dashed, band };
+  std::string label;
+  std::vector<double> x, y;  // same length; a point with a NaN is left out
+  std::vector<double>
+      error;  // half a bar's length, or half a band's width; empty for none, NaN where there is none
+  Style style = Style::line;
+  int colour =
+      0;  // into the palette, which gives shape and dash too; -1: a reference, black or grey and dashed
+};
+
+/// An end that is not given follows the data.
+struct AxisRange {
+  std::optional<double> min, max;
+};
+
+/// A moment or a stretch of the x axis, such as the echo of a boundary: a dotted line where the ends are
+/// equal, else a shaded span. The label stands above the frame.
+struct ChartMark {
+  double from = 0, to = 0;
+  std::string label;
+};
+
+/// All texts are enhanced text; axes carry their units: "tip position [mm]".
+struct Chart {
+  std::string title, x_label, y_label;
+  AxisRange x_range, y_range;
+  bool log_x = false, log_y = false;
+  bool key_outside = false;  // else inside, if a corner is free of data
+  std::vector<ChartSeries> series;
+  std::vector<ChartMark> marks;
+};
+
+/// Values on a grid of equal cells, whatever the distances of x and of y; cells of NaN stay white. Meant for
+/// some thousand cells at most: each is a rectangle of the svg.
+struct HeatMap {
+  std::string title, x_label, y_label, value_label;
+  std::vector<double> x, y;
+  std::vector<double> value;      // y.size() × x.size(), row by row, the first row at the bottom
+  std::vector<std::string> text;  // in the cells, as they are; empty, or as many as values
+  AxisRange value_range;
+};
+
+/// The files of a chart, and its svg as it can stand within an HTML page.
+struct DrawnChart {
+  std::filesystem::path svg, png, data, script;
+  std::string svg_text;  // no XML prolog; every id begins with the chart's name
+};
+
+/// Writes NAME.csv (series,x,y,error), NAME.gp, NAME.svg and NAME.png into `folder`, which is made if need
+/// be; former files of these names are replaced, each in one step. In that folder `gnuplot NAME.gp` draws the
+/// pictures anew.
+/// @param name  letters, digits, '_' and '-', the first a letter; within one HTML page no two charts of one
+/// name Throws results::WorldError where the chart has no points, a file cannot be written, gnuplot is not
+/// installed or refuses the script. Data and script then stay, pictures are whole or not there. Some 0.2 s,
+/// most of it gnuplot's.
+DrawnChart draw_chart(const Chart& chart, const std::filesystem::path& folder, const std::string& name);
+
+/// The same of a heat map; the csv is column,row,x,y,value,text.
+DrawnChart draw_chart(const HeatMap& map, const std::filesystem::path& folder, const std::string& name);
+
+/// A chart of a report, before it is drawn.
+struct NamedChart {
+  std::string name, caption;
+  Chart chart;
+};
+
+}  // namespace rift::studio

@@ -1,0 +1,150 @@
+#include "studio/charts/curves.hpp"
+
+#include "engine/theory/references.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rift::studio {
+
+ChartSeries echo_marks() { return {"first echo back", {}, {}, {}, ChartSeries::Style::points, -1}; }
+
+void mark_echo(ChartSeries& marks, const ChartSeries& curve, double echo) {
+  if (std::isnan(echo) || curve.x.empty() || echo < curve.x.front()) return;
+  const auto after = std::lower_bound(curve.x.begin() + 1, curve.x.end(), echo) - curve.x.begin();
+  const auto k = static_cast<std::size_t>(after);
+  if (k >= curve.x.size()) return;
+  const double part = (echo - curve.x[k - 1]) / (curve.x[k] - curve.x[k - 1]);
+  marks.x.push_back(echo);
+  marks.y.push_back(curve.y[k - 1] + part * (curve.y[k] - curve.y[k - 1]));
+}
+
+namespace {
+
+using Style = ChartSeries::Style;
+using Points = std::vector<std::pair<double, double>>;  // tip position over length, value
+
+constexpr double half_width = 0.02, between = 0.01;  // of the length
+
+std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const study::Evidence& evidence,
+                                                                  study::Selection selection) {
+  selection.elements = evidence.elements;
+  std::map<double, std::vector<study::SummaryRow>> rows;
+  for (const study::SummaryRow& row : evidence.rows)
+    if (study::selects(selection, row)) rows[study::number_in(row, "crack_velocity_over_cr")].push_back(row);
+  for (auto& [v, of_v] : rows)
+    std::sort(of_v.begin(), of_v.end(), [](const study::SummaryRow& a, const study::SummaryRow& b) {
+      return a.at("seed") < b.at("seed");
+    });
+  return rows;
+}
+
+Points fracture_points(const study::Evidence& evidence, const study::SummaryRow& row, const char* column) {
+  const study::SeriesTable table = evidence.series(row);
+  Points points;
+  for (std::size_t k = 0; k < table.phase.size(); ++k) {
+    const double value = table.at(column)[k];
+    if (table.phase[k] == "fracture" && !std::isnan(value))
+      points.emplace_back(table.at("tip_m")[k] / study::number_in(row, "length_m"), value);
+  }
+  return points;
+}
+
+/// Mean of all values near a position, for positions that all specimens reach.
+ChartSeries running_mean(const std::string& label, const std::vector<Points>& specimens, int colour) {
+  ChartSeries curve{label, {}, {}, {}, Style::line, colour};
+  double from = 0.0, to = 10.0;
+  Points all;
+  for (const Points& points : specimens) {
+    if (points.empty()) continue;
+    from = std::max(from, points.front().first), to = std::min(to, points.back().first);
+    all.insert(all.end(), points.begin(), points.end());
+  }
+  if (all.empty()) return curve;
+  for (double x = from + half_width; x <= to - half_width + 1e-9; x += between) {
+    double sum = 0.0;
+    int count = 0;
+    for (const auto& [at, value] : all)
+      if (std::abs(at - x) <= half_width) sum += value, ++count;
+    if (count > 0) curve.x.push_back(x), curve.y.push_back(sum / count);
+  }
+  return curve;
+}
+
+void set_up(Chart& chart) {
+  chart.x_label = "tip position / length [-]";
+  chart.x_range = {0.0, {}};
+  chart.key_outside = true;
+}
+
+std::string velocity_label(double v) { return fmt::format("{:g} c_r", v); }
+
+}  // namespace
+
+bool draw_ratio_against_position(Chart& chart, const study::Evidence& evidence, study::Selection selection) {
+  set_up(chart);
+  chart.y_label = "G_{ID} / G_{I0}, mean over 0.04 L [-]";
+  chart.y_range = {0.0, {}};
+  ChartSeries echo = echo_marks();
+  int colour = 0;
+  for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
+    std::vector<Points> specimens;
+    for (const study::SummaryRow& row : rows)
+      specimens.push_back(fracture_points(evidence, row, "ratio_with_damping"));
+    ChartSeries curve = running_mean(velocity_label(v), specimens, colour++);
+    if (curve.x.empty()) continue;
+    mark_echo(echo, curve, study::number_in(rows.front(), "echo_free_over_length"));
+    chart.series.push_back(std::move(curve));
+  }
+  if (!echo.x.empty()) chart.series.push_back(std::move(echo));
+  return !chart.series.empty();
+}
+
+bool draw_fracture_against_position(Chart& chart, const study::Evidence& evidence,
+                                    study::Selection selection) {
+  set_up(chart);
+  chart.y_label = "fracture energy [J]";
+  int colour = 0;
+  ChartSeries echo = echo_marks();
+  for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
+    ChartSeries curve{velocity_label(v), {}, {}, {}, Style::line, colour++};
+    for (const auto& [x, y] : fracture_points(evidence, rows.front(), "energy_fracture_j"))
+      curve.x.push_back(x), curve.y.push_back(y);
+    if (curve.x.empty()) continue;
+    mark_echo(echo, curve, study::number_in(rows.front(), "echo_free_over_length"));
+    chart.series.push_back(std::move(curve));
+  }
+  if (!echo.x.empty()) chart.series.push_back(std::move(echo));
+  return !chart.series.empty();
+}
+
+namespace {
+
+ChartSeries reference(const std::string& label, theory::Factor (*of)(double, double, theory::Plane)) {
+  ChartSeries series{label, {}, {}, {}, ChartSeries::Style::dashed, -1};
+  for (int k = 0; k <= 100; ++k) {
+    series.x.push_back(0.01 * k);
+    series.y.push_back(of(0.01 * k, 0.3, theory::Plane::stress).g);
+  }
+  return series;
+}
+
+}  // namespace
+
+Chart chart_of_references(const std::string& title) {
+  Chart chart;
+  chart.title = title;
+  chart.x_label = "crack velocity v / c_r [-]";
+  chart.y_label = "G_{ID} / G_{I0} [-]";
+  chart.x_range = {0.0, 1.05};
+  chart.y_range = {0.0, {}};
+  chart.key_outside = true;
+  chart.series = {reference("Broberg", theory::broberg), reference("Freund", theory::freund),
+                  reference("strip", theory::strip)};
+  return chart;
+}
+
+}  // namespace rift::studio

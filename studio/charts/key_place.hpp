@@ -1,0 +1,44 @@
+#pragma once
+
+#include "studio/charts/chart.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+// Where the texts of a chart find room: they never cover data.
+
+/// What an axis will show; positive on a logarithmic one, where there is anything positive.
+struct Span {
+  double min = 0, max = 1;
+};
+
+bool has_error(const ChartSeries& series);
+Span x_span(const Chart& chart);
+Span y_span(const Chart& chart);
+
+enum class KeyPlace { none, top_right, top_left, bottom_right, bottom_left, right, below };
+
+/// The corner that no curve, point or error bar enters, estimated from the letters of the labels; outside
+/// where there is none or the chart asks for it: to the right, or below where labels are so long that they
+/// would squeeze the plot.
+KeyPlace key_place(const Chart& chart, const Span& x, const Span& y);
+
+/// The height [px] at which a key outside is one column, or two below: gnuplot would squeeze the plot for
+/// more.
+int picture_height(const Chart& chart, KeyPlace place);
+
+/// The script's lines for the key, and for the margin that a key outside needs.
+std::string key_lines(const Chart& chart, KeyPlace place);
+
+/// Where a mark's label stands above the frame: in a row (0 is next to the frame) where it covers no other,
+/// centred over its mark, or at an end of the frame where it would leave the picture.
+struct MarkLabel {
+  enum class Side { centre, left, right };
+  int row = 0;
+  Side side = Side::centre;
+};
+std::vector<MarkLabel> mark_labels(const Chart& chart, KeyPlace place, const Span& x);
+
+}  // namespace rift::studio

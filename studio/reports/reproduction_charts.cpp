@@ -1,0 +1,235 @@
+#include "studio/reports/reproduction_charts.hpp"
+
+#include "engine/fracture/release.hpp"
+#include "studio/charts/curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace rift::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using Style = ChartSeries::Style;
+
+struct NamedSelection {
+  std::string label;
+  study::Selection selection;
+};
+
+study::Selection progressive(double relaxation, double zone) {
+  study::Selection s;
+  s.relaxation = relaxation, s.damage_zone_ratio = zone;
+  return s;
+}
+
+study::Selection with_elements(int elements, double length_m = 0.2) {
+  study::Selection s;
+  s.elements = elements, s.length_m = length_m;
+  return s;
+}
+
+study::Selection with_path(const std::string& path) {
+  study::Selection s;
+  s.path = path;
+  return s;
+}
+
+study::Selection with_step(const std::string& fraction) {
+  study::Selection s;
+  s.dt_fraction = fraction;
+  return s;
+}
+
+/// The curves of a chart against velocity, by claim.
+std::vector<NamedSelection> curves_for(const std::string& claim, int elements) {
+  const NamedSelection simple{"simple release", study::simple_release()},
+      surface{"simple, damped at the surface", study::simple_release("surface")},
+      total{"simple, damped everywhere", study::simple_release("all")},
+      linear{"progressive, linear, r_l = 1", {}};
+  const std::map<std::string, std::vector<NamedSelection>> table{
+      {"fig07", {simple}},
+      {"fig08", {simple, surface, total}},
+      {"fig11",
+       {{"linear", progressive(1.0, 1.0)},
+        {"square root", progressive(0.5, 1.0)},
+        {"quadratic", progressive(2.0, 1.0)}}},
+      {"fig12",
+       {{"r_l = 0.5", progressive(1.0, 0.5)},
+        {"r_l = 1", progressive(1.0, 1.0)},
+        {"r_l = 1.5", progressive(1.0, 1.5)}}},
+      {"fig14",
+       {{fmt::format("{} elements", elements / 4), with_elements(elements / 4)},
+        {fmt::format("{} elements", elements), with_elements(elements)},
+        {fmt::format("{} elements", 4 * elements), with_elements(4 * elements)}}},
+      {"fig15", {simple, surface, total, linear}},
+      {"sec3_specimens", {simple, linear}},
+      {"sec4_time_step",
+       {{"default step", {}},
+        {"0.17 of critical", with_step("0.17")},
+        {"0.085 of critical", with_step("0.085")}}},
+      {"sec4_longer", {{"200 mm", {}}, {"400 mm", with_elements(2 * elements, 0.4)}}},
+      {"sec5_paths", {{"0.4 H", with_path("0.4 H")}, {"0.5 H", {}}, {"0.6 H", with_path("0.6 H")}}},
+  };
+  const auto found = table.find(claim);
+  return found == table.end() ? std::vector<NamedSelection>{} : found->second;
+}
+
+ChartSeries series_of(const std::string& label, const study::Curve& curve, int colour) {
+  ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
+  for (const study::CurvePoint& p : curve) {
+    series.x.push_back(p.v);
+    series.y.push_back(study::mean_of(p.ratio));
+    series.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio)
+                                              : std::numeric_limits<double>::quiet_NaN());
+  }
+  return series;
+}
+
+bool against_velocity(Chart& chart, const study::Claim& claim, const study::Evidence& evidence) {
+  int colour = 0;
+  for (const NamedSelection& named : curves_for(claim.name, evidence.elements)) {
+    const study::Curve curve = study::curve_in(evidence, named.selection);
+    if (!curve.empty()) chart.series.push_back(series_of(named.label, curve, colour));
+    ++colour;
+  }
+  return colour > 0 && chart.series.size() > 3;
+}
+
+/// Rows of a selection and of the first specimen there is, velocities ascending.
+std::vector<study::SummaryRow> first_specimen(const study::Evidence& evidence, study::Selection selection) {
+  selection.elements = evidence.elements;
+  std::map<double, study::SummaryRow> rows;
+  for (const study::SummaryRow& row : evidence.rows) {
+    if (!study::selects(selection, row)) continue;
+    const auto [known, fresh] = rows.emplace(study::number_in(row, "crack_velocity_over_cr"), row);
+    if (!fresh && row.at("seed") < known->second.at("seed")) known->second = row;
+  }
+  std::vector<study::SummaryRow> list;
+  for (const auto& [v, row] : rows) list.push_back(row);
+  return list;
+}
+
+bool energies(Chart& chart, const study::Evidence& evidence) {
+  for (const study::SummaryRow& row : evidence.rows) {
+    if (!row.is_object() || study::text_in(row, "prestress_method") != "ramp") continue;
+    const study::SeriesTable table = evidence.series(row);
+    if (table.empty()) continue;
+    chart.x_label = "time [ms]";
+    chart.y_label = "energy [J]";
+    chart.series = {{"elastic", {}, {}, {}, Style::line, 0},
+                    {"kinetic", {}, {}, {}, Style::line, 1},
+                    {"fracture", {}, {}, {}, Style::line, 2},
+                    {"work of the grips", {}, {}, {}, Style::line, 3}};
+    for (std::size_t k = 0; k < table.phase.size(); ++k) {
+      const double kinetic =
+          table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_rotation_j")[k];
+      const double y[] = {table.at("energy_elastic_j")[k], kinetic, table.at("energy_fracture_j")[k],
+                          table.at("work_external_j")[k]};
+      for (std::size_t n = 0; n < chart.series.size(); ++n) {
+        chart.series[n].x.push_back(1e3 * table.at("time_s")[k]);
+        chart.series[n].y.push_back(y[n]);
+      }
+    }
+    return true;
+  }
+  return false;
+}
+
+bool release_energies(Chart& chart, const study::Evidence& evidence) {
+  chart.key_outside = true;
+  chart.x_label = "crack velocity v / c_r [-]";
+  chart.y_label = "energy at release, per beam [mJ]";
+  chart.y_range = {0.0, {}};
+  int colour = 0;
+  for (const NamedSelection& named : {NamedSelection{"simple release", study::simple_release()},
+                                      NamedSelection{"progressive, linear, r_l = 1", {}}}) {
+    ChartSeries series{named.label, {}, {}, {}, Style::line_points, colour++};
+    for (const study::SummaryRow& row : first_specimen(evidence, named.selection)) {
+      series.x.push_back(study::number_in(row, "crack_velocity_over_cr"));
+      series.y.push_back(1e3 * study::release_energy_per_beam(row));
+    }
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  return !chart.series.empty();
+}
+
+/// Stiffness left of a beam by its distance to the tip (Fig. 9), or by its own damage (Fig. 10), one curve a
+/// scheme.
+bool release_laws(Chart& chart, bool over_distance) {
+  chart.x_label = over_distance ? "distance ahead of the tip (s_b - a) / L_{CZM} [-]" : "damage b / l [-]";
+  chart.y_label = "stiffness left Y_1 / Y_2 [-]";
+  chart.y_range = {0.0, 1.1};
+  chart.key_outside = true;
+  int colour = 0;
+  for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {
+    ChartSeries curve{name, {}, {}, {}, Style::line, colour++};
+    const fracture::ReleaseLaw law{fracture::Technique::progressive, power, 1.0};
+    for (int k = over_distance ? -50 : 0; k <= (over_distance ? 150 : 100); ++k) {
+      const double x = 0.01 * k;
+      curve.x.push_back(x);
+      curve.y.push_back(over_distance ? fracture::stiffness_left(law, 0.0, x)
+                                      : fracture::stiffness_left(law, x, 1.0));
+    }
+    chart.series.push_back(std::move(curve));
+  }
+  if (over_distance) chart.marks = {{0.0, 1.0, "damage zone"}};
+  return true;
+}
+
+/// Fills the chart which the claim asks for; false where there is none, or nothing in it.
+bool fill(Chart& chart, const study::Claim& claim, const study::Evidence& evidence) {
+  if (claim.name == "fig09" || claim.name == "fig10") return release_laws(chart, claim.name == "fig09");
+  if (claim.name == "fig05") return energies(chart, evidence);
+  if (claim.name == "sec5_residual") return release_energies(chart, evidence);
+  if (claim.name == "fig06") return draw_ratio_against_position(chart, evidence, study::simple_release());
+  if (claim.name == "fig13") return draw_ratio_against_position(chart, evidence, {});
+  if (claim.name == "sec2_linear") return draw_fracture_against_position(chart, evidence, {});
+  const std::string title = chart.title;
+  chart = chart_of_references(title);
+  return claim.name == "fig01" || against_velocity(chart, claim, evidence);
+}
+
+}  // namespace
+
+std::vector<Figure> draw_figures(const study::Claim& claim, const study::Evidence& evidence,
+                                 const std::string& stiffness, const fs::path& folder) {
+  const bool of_theory = claim.name == "fig01" || claim.name == "fig09" || claim.name == "fig10";
+  if (of_theory && stiffness != "bulk") return {};
+  Chart chart;
+  chart.title = of_theory ? claim.artefact : fmt::format("{}, {} stiffness", claim.artefact, stiffness);
+  if (!claim.judge || !fill(chart, claim, evidence)) return {};
+  std::string name = of_theory ? claim.name : fmt::format("{}_{}", claim.name, stiffness);
+  std::replace(name.begin(), name.end(), '-', '_');  // gnuplot's svg takes no hyphen in a name
+  return {{draw_chart(chart, folder, name), chart.title}};
+}
+
+std::vector<Figure> draw_against_own_speed(const study::Evidence& evidence, const std::string& stiffness,
+                                           double nominal_over_own, const fs::path& folder) {
+  Chart chart =
+      chart_of_references(fmt::format("Fig. 15 over the specimen's own Rayleigh speed, {}", stiffness));
+  chart.x_label = "crack velocity over the measured Rayleigh speed v / c_R [-]";
+  chart.x_range = {0.0, std::max(1.05, 1.02 * nominal_over_own)};
+  int colour = 0;
+  for (const NamedSelection& named : {NamedSelection{"simple release", study::simple_release()},
+                                      NamedSelection{"progressive, linear, r_l = 1", {}}}) {
+    ChartSeries series = series_of(named.label, study::curve_in(evidence, named.selection), colour++);
+    for (double& x : series.x) x *= nominal_over_own;
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  if (chart.series.size() == 3) return {};
+  std::string name = fmt::format("fig15_own_speed_{}", stiffness);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return {
+      {draw_chart(chart, folder, name),
+       fmt::format(
+           "The same ratios against the velocity over the Rayleigh speed that this plate itself shows along "
+           "its edge: what is called 1.0 c_r is {:.3f} of that.",
+           nominal_over_own)}};
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,319 @@
+#include "studio/reports/stability_report.hpp"
+
+#include "engine/base/files.hpp"
+#include "engine/base/text.hpp"
+#include "engine/base/world_error.hpp"
+#include "studio/text/html.hpp"
+#include "studio/text/progress.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string seen_text(const stability::Seen& seen) {
+  if (seen.ending == stability::Ending::diverges && seen.caught_within >= 0)
+    return fmt::format("diverges, caught in {}", seen.caught_within);
+  return stability::name_of(seen.ending);
+}
+
+/// What a row has to say beside its numbers, short enough for a table.
+std::string remark(const stability::StabilityRow& row) {
+  std::string said = row.in_double.said;
+  if (const auto line_end = said.find('\n'); line_end != said.npos) said.resize(line_end);
+  constexpr std::size_t most = 120;
+  if (said.size() > most) said = said.substr(0, most - 3) + "...";
+  return said;
+}
+
+std::string csv_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' ? ' ' : c);
+  return quoted + "\"";
+}
+
+/// What of a claim a reader wants: a number where one is expected, or the bounds.
+std::string bounds_text(const stability::Claim& claim) {
+  const double middle = 0.5 * (claim.low + claim.high), slack = 0.5 * (claim.high - claim.low);
+  if (!std::isfinite(claim.high)) return fmt::format("at least {:.6g}", claim.low);
+  if (slack == 0.0) return fmt::format("{:.6g}", middle);
+  if (slack <= 0.05 * std::abs(middle) || middle == 0.0) return fmt::format("{:.6g} ± {:.1g}", middle, slack);
+  return fmt::format("{:.6g} to {:.6g}", claim.low, claim.high);
+}
+
+/// A number that is all but another one is shown by what they differ in.
+std::string seen_text(const stability::Claim& claim) {
+  const double middle = 0.5 * (claim.low + claim.high), off = claim.seen - middle;
+  const bool close = std::isfinite(middle) && std::abs(off) < 1e-5 * std::abs(middle);
+  return (close && off != 0.0 ? fmt::format("{:.6g} {:+.0e}", middle, off)
+                              : fmt::format("{:.6g}", claim.seen)) +
+         (claim.holds() ? "" : " FAILS");
+}
+
+/// Each claim of a row with what was seen in either precision; a precision without it has none.
+struct SeenClaim {
+  const stability::Claim *in_double = nullptr, *in_single = nullptr;
+  const stability::Claim& any() const { return in_double ? *in_double : *in_single; }
+};
+
+std::vector<SeenClaim> claims_of(const stability::StabilityRow& row) {
+  std::vector<SeenClaim> all;
+  for (const stability::Claim& claim : row.in_double.claims) all.push_back({&claim, nullptr});
+  for (const stability::Claim& claim : row.in_single.claims) {
+    const auto same = std::find_if(all.begin(), all.end(), [&](const SeenClaim& other) {
+      return other.in_double && !other.in_single && other.in_double->what == claim.what;
+    });
+    if (same == all.end())
+      all.push_back({nullptr, &claim});
+    else
+      same->in_single = &claim;
+  }
+  return all;
+}
+
+/// How many of a row's claims hold.
+std::string claims_text(const stability::StabilityRow& row) {
+  std::size_t held = 0, all = 0;
+  for (const stability::Seen* seen : {&row.in_double, &row.in_single})
+    for (const stability::Claim& claim : seen->claims) ++all, held += claim.holds() ? 1 : 0;
+  return all == 0 ? "" : fmt::format("{} of {}", held, all);
+}
+
+Json json_of(const stability::Seen& seen) {
+  const auto value = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
+  Json claims = Json::array();
+  for (const stability::Claim& claim : seen.claims)
+    claims.push_back({{"claim", claim.what},
+                      {"low", value(claim.low)},
+                      {"high", value(claim.high)},
+                      {"seen", value(claim.seen)},
+                      {"holds", claim.holds()}});
+  return {{"seen", stability::name_of(seen.ending)},
+          {"ledger_residual", value(seen.residual)},
+          {"ledger_limit", seen.limit},
+          {"growth", value(seen.growth)},
+          {"ratio_with_damping", value(seen.ratio)},
+          {"steps", seen.steps},
+          {"caught_within", seen.caught_within < 0 ? Json(nullptr) : Json(seen.caught_within)},
+          {"said", seen.said},
+          {"claims", claims},
+          {"wall_s", seen.wall_s}};
+}
+
+std::string csv_of(const std::vector<stability::StabilityRow>& rows) {
+  std::string csv =
+      "family,case,expected,growth_expected,precision,seen,ledger_residual,ledger_limit,growth,"
+      "ratio_with_damping,steps,caught_within,wall_s,said\n";
+  const auto value = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
+  for (const stability::StabilityRow& row : rows)
+    for (const bool single : {false, true}) {
+      const stability::Seen& s = single ? row.in_single : row.in_double;
+      csv += fmt::format(
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(row.family), csv_text(row.name),
+          stability::name_of(row.expected), value(row.growth), single ? "single" : "double",
+          stability::name_of(s.ending), value(s.residual), s.limit, value(s.growth), value(s.ratio), s.steps,
+          s.caught_within < 0 ? "" : std::to_string(s.caught_within), s.wall_s, csv_text(s.said));
+    }
+  return csv;
+}
+
+std::string claims_csv(const std::vector<stability::StabilityRow>& rows) {
+  std::string csv = "family,case,precision,claim,low,high,seen,holds\n";
+  const auto value = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
+  for (const stability::StabilityRow& row : rows)
+    for (const bool single : {false, true})
+      for (const stability::Claim& claim : (single ? row.in_single : row.in_double).claims)
+        csv += fmt::format("{},{},{},{},{},{},{},{}\n", csv_text(row.family), csv_text(row.name),
+                           single ? "single" : "double", csv_text(claim.what), value(claim.low),
+                           value(claim.high), value(claim.seen), claim.holds() ? 1 : 0);
+  return csv;
+}
+
+std::size_t as_expected(const std::vector<stability::StabilityRow>& rows) {
+  return static_cast<std::size_t>(std::count_if(
+      rows.begin(), rows.end(), [](const stability::StabilityRow& row) { return row.as_expected; }));
+}
+
+std::string verdict(const StabilityReport& report) {
+  return fmt::format("{} of {} cases are as expected, in both precisions; {}", as_expected(report.rows),
+                     report.rows.size(), duration_text(report.wall_s));
+}
+
+}  // namespace
+
+Table stability_table(const std::vector<stability::StabilityRow>& rows) {
+  Table table{{"case", "", "expected", "seen", "books, double", "single", "growth", "theory", "ratio",
+               "single", "shows", "s", ""},
+              {}};
+  std::string family;
+  for (const stability::StabilityRow& row : rows) {
+    const stability::Seen &a = row.in_double, &b = row.in_single;
+    const std::string first = seen_text(a), second = seen_text(b);
+    table.rows.push_back({row.family == family ? "" : row.family, row.name, stability::name_of(row.expected),
+                          first == second ? first : first + " / " + second, number_cell(a.residual, "{:.0e}"),
+                          number_cell(b.residual, "{:.0e}"), number_cell(a.growth, "{:.5f}"),
+                          number_cell(row.growth, "{:.5f}"), number_cell(a.ratio, "{:.4f}"),
+                          number_cell(b.ratio - a.ratio, "{:+.0e}"), claims_text(row),
+                          number_cell(a.wall_s + b.wall_s, "{:.1f}"),
+                          row.as_expected ? "" : "NOT AS EXPECTED"});
+    family = row.family;
+  }
+  return table;
+}
+
+Table claims_table(const std::vector<stability::StabilityRow>& rows) {
+  Table table{{"case", "", "must show", "expected", "double", "single"}, {}};
+  for (const stability::StabilityRow& row : rows) {
+    bool first = true;
+    for (const SeenClaim& claim : claims_of(row)) {
+      table.rows.push_back({first ? row.family : "", first ? row.name : "", claim.any().what,
+                            bounds_text(claim.any()), claim.in_double ? seen_text(*claim.in_double) : "",
+                            claim.in_single ? seen_text(*claim.in_single) : ""});
+      first = false;
+    }
+  }
+  return table;
+}
+
+std::string stability_text(const StabilityReport& report, bool color) {
+  std::string text = plain_table(stability_table(report.rows), color);
+  if (const Table claims = claims_table(report.rows); !claims.rows.empty())
+    text += "\n" + heading("What each case must show", color) + "\n" + plain_table(claims, color);
+  std::string said;
+  for (const stability::StabilityRow& row : report.rows)
+    if (const std::string words = remark(row); !words.empty())
+      said += fmt::format("  {}: {}\n    {}\n", row.family, row.name, words);
+  if (!said.empty()) text += "\n" + heading("What was said", color) + "\n" + said;
+  return text + "\n" + verdict(report) + "\n";
+}
+
+Json stability_json(const StabilityReport& report) {
+  Json rows = Json::array();
+  for (const stability::StabilityRow& row : report.rows)
+    rows.push_back({{"family", row.family},
+                    {"case", row.name},
+                    {"expected", stability::name_of(row.expected)},
+                    {"growth_expected", std::isfinite(row.growth) ? Json(row.growth) : Json(nullptr)},
+                    {"double", json_of(row.in_double)},
+                    {"single", json_of(row.in_single)},
+                    {"as_expected", row.as_expected}});
+  return {{"cases", rows},
+          {"as_expected", as_expected(report.rows)},
+          {"of", report.rows.size()},
+          {"wall_s", report.wall_s},
+          {"version", report.build.version}};
+}
+
+void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder) {
+  base::make_folder(folder);
+  base::write_whole_file(folder / "summary.json", base::json_text(stability_json(report), 2) + "\n");
+  base::write_whole_file(folder / "table.csv", csv_of(report.rows));
+  base::write_whole_file(folder / "claims.csv", claims_csv(report.rows));
+  std::string figures;
+  std::optional<base::WorldError> failure;
+  for (const NamedChart& named : stability_charts(report)) {
+    try {
+      figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
+    } catch (const base::WorldError& error) {
+      failure = error;
+      figures += html_paragraph(error.what());
+    }
+  }
+  Table said{{"case", "", "said"}, {}};
+  for (const stability::StabilityRow& row : report.rows)
+    if (!row.in_double.said.empty()) said.rows.push_back({row.family, row.name, row.in_double.said});
+  std::string body =
+      html_paragraph(fmt::format("{}. Made by `rift stability`, rift {} ({}).", verdict(report),
+                                 report.build.version, report.build.compiler));
+  body += html_section("Charts", figures) + html_section("Cases", html_table(stability_table(report.rows)));
+  body += html_section("What each case must show", html_table(claims_table(report.rows)));
+  body += html_section("What was said", html_table(said));
+  base::write_whole_file(folder / "report.html", html_page("Stiff and extreme cases", body));
+  if (failure) throw base::WorldError(*failure);
+}
+
+namespace {
+
+NamedChart growth_chart(const stability::GrowthCurve& curve) {
+  NamedChart named{"growth", {}, {}};
+  Chart& chart = named.chart;
+  chart.title = "Where explicit integration ends";
+  chart.x_label = "time step [2/{/Symbol w}_{max}]";
+  chart.y_label = "growth of the highest mode [ln per step]";
+  ChartSeries expected, seen;
+  expected.label = "theory, arcosh(2 x^2 - 1)";
+  expected.x = curve.step, expected.y = curve.expected;
+  seen.label = "measured", seen.style = ChartSeries::Style::points, seen.colour = 1;
+  seen.x = curve.step, seen.y = curve.seen;
+  chart.series = {std::move(expected), std::move(seen)};
+  chart.marks.push_back({curve.element_bound, curve.element_bound, "element bound"});
+  chart.marks.push_back({curve.iterated, curve.iterated, "Lanczos"});
+  double farthest = 0.0;
+  for (std::size_t k = 0; k < curve.step.size(); ++k)
+    farthest = std::max(farthest, std::abs(curve.seen[k] - curve.expected[k]));
+  named.caption = fmt::format(
+      "A lattice of 75 elements released in its highest mode: what a step does to its amplitude, fitted over "
+      "all "
+      "steps, against theory (largest distance {:.1e}). Up to the critical step nothing grows. The bound of "
+      "the "
+      "stiffest element is safe at {:.4f} of it; Lanczos iteration gives {:.6f}.",
+      farthest, curve.element_bound, curve.iterated);
+  return named;
+}
+
+/// Case by case, in the order of the table; zero residuals cannot be drawn.
+ChartSeries residuals(const std::vector<stability::StabilityRow>& rows, const char* label, int colour,
+                      stability::Seen stability::StabilityRow::*seen) {
+  ChartSeries series;
+  series.label = label, series.style = ChartSeries::Style::points, series.colour = colour;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const stability::Seen& s = rows[k].*seen;
+    const bool kept = s.ending == stability::Ending::closes || s.ending == stability::Ending::open;
+    if (!kept || !(s.residual > 0.0) || !std::isfinite(s.residual)) continue;
+    series.x.push_back(static_cast<double>(k + 1)), series.y.push_back(s.residual);
+  }
+  return series;
+}
+
+NamedChart residual_chart(const std::vector<stability::StabilityRow>& rows) {
+  NamedChart named{
+      "residuals",
+      "How far the energy books of each case that ran to its end are open, over the largest energy; the "
+      "numbers are those of the table's rows. Corotational books close as the square of the step does.",
+      {}};
+  Chart& chart = named.chart;
+  chart.title = "Books of stiff and extreme cases";
+  chart.x_label = "case";
+  chart.y_label = "largest residual of the books [-]";
+  chart.log_y = true;
+  chart.key_outside = true;
+  chart.series = {residuals(rows, "double", 0, &stability::StabilityRow::in_double),
+                  residuals(rows, "single", 1, &stability::StabilityRow::in_single)};
+  std::erase_if(chart.series, [](const ChartSeries& s) { return s.x.empty(); });
+  if (chart.series.empty()) return named;
+  for (const auto& [limit, label] : {std::pair{1e-10, "limit, double"}, std::pair{1e-3, "limit, single"}}) {
+    ChartSeries line{
+        .label = label, .x = {1.0, static_cast<double>(rows.size())}, .y = {limit, limit}, .error = {}};
+    line.colour = -1;
+    chart.series.push_back(std::move(line));
+  }
+  return named;
+}
+
+}  // namespace
+
+std::vector<NamedChart> stability_charts(const StabilityReport& report) {
+  std::vector<NamedChart> charts;
+  if (report.growth) charts.push_back(growth_chart(*report.growth));
+  charts.push_back(residual_chart(report.rows));
+  std::erase_if(charts, [](const NamedChart& named) { return named.chart.series.empty(); });
+  return charts;
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+// What there is to choose from: presets, and what has been computed.
+
+/// A preset as its opening comment tells it; texts it does not tell are empty.
+struct PresetEntry {
+  std::string name;
+  std::filesystem::path path;
+  std::string shows, cost;
+};
+
+/// The presets of a folder by name. Throws where it cannot be read.
+std::vector<PresetEntry> preset_entries(const std::filesystem::path& folder);
+
+/// A folder with a run or a study in it.
+struct RunEntry {
+  std::string name;
+  std::filesystem::path path;
+  std::string outcome;  // "finished", "stopped", "diverged", "unfinished", "study", "damaged"
+  std::string result;   // "0.519", "8 lanes", "12 of 30"
+  std::filesystem::file_time_type when;
+};
+
+/// The runs and studies of a folder, the latest first; none where there is no such folder.
+std::vector<RunEntry> run_entries(const std::filesystem::path& folder);
+
+}  // namespace rift::studio

@@ -1,0 +1,180 @@
+#include "studio/text/dry_run.hpp"
+
+#include "engine/base/process_limits.hpp"
+#include "engine/base/text.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/scene/needs.hpp"
+#include "engine/simulation/march.hpp"
+#include "engine/simulation/summary.hpp"
+#include "engine/theory/wave_speeds.hpp"
+#include "studio/text/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift::studio {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// Seconds per step on this machine, now: the run itself, for a moment.
+double measured_seconds_per_step(const simulation::Prepared& p, int threads) {
+  constexpr double enough_s = 0.3;
+  double seconds = 0.0;
+  std::int64_t steps = 0;
+  simulation::Observer observer;
+  observer.go_on = [&](const simulation::Progress& progress) {
+    seconds = progress.seconds, steps = progress.step;
+    return seconds < enough_s;
+  };
+  const simulation::RunResult result = simulation::march(p, observer, {.threads = threads});
+  if (result.outcome == simulation::Outcome::stopped) return seconds / static_cast<double>(steps);
+  return (result.wall_prestress_s + result.wall_fracture_s) / static_cast<double>(result.lane_steps);
+}
+
+/// Bytes that a frame of one field or another takes in the archive, before compression.
+double frame_bytes(const simulation::Prepared& p) {
+  double bytes = 0.0;
+  for (const std::string& field : p.preset.scene.output.fields)
+    bytes += field == "damage" ? 5.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size())
+                               : 12.0 * static_cast<double>(p.lattice.centre.size());
+  return bytes;
+}
+
+/// Journal and archive each hold the frames once; the geometry is small beside them.
+double disk_bytes(const simulation::Prepared& p) {
+  double bytes = 24.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size());
+  for (const simulation::LanePlan& lane : p.lane)
+    bytes += static_cast<double>(lane.schedule.frames.size()) * frame_bytes(p) +
+             200.0 * static_cast<double>(lane.schedule.samples.size());
+  return 2.0 * bytes;
+}
+
+/// What this process has taken at most so far: the scene has marched in it for a moment.
+double peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+std::int64_t steps_of_all(const simulation::Prepared& p) {
+  std::int64_t steps = 0;
+  for (const simulation::LanePlan& lane : p.lane) steps += lane.schedule.total();
+  return steps;
+}
+
+Json derived(const simulation::Prepared& p, double seconds_per_step) {
+  const scene::Scene& scene = p.preset.scene;
+  const scene::Scene::Material& m = scene.material;
+  const theory::WaveSpeeds speeds = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
+  const simulation::LanePlan& lane = p.lane.front();  // of several the first stands for all but the steps
+  const double fastest = scene::highest_velocity(lane.scene) * p.rayleigh_speed;
+  const double zone = lane.scenario.law.zone_length;
+  const double dt = p.step.dt * lane.units.time;
+  const double fracture_s = static_cast<double>(lane.schedule.fracture) * dt;
+  Json j;
+  j["elements"] = scene.specimen.elements;
+  j["beams"] = p.lattice.beam.size();
+  j["beams_crossed"] = fracture::crossings(p.path, p.lattice).size();
+  j["beams_damped"] = p.damped.size();
+  j["rattlers"] = p.specimen.rattlers;
+  j["mean_radius_m"] = p.lattice.mean_radius;
+  j["thickness_m"] = p.lattice.box.thickness;
+  j["density_kg_m3"] = p.density;
+  j["dilatational_speed_m_s"] = speeds.dilatational;
+  j["shear_speed_m_s"] = speeds.shear;
+  j["rayleigh_speed_m_s"] = p.rayleigh_speed;
+  j["micro_young_modulus_pa"] = p.micro.young_modulus * lane.units.energy;
+  j["tips"] = scene.crack.tips;
+  j["g_i0_j_m2"] = fracture::mean_g_i0(simulation::scale_of(p, lane), lane.window[0], lane.window[1]);
+  j["displacement_m"] = p.pulled;
+  j["grip_force_n"] = p.grip_force * lane.units.energy;
+  j["strain"] = p.pulled / p.lattice.box.height;
+  j["energy_stored_j"] = p.static_energy * lane.units.energy;
+  j["crack_speed_m_s"] = fastest;
+  j["crack_end_m"] = lane.crack_end;
+  j["window_m"] = lane.window;
+  j["echo_free_m"] = scene::echo_free_tip_m(lane.scene, simulation::wave_speed_ratio(p, lane));
+  j["damage_zone_m"] = zone;
+  j["dt_s"] = dt;
+  j["dt_critical_s"] = p.step.critical * lane.units.time;
+  j["dt_critical_damped_s"] = p.step.critical_damped * lane.units.time;
+  j["dt_element_bound_s"] = p.step.element_bound * lane.units.time;
+  j["dt_fraction"] = p.step.dt / p.step.critical;
+  j["lanes"] = p.lane.size();
+  j["steps"] = steps_of_all(p);
+  j["steps_per_beam"] = zone > 0.0 ? Json(zone / (fastest * dt)) : Json(nullptr);
+  j["fracture_time_s"] = fracture_s;
+  j["wall_estimate_s"] = seconds_per_step * static_cast<double>(steps_of_all(p));
+  j["disk_estimate_bytes"] = disk_bytes(p);
+  j["memory_estimate_bytes"] = peak_memory_bytes();
+  j["memory_available_bytes"] = base::available_memory_bytes();
+  j["left_out"] = scene::left_out(lane.scene);
+  return j;
+}
+
+/// Where the ratio is read, and up to where the plate is as good as infinite.
+std::string window_text(const Json& j) {
+  const auto mm = [](const Json& metres) { return 1e3 * metres.get<double>(); };
+  const double at = mm(j.at("echo_free_m"));
+  const std::string echo = std::isnan(at)   ? "when the first echo is back is not known"
+                           : std::isinf(at) ? "no echo catches up with the tip"
+                                            : fmt::format("the first echo is back at {:.4g} mm", at);
+  return fmt::format("measured from {:.4g} to {:.4g} mm; {}", mm(j.at("window_m")[0]),
+                     mm(j.at("window_m")[1]), echo);
+}
+
+}  // namespace
+
+Json dry_run(const simulation::Prepared& prepared, int threads) {
+  return derived(prepared, measured_seconds_per_step(prepared, threads));
+}
+
+std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  const auto number = [&](const char* key) { return j.at(key).get<double>(); };
+  const auto row = [&](const char* label, const std::string& text) { rows.emplace_back(label, text); };
+  row("lattice", fmt::format("{} elements, {} beams ({} crossed, {} damped), {} rattlers",
+                             base::json_text(j.at("elements")), base::json_text(j.at("beams")),
+                             base::json_text(j.at("beams_crossed")), base::json_text(j.at("beams_damped")),
+                             base::json_text(j.at("rattlers"))));
+  row("", fmt::format("mean radius {:.4f} mm, thickness {:.4g} mm", 1e3 * number("mean_radius_m"),
+                      1e3 * number("thickness_m")));
+  row("material", fmt::format("density {:.1f} kg/m³, micro modulus {:.1f} GPa", number("density_kg_m3"),
+                              1e-9 * number("micro_young_modulus_pa")));
+  row("waves",
+      fmt::format("dilatational {:.0f}, shear {:.0f}, Rayleigh {:.0f} m/s", number("dilatational_speed_m_s"),
+                  number("shear_speed_m_s"), number("rayleigh_speed_m_s")));
+  row("load", fmt::format("top grip moved by {:.4g} mm, {:.3g} % of the height; it pulls with {:.4g} N",
+                          1e3 * number("displacement_m"), 100 * number("strain"), number("grip_force_n")));
+  row("pre-stress",
+      fmt::format("{:.4g} J stored, G_I0 = {:.4g} J/m²", number("energy_stored_j"), number("g_i0_j_m2")));
+  row("crack", fmt::format("{}{:.0f} m/s to {:.4g} mm in {:.4g} ms, damage zone {:.4g} mm",
+                           number("tips") == 2 ? "two tips, half length at " : "", number("crack_speed_m_s"),
+                           1e3 * number("crack_end_m"), 1e3 * number("fracture_time_s"),
+                           1e3 * number("damage_zone_m")));
+  row("", window_text(j));
+  row("step",
+      fmt::format("{:.3e} s, {:.3g} of the critical {:.3e} s (safe for certain: {:.3e} s)", number("dt_s"),
+                  number("dt_fraction"), number("dt_critical_s"), number("dt_element_bound_s")));
+  if (number("dt_critical_damped_s") < number("dt_critical_s"))
+    row("", fmt::format("with damping the critical step is {:.4e} s", number("dt_critical_damped_s")));
+  row("steps", fmt::format("{}{}", base::json_text(j.at("steps")),
+                           j.at("steps_per_beam").is_null()
+                               ? std::string()
+                               : fmt::format(", {:.1f} for a beam to soften", number("steps_per_beam"))));
+  row("cost",
+      fmt::format(
+          "about {} after packing and pre-stress, {:.0f} of {:.0f} MB of memory, {:.0f} MB on disk at most",
+          duration_text(number("wall_estimate_s")), 1e-6 * number("memory_estimate_bytes"),
+          1e-6 * number("memory_available_bytes"), 1e-6 * number("disk_estimate_bytes")));
+  const char* label = "left out";
+  for (const auto& line : j.at("left_out")) row(label, line.get<std::string>()), label = "";
+  return rows;
+}
+
+}  // namespace rift::studio

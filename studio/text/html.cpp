@@ -1,0 +1,110 @@
+#include "studio/text/html.hpp"
+
+#include "engine/base/files.hpp"
+#include "engine/base/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace rift::studio {
+namespace {
+
+constexpr std::string_view style = R"(
+body { font: 16px/1.5 system-ui, sans-serif; color: #1a1a1a; background: #fff; max-width: 70em; margin: 2em auto;
+       padding: 0 1em; }
+h1 { font-size: 1.6em; } h2 { font-size: 1.25em; margin-top: 2em; border-bottom: 1px solid #ddd; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-size: 0.9em; font-variant-numeric: tabular-nums; }
+th, td { padding: 0.2em 0.8em; border-bottom: 1px solid #e4e4e4; text-align: left; white-space: nowrap; }
+th { border-bottom: 2px solid #888; }
+.n { text-align: right; } .t { white-space: normal; min-width: 16em; }
+figure { margin: 1em 0; } figure svg, figure img { max-width: 100%; height: auto; }
+figcaption { color: #555; font-size: 0.9em; }
+)";
+
+constexpr std::size_t longest_on_one_line = 40;
+
+std::string cell(const char* tag, const std::string& text, bool to_the_right) {
+  const char* look = to_the_right ? " class=\"n\"" : text.size() > longest_on_one_line ? " class=\"t\"" : "";
+  return fmt::format("<{0}{1}>{2}</{0}>", tag, look, html_escape(text));
+}
+
+/// Base64   [RFC 4648, section 4].
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const std::size_t here = std::min<std::size_t>(3, bytes.size() - at);
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      three = three << 8 | (k < here ? static_cast<unsigned char>(bytes[at + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= here ? letters[three >> (18 - 6 * k) & 63] : '=';
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string html_escape(std::string_view text) {
+  std::string out;
+  for (const char c : base::escaped(text, "\n\t")) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string html_page(std::string_view title, std::string_view body) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
+      html_escape(title), style, body);
+}
+
+std::string html_section(std::string_view title, std::string_view body) {
+  return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", html_escape(title), body);
+}
+
+std::string html_paragraph(std::string_view text) { return fmt::format("<p>{}</p>\n", html_escape(text)); }
+
+std::string html_table(const Table& table) {
+  std::string out = "<div class=\"wide\"><table>\n<tr>";
+  std::vector<char> right;
+  for (std::size_t k = 0; k < table.head.size(); ++k) {
+    bool numbers = true;
+    for (const auto& row : table.rows) numbers = numbers && is_numeric(row[k]);
+    right.push_back(numbers);
+    out += cell("th", table.head[k], numbers);
+  }
+  out += "</tr>\n";
+  for (const auto& row : table.rows) {
+    out += "<tr>";
+    for (std::size_t k = 0; k < row.size(); ++k) out += cell("td", row[k], right[k]);
+    out += "</tr>\n";
+  }
+  return out + "</table></div>\n";
+}
+
+std::string html_figure(std::string_view svg, std::string_view caption) {
+  return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", svg, html_escape(caption));
+}
+
+std::string html_picture(const std::filesystem::path& png, std::string_view caption) {
+  return fmt::format(
+      "<figure>\n<img alt=\"{0}\" "
+      "src=\"data:image/png;base64,{1}\">\n<figcaption>{0}</figcaption>\n</figure>\n",
+      html_escape(caption), base64(base::read_whole_file(png)));
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,72 @@
+#include "studio/text/table.hpp"
+
+#include "engine/base/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift::studio {
+namespace {
+
+/// A column is set to the right if all its cells are numbers.
+bool is_numeric_column(const Table& table, std::size_t column) {
+  return std::all_of(table.rows.begin(), table.rows.end(),
+                     [&](const auto& row) { return is_numeric(row[column]); });
+}
+
+Table escaped_cells(Table table) {
+  for (std::string& cell : table.head) cell = base::escaped(cell);
+  for (auto& row : table.rows)
+    for (std::string& cell : row) cell = base::escaped(cell);
+  return table;
+}
+
+std::string line_of(const std::vector<std::string>& cells, const std::vector<std::size_t>& width,
+                    const std::vector<char>& to_the_right) {
+  std::string line;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const std::string space(width[k] - width_of(cells[k]), ' ');
+    line += (k > 0 ? "  " : "") + (to_the_right[k] ? space + cells[k] : cells[k] + space);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+}  // namespace
+
+std::string heading(std::string_view text, bool color) {
+  const std::string harmless = base::escaped(text);
+  return color ? fmt::format("\033[1m{}\033[0m", harmless) : harmless;
+}
+
+std::string number_cell(double value, std::string_view format) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+bool is_numeric(const std::string& cell) {
+  constexpr std::string_view of_numbers = "0123456789.+-e \xC2\xB1";
+  return cell.find_first_not_of(of_numbers) == std::string::npos;
+}
+
+std::string plain_table(const Table& raw, bool color) {
+  const Table table = escaped_cells(raw);
+  std::vector<std::size_t> width;
+  std::vector<char> to_the_right;
+  for (std::size_t k = 0; k < table.head.size(); ++k) {
+    width.push_back(width_of(table.head[k]));
+    for (const auto& row : table.rows) width[k] = std::max(width[k], width_of(row[k]));
+    to_the_right.push_back(is_numeric_column(table, k));
+  }
+  std::string out = heading(line_of(table.head, width, to_the_right), color) + "\n";
+  for (const auto& row : table.rows) out += line_of(row, width, to_the_right) + "\n";
+  return out;
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rift::studio {
+
+/// A table as it is read: texts, equally many in each row. Terminal and report show the same one.
+struct Table {
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// The text as a heading: escaped, bold where `color`.
+std::string heading(std::string_view text, bool color);
+
+/// Columns two spaces apart under their heads, numbers (with their ±) to the right; the head bold where
+/// `color`. What a cell holds is escaped.
+std::string plain_table(const Table& table, bool color);
+
+/// A number by fmt's format, "-" where it is none or infinite.
+std::string number_cell(double value, std::string_view format = "{:.4g}");
+
+/// Letters that a UTF-8 text takes on a terminal.
+std::size_t width_of(const std::string& text);
+
+/// Whether a cell is set to the right: "0.5", "-0.012", "0.566 ± 0.088", "-".
+bool is_numeric(const std::string& cell);
+
+}  // namespace rift::studio
