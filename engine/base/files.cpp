@@ -157,10 +157,25 @@ std::string target_name(const std::string& name) {
   return name.ends_with(temporary_ending) ? name.substr(0, name.size() - temporary_ending.size()) : name;
 }
 
+namespace {
+
+/// Whether a process of this machine is gone, or has ended and waits for a parent that does not ask
+/// (containers without an init keep such for ever).
+bool has_ended(pid_t process) {
+  if (::kill(process, 0) != 0) return errno == ESRCH;
+  std::ifstream status(fmt::format("/proc/{}/stat", process));
+  const std::string text{std::istreambuf_iterator<char>(status), {}};
+  const std::size_t name_end = text.rfind(')');  // "PID (NAME) STATE ..."
+  return name_end != text.npos && name_end + 2 < text.size() &&
+         (text[name_end + 2] == 'Z' || text[name_end + 2] == 'X');
+}
+
+}  // namespace
+
 bool is_leftover(const std::filesystem::path& part) {
   const auto name = read_temporary_name(part.filename().string());
   if (!name) return part.extension() == temporary_ending;
-  if (name->host == host_name()) return ::kill(name->process, 0) != 0 && errno == ESRCH;
+  if (name->host == host_name()) return has_ended(name->process);
   std::error_code error;
   const auto changed = std::filesystem::last_write_time(part, error);
   return !error && std::filesystem::file_time_type::clock::now() - changed > std::chrono::hours(24);

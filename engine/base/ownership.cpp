@@ -37,7 +37,7 @@ void remove_made(const std::vector<fs::path>& made) {
 }
 
 void try_to_write_into(const fs::path& folder) {
-  const fs::path probe = temporary_name(folder / ".rift_probe");
+  const fs::path probe = temporary_name(folder / probe_name);
   std::error_code ignored;
   try {
     AppendFile file(probe);

@@ -36,6 +36,9 @@ class FolderLock {
   bool kept_ = false;
 };
 
+/// What a folder is tried with; a process that is killed in the middle leaves it, under a temporary name.
+inline constexpr const char* probe_name = ".rift_probe";
+
 /// A folder made with its parents if need be, tried whether it can be written to, freed of what killed
 /// processes have left (`.part`), and owned by this process while the object lives. Folders that it made and
 /// that are still empty at the end are removed again.

@@ -41,7 +41,7 @@ bool is_run_file(const std::string& file) {
   const std::string name = base::target_name(file);  // what a kill has left is ours as well
   return name == journal_name || name == archive_name || name == series_name || name == summary_name ||
          name == gauges_name || name == steering_name || has_affixes(name, "checkpoint", ".h5") ||
-         is_picture(name) || is_put_aside(name);
+         is_picture(name) || is_put_aside(name) || name == base::probe_name;
 }
 
 bool is_measured_folder(std::string_view name) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <map>
 #include <string>
 #include <vector>
@@ -106,6 +107,47 @@ class Sweep {
   Counts limit_files(int blocks) {
     return outcome_of(fmt::format("{} ulimit -f {}", case_.name, blocks), "",
                       fmt::format("ulimit -f {}; ", blocks));
+  }
+
+  /// The undisturbed command's time [s], as a user waits for it.
+  double seconds() {
+    copy_to(work());
+    const auto start = std::chrono::steady_clock::now();
+    (void)run(case_.command, "");
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// A signal reaches the command after so long: a killed one may leave anything that the next command can go
+  /// on from; a stopped one ends by itself, as quickly as a batch system gives it time (10 s), or was done.
+  Counts stop(const char* signal, double after_s) {
+    copy_to(work());
+    const std::string wrapper =
+        fmt::format("timeout --preserve-status -k 10 -s {} {:.3f} rift ", signal, after_s);
+    const bool killed = std::string(signal) == "KILL";
+    const Ran ran = run(replaced(case_.command, "rift ", wrapper), "");
+    Counts counts;
+    const auto fault = [&](int Counts::*kind, const std::string& text) {
+      ++(counts.*kind);
+      counts.details.push_back(fmt::format("{} {} after {:.3f} s: {}: exit {}: {}", case_.name, signal,
+                                           after_s, text, ran.exit_code, ran.err));
+    };
+    if (ran.exit_code == 0) {
+      has_results() ? ++counts.unharmed : (fault(&Counts::wrong, "wrong results"), 0);
+      return counts;
+    }
+    if (!killed && ran.exit_code == 137) {
+      fault(&Counts::hung, "hung");
+    } else if (ran.exit_code != (killed ? 137 : 143)) {
+      fault(&Counts::crashed, "ended otherwise");
+    } else if (has_half_a_file()) {
+      fault(&Counts::half_a_file, "half a file");
+    } else {
+      ++counts.said;
+    }
+    const Ran again = run(case_.again, "");
+    if (again.exit_code != 0 || !has_results())
+      fault(&Counts::not_resumable, fmt::format("not resumable ({}: {})", again.exit_code, again.err));
+    return counts;
   }
 
   /// The largest file that the command leaves [blocks of 512 bytes].
@@ -225,9 +267,9 @@ inline Case run_case() {
 inline Case resume_case() {
   return {
       "resume",
-      plate("[crack]\nvelocity = \"0.005 c_r\"\nend = \"30 mm\"\n") +
-          "for limit in 0.1 0.2 0.4 0.8 1.6 3.2; do timeout -s TERM $limit " + quiet_run +
-          " --force --checkpoint '1 us' >/dev/null 2>&1; test -e {}/out/checkpoint.h5 && break; done; "
+      plate("[crack]\nvelocity = \"0.003 c_r\"\nend = \"30 mm\"\n") + quiet_run +
+          " --checkpoint '1 us' >/dev/null 2>&1 & run=$!; while kill -0 $run 2>/dev/null; do "
+          "if [ -e {}/out/checkpoint.h5 ]; then kill -TERM $run; break; fi; done; wait $run; "
           "test -e {}/out/checkpoint.h5",
       "rift resume {}/out --threads 1 --quiet",
       "if [ -e {}/out/journal.rift ]; then rift resume {}/out --quiet; else " + quiet_run + " --force; fi",
@@ -272,7 +314,7 @@ inline Case experiment_case() {
               "{ echo 'time [us];position [mm]'; for k in 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16; do "
               "echo \"$((2 * k));$((5 + 2 * k))\"; done; } > {}/measured.csv",
           command,
-          "rm -rf {}/out; " + command,
+          command + " --force",
           // The first line of a law names the preset's folder.
           "test -s {}/out/report.html && "
           "grep -hv '^#' {}/out/toughness_velocity.csv {}/out/toughness_position.csv > {}/all.csv",
@@ -285,7 +327,7 @@ inline Case calibrate_case() {
       "rift calibrate --young '3.2 GPa' --poisson 0.25 --out {}/out --quiet --set calibration.elements=300 "
       "--set calibration.packings=2 --set 'calibration.radius_ratios=[0.2, 0.4, 0.8]' "
       "--set 'calibration.sizes=[200, 300]'";
-  return {"calibrate",          "", command, "rm -rf {}/out; " + command, "test -s {}/out/report.html",
+  return {"calibrate",          "", command, command + " --force", "test -s {}/out/report.html",
           {"out/material.toml"}};
 }
 
@@ -294,7 +336,7 @@ inline Case pack_case() {
   return {"pack",
           plate(crack),
           command,
-          "rm -rf {}/out; " + command,
+          command + " --force",
           "test -s {}/out/report.html",
           {"out/elements.csv"}};
 }

@@ -173,5 +173,21 @@ TEST(Leftovers, OfProcessesThatAreGoneAreRemovedAndNoOthers) {
                                                              "download.part", "table.csv"}));
 }
 
+// In a container without an init process an ended process keeps its number for ever.
+TEST(Leftovers, OfAProcessThatNobodyHasAskedForSinceItEndedAreRemoved) {
+  const TemporaryFolder scratch;
+  const pid_t child = fork();
+  if (child == 0) {
+    write_text(temporary_name(scratch / "table.csv"), "");
+    _exit(0);
+  }
+  siginfo_t ended;
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);  // and leave it as it is
+  ASSERT_EQ(names_in(scratch.path()).size(), 1U);
+  remove_leftovers(scratch.path());
+  EXPECT_TRUE(names_in(scratch.path()).empty());
+  waitpid(child, nullptr, 0);
+}
+
 }  // namespace
 }  // namespace rift::base

@@ -88,6 +88,14 @@ TEST(RunFolder, ForceRemovesOnlyWhatRiftWrote) {
   EXPECT_FALSE(fs::exists(scratch / "measure"));
 }
 
+// Its process may have run on another machine, so that nothing says whether it is gone.
+TEST(RunFolder, ForceReplacesWhatAProcessKilledWhileItTriedTheFolderHasLeft) {
+  const TemporaryFolder scratch;
+  write_text(scratch / ".rift_probe.elsewhere-77-0123abcd.part", "rift");
+  create_run_folder(scratch.path(), true);
+  EXPECT_TRUE(fs::is_empty(scratch.path()));
+}
+
 TEST(RunFolder, ForceRefusesAFolderThatHoldsNoRun) {
   const TemporaryFolder scratch;
   write_text(scratch / "thesis.tex", "x");
