@@ -73,8 +73,9 @@ Scattered scattered(const std::vector<double>& values) {
 
 OutOfReach::OutOfReach(double wanted, std::array<double, 2> range)
     : std::runtime_error(
-          fmt::format("{:.4g} is out of reach of these beams: the cylinders show {:.3f} to {:.3f}", wanted,
-                      range[0], range[1])),
+          fmt::format("{:.4g} is out of reach of these beams: the cylinders show {:.3f} to {:.3f} at "
+                      "calibration.radius_ratios",
+                      wanted, range[0], range[1])),
       attainable(range) {}
 
 std::vector<CylinderTest> cylinders_for(const scene::Scene& scene, int elements,

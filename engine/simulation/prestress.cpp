@@ -48,7 +48,10 @@ lattice::MicroMaterial reference_micro(const scene::Preset& preset, base::Cache&
   } catch (const calibration::OutOfReach& error) {
     throw scene::InputError({scene::issue_at(preset, "material.poisson_ratio", error.what())});
   } catch (const packing::PackingError& error) {
-    throw scene::InputError({scene::issue_at(preset, "calibration.elements", error.what())});
+    throw scene::InputError(
+        {scene::issue_at(preset, "calibration.elements",
+                         fmt::format("{}, in one of the {} cylinders of calibration.packings", error.what(),
+                                     scene.calibration.packings))});
   }
 }
 
