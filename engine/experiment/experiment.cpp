@@ -5,9 +5,9 @@
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/kept_parts.hpp"
+#include "engine/measurement/specimen_properties.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/simulation/own_numbers.hpp"
 #include "engine/simulation/record.hpp"
 #include "engine/simulation/summary.hpp"
 
@@ -216,7 +216,7 @@ class Laboratory {
     for (int k = 0; k < static_parts; ++k) {
       if (!progress_("quasi-static", static_cast<double>(k) / static_parts))
         throw base::Interrupted("the quasi-static plates were solved");
-      part_rates.push_back(simulation::quasi_static_rates(p, {at[k], at[k + 1]}).front());
+      part_rates.push_back(measurement::quasi_static_rates(p, {at[k], at[k + 1]}).front());
     }
     // Over two parts each: the few beams between two positions scatter.
     for (int k = 1; k < static_parts; ++k) rates.push_back(0.5 * (part_rates[k - 1] + part_rates[k]));

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "engine/calibration/cylinders.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/theory/wave_speeds.hpp"
 
-namespace rift::calibration {
+namespace rift::measurement {
 
 enum class WaveKind { dilatational, shear, rayleigh };
 
@@ -28,6 +28,6 @@ struct Wave {
 /// @param[in] threads   0 for one per available CPU
 /// Cost of some hundred steps for eight waves at once. Throws Interrupted.
 std::vector<Wave> measured_waves(const lattice::Lattice& plate, double dt, const theory::WaveSpeeds& expected,
-                                 int threads = 0, const CalibrationProgress& progress = {});
+                                 int threads = 0, const base::FractionTold& progress = {});
 
-}  // namespace rift::calibration
+}  // namespace rift::measurement

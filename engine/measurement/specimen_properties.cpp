@@ -1,4 +1,4 @@
-#include "engine/simulation/own_numbers.hpp"
+#include "engine/measurement/specimen_properties.hpp"
 
 #include "engine/base/interrupted.hpp"
 #include "engine/calibration/pull.hpp"
@@ -9,11 +9,11 @@
 
 #include <limits>
 
-namespace rift::simulation {
+namespace rift::measurement {
 namespace {
 
 /// Of the plate at rest with its beams as the first lane's law leaves them when the tip is at `tip` [J].
-double energy_cut_to(const Prepared& p, double tip, const base::FractionTold& told) {
+double energy_cut_to(const simulation::Prepared& p, double tip, const base::FractionTold& told) {
   const lattice::Kinematics kinematics = p.preset.scene.solver.kinematics;
   const scene::Scene::Loading& loading = p.preset.scene.loading;
   const lattice::Pull pull(p.pulled, loading.tilt, loading.shear);
@@ -37,7 +37,7 @@ double energy_cut_to(const Prepared& p, double tip, const base::FractionTold& to
 
 }  // namespace
 
-std::vector<double> quasi_static_rates(const Prepared& p, const std::vector<double>& tip,
+std::vector<double> quasi_static_rates(const simulation::Prepared& p, const std::vector<double>& tip,
                                        const base::FractionTold& told) {
   const auto solving = [&](std::size_t k) -> base::FractionTold {
     return [&told, k, all = static_cast<double>(tip.size())](double done) {
@@ -54,7 +54,7 @@ std::vector<double> quasi_static_rates(const Prepared& p, const std::vector<doub
   return rate;
 }
 
-double quasi_static_ratio(const Prepared& p, const std::array<double, 2>& window,
+double quasi_static_ratio(const simulation::Prepared& p, const std::array<double, 2>& window,
                           const base::FractionTold& told) {
   const double faces = p.scale.thickness * (window[1] - window[0]) * p.scale.tips;
   const double before = energy_cut_to(p, window[0], [&](double done) { return !told || told(0.5 * done); });
@@ -65,14 +65,13 @@ double quasi_static_ratio(const Prepared& p, const std::array<double, 2>& window
 
 namespace {
 
-const char* name_of(calibration::WaveKind kind) {
-  return kind == calibration::WaveKind::dilatational ? "dilatational"
-         : kind == calibration::WaveKind::shear      ? "shear"
-                                                     : "rayleigh";
+const char* name_of(WaveKind kind) {
+  return kind == WaveKind::dilatational ? "dilatational" : kind == WaveKind::shear ? "shear" : "rayleigh";
 }
 
 /// The plate that hangs together, in the first lane's units.
-lattice::Lattice free_plate(const Prepared& p, base::Cache& cache, const base::FractionTold& told) {
+lattice::Lattice free_plate(const simulation::Prepared& p, base::Cache& cache,
+                            const base::FractionTold& told) {
   bool found = false;
   const scene::Scene& scene = p.preset.scene;
   const packing::PackingRequest request = scene::request_of(scene);
@@ -85,14 +84,14 @@ lattice::Lattice free_plate(const Prepared& p, base::Cache& cache, const base::F
 
 }  // namespace
 
-double OwnNumbers::speed(calibration::WaveKind kind) const {
-  for (const calibration::Wave& wave : waves)
+double SpecimenProperties::speed(WaveKind kind) const {
+  for (const Wave& wave : waves)
     if (wave.kind == kind) return wave.speed;
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-OwnNumbers measure_own_numbers(const Prepared& p, base::Cache& cache, const StageProgress& progress,
-                               int threads) {
+SpecimenProperties measure_specimen(const simulation::Prepared& p, base::Cache& cache,
+                                    const simulation::StageProgress& progress, int threads) {
   const auto telling = [&](const char* stage, double from, double share) -> base::FractionTold {
     return [&progress, stage, from, share](double done) {
       return !progress || progress(stage, from + share * done);
@@ -100,7 +99,7 @@ OwnNumbers measure_own_numbers(const Prepared& p, base::Cache& cache, const Stag
   };
   const scene::Scene::Material& m = p.preset.scene.material;
   const lattice::Lattice plate = free_plate(p, cache, telling("packing", 0.0, 1.0));
-  OwnNumbers own;
+  SpecimenProperties own;
   own.nominal = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
   base::tell_or_stop(telling("static pulls", 0.0, 1.0), 0.0, "pulling the plate");
   lattice::FreeBody body(plate);
@@ -112,13 +111,13 @@ OwnNumbers measure_own_numbers(const Prepared& p, base::Cache& cache, const Stag
   const theory::WaveSpeeds expected =
       theory::wave_speeds(own.young_along, own.poisson_along, p.density, theory::Plane::stress);
   const double dt = 0.5 * p.stable.critical * p.lane.front().units.time;
-  own.waves = calibration::measured_waves(plate, dt, expected, threads, telling("waves", 0.0, 1.0));
+  own.waves = measured_waves(plate, dt, expected, threads, telling("waves", 0.0, 1.0));
   return own;
 }
 
-nlohmann::ordered_json json_of(const OwnNumbers& own, double mean_radius) {
+nlohmann::ordered_json json_of(const SpecimenProperties& own, double mean_radius) {
   nlohmann::ordered_json waves = nlohmann::ordered_json::array();
-  for (const calibration::Wave& wave : own.waves)
+  for (const Wave& wave : own.waves)
     waves.push_back({{"kind", name_of(wave.kind)},
                      {"wavelength_m", wave.wavelength},
                      {"wavelength_over_radius", wave.wavelength / mean_radius},
@@ -130,10 +129,10 @@ nlohmann::ordered_json json_of(const OwnNumbers& own, double mean_radius) {
           {"nominal_dilatational_speed_m_s", own.nominal.dilatational},
           {"nominal_shear_speed_m_s", own.nominal.shear},
           {"nominal_rayleigh_speed_m_s", own.nominal.rayleigh},
-          {"measured_dilatational_speed_m_s", own.speed(calibration::WaveKind::dilatational)},
-          {"measured_shear_speed_m_s", own.speed(calibration::WaveKind::shear)},
-          {"measured_rayleigh_speed_m_s", own.speed(calibration::WaveKind::rayleigh)},
+          {"measured_dilatational_speed_m_s", own.speed(WaveKind::dilatational)},
+          {"measured_shear_speed_m_s", own.speed(WaveKind::shear)},
+          {"measured_rayleigh_speed_m_s", own.speed(WaveKind::rayleigh)},
           {"waves", waves}};
 }
 
-}  // namespace rift::simulation
+}  // namespace rift::measurement

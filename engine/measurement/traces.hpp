@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/experiment/instruments.hpp"
+#include "engine/measurement/instruments.hpp"
 #include "engine/scene/units.hpp"
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rift::experiment {
+namespace rift::measurement {
 
 /// What one instrument recorded, in the measurement's clock.
 struct Trace {
@@ -35,4 +35,4 @@ struct TraceDistance {
 /// Nothing where the trace covers none of its times.
 std::optional<TraceDistance> distance_between(const Trace& trace, const Trace& measured);
 
-}  // namespace rift::experiment
+}  // namespace rift::measurement

@@ -1,4 +1,4 @@
-#include "engine/experiment/intensity.hpp"
+#include "engine/measurement/intensity.hpp"
 
 #include "engine/theory/wave_speeds.hpp"
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace rift::experiment {
+namespace rift::measurement {
 namespace {
 
 constexpr double off_edges = 0.9;  // of the way to the nearest edge: at it the expansion ends
@@ -39,7 +39,7 @@ struct IntensityReading::Tip {
 };
 
 IntensityReading::IntensityReading(fracture::CrackPath path, const Eigen::Vector2d& plate_size,
-                                   const measurement::ElasticPlate& plate, const Ring& ring,
+                                   const ElasticPlate& plate, const Ring& ring,
                                    const std::vector<results::Sample>& books,
                                    const fracture::RateScale& scale)
     : path_(std::move(path)),
@@ -84,13 +84,13 @@ void IntensityReading::fit(IntensityPoint& seen, const Tip& tip, const SeenField
     moved.push_back(tip.turned(field.motion[p]->u.head<2>()));
   }
   const double beside = reach * ring_.beside_faces;
-  const measurement::NearTip near(plate_, seen.over_cr * rayleigh_);
-  const measurement::IntensityFit ring{.inner = ring_.inner,
-                                       .outer = std::min(ring_.outer, clear.radius),
-                                       .beside_faces = ring_.beside_faces,
-                                       .terms = terms};
-  if (!measurement::fit_intensity(near, from_tip, moved, ring)) return void(seen.why = NoFit::points);
-  seen.k = measurement::locate_intensity(near, from_tip, moved, ring, {beside, beside + ring_.zone});
+  const NearTip near(plate_, seen.over_cr * rayleigh_);
+  const IntensityFit ring{.inner = ring_.inner,
+                          .outer = std::min(ring_.outer, clear.radius),
+                          .beside_faces = ring_.beside_faces,
+                          .terms = terms};
+  if (!fit_intensity(near, from_tip, moved, ring)) return void(seen.why = NoFit::points);
+  seen.k = locate_intensity(near, from_tip, moved, ring, {beside, beside + ring_.zone});
   if (!seen.k) seen.why = NoFit::tip;
 }
 
@@ -130,7 +130,7 @@ double arc_of_tip(const fracture::CrackPath& path, double tip) {
   return path.tips == 2 ? 0.5 * fracture::length_of(path) + tip : tip;
 }
 
-measurement::PartedAt parted_by(const fracture::CrackPath& path) {
+PartedAt parted_by(const fracture::CrackPath& path) {
   return
       [path, middle = 0.5 * fracture::length_of(path)](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
         const std::optional<double> arc = fracture::first_crossing(path, a, b);
@@ -139,4 +139,4 @@ measurement::PartedAt parted_by(const fracture::CrackPath& path) {
       };
 }
 
-}  // namespace rift::experiment
+}  // namespace rift::measurement

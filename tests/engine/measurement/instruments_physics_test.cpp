@@ -1,4 +1,4 @@
-#include "engine/experiment/instruments.hpp"
+#include "engine/measurement/instruments.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace rift::experiment {
+namespace rift::measurement {
 namespace {
 
 /// A plate two thirds as high as the paper's in radii, its frames on disk.
@@ -46,7 +46,7 @@ crack_velocity = "0.6 c_r"
   static Instruments read(int lane, std::vector<SeenField>* fields = nullptr) {
     return read_instruments(
         run(), {.lane = lane}, [](double) { return true; },
-        [&](const measurement::Grid&, const SeenField& field) {
+        [&](const Grid&, const SeenField& field) {
           if (fields) fields->push_back(field);
         });
   }
@@ -125,8 +125,7 @@ TEST(Instruments, GoByTheClockOfAMeasuredHistory) {
   results::create_run_folder(folder.path() / "run", false);
   simulation::record_run(simulation::prepare(preset, shared_cache()), folder.path() / "run", {}, {});
   const Instruments seen = read_instruments(
-      folder.path() / "run", {}, [](double) { return true; },
-      [](const measurement::Grid&, const SeenField&) {});
+      folder.path() / "run", {}, [](double) { return true; }, [](const Grid&, const SeenField&) {});
   int on_the_way = 0;
   for (const results::Sample& s : not_empty(seen.books)) {
     if (s.tip_m <= 4e-3) continue;
@@ -137,4 +136,4 @@ TEST(Instruments, GoByTheClockOfAMeasuredHistory) {
 }
 
 }  // namespace
-}  // namespace rift::experiment
+}  // namespace rift::measurement

@@ -3,19 +3,19 @@
 #include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/release_rate.hpp"
 #include "engine/measurement/camera.hpp"
-#include "engine/measurement/stress_intensity.hpp"
+#include "engine/measurement/near_tip.hpp"
 #include "engine/results/schema.hpp"
 
 #include <limits>
 #include <optional>
 #include <vector>
 
-namespace rift::experiment {
+namespace rift::measurement {
 
 /// What a camera sees of a plate at one moment.
 struct SeenField {
-  double time = 0, tip = 0;                                     // [s], [m]
-  std::vector<std::optional<measurement::PlaneMotion>> motion;  // of each point
+  double time = 0, tip = 0;                                 // [s], [m]
+  std::vector<std::optional<lattice::PlaneMotion>> motion;  // of each point
 };
 
 /// Why a moment has no stress intensities.
@@ -26,9 +26,9 @@ const char* reason_of(NoFit why);
 
 /// Stress intensities of one moment, and what the lattice's books say there.
 struct IntensityPoint {
-  double time = 0, tip = 0;                       // [s], [m]
-  double over_cr = 0;                             // velocity of the tip
-  std::optional<measurement::StressIntensity> k;  // nothing where no ring around the tip can be fitted
+  double time = 0, tip = 0;          // [s], [m]
+  double over_cr = 0;                // velocity of the tip
+  std::optional<StressIntensity> k;  // nothing where no ring around the tip can be fitted
   NoFit why = NoFit::none;
   /// Of the books over twice the inner radius, damping with it as `rift experiment` reads it [J/m2].
   double g_id = std::numeric_limits<double>::quiet_NaN();
@@ -46,9 +46,9 @@ class IntensityReading {
  public:
   /// @param[in] books  of the lane, in time
   /// @param[in] scale  of the lane
-  IntensityReading(fracture::CrackPath path, const Eigen::Vector2d& plate_size,
-                   const measurement::ElasticPlate& plate, const Ring& ring,
-                   const std::vector<results::Sample>& books, const fracture::RateScale& scale);
+  IntensityReading(fracture::CrackPath path, const Eigen::Vector2d& plate_size, const ElasticPlate& plate,
+                   const Ring& ring, const std::vector<results::Sample>& books,
+                   const fracture::RateScale& scale);
 
   /// The ring's outer radius is less where an edge of the plate, a bend of the path or the other tip is
   /// nearer.
@@ -68,7 +68,7 @@ class IntensityReading {
 
   fracture::CrackPath path_;
   Eigen::Vector2d size_;
-  measurement::ElasticPlate plate_;
+  ElasticPlate plate_;
   Ring ring_;
   std::vector<results::Sample> crack_;  // books of the fracture phase
   fracture::RateScale scale_;
@@ -79,6 +79,6 @@ class IntensityReading {
 double arc_of_tip(const fracture::CrackPath& path, double tip);
 
 /// Where the tip is when the crack has parted two places.
-measurement::PartedAt parted_by(const fracture::CrackPath& path);
+PartedAt parted_by(const fracture::CrackPath& path);
 
-}  // namespace rift::experiment
+}  // namespace rift::measurement

@@ -1,4 +1,4 @@
-#include "engine/experiment/instruments.hpp"
+#include "engine/measurement/instruments.hpp"
 
 #include "engine/base/interrupted.hpp"
 #include "engine/base/ownership.hpp"
@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace rift::experiment {
+namespace rift::measurement {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -67,7 +67,7 @@ std::string strange_field(const scene::Scene& scene) {
   return "K wants the plate's own E and nu, which material.stiffness = \"bulk\" and \"explicit\" do not give";
 }
 
-measurement::ElasticPlate plate_of(const scene::Scene& scene) {
+ElasticPlate plate_of(const scene::Scene& scene) {
   return {scene.material.young_modulus, scene.material.poisson_ratio, scene::density(scene),
           scene.material.plane};
 }
@@ -78,8 +78,7 @@ std::vector<Eigen::Vector2d> places_of(const results::Geometry& geometry) {
   return at;
 }
 
-std::vector<std::optional<measurement::PlaneMotion>> look(const measurement::Camera& camera,
-                                                          const results::Frame& frame) {
+std::vector<std::optional<lattice::PlaneMotion>> look(const Camera& camera, const results::Frame& frame) {
   return camera.see(frame.tip_m, [&](int i) {
     const auto& u = frame.displacement[i];
     return Eigen::Vector3d(u[0], u[1], u[2]);
@@ -88,46 +87,46 @@ std::vector<std::optional<measurement::PlaneMotion>> look(const measurement::Cam
 
 }  // namespace
 
-Instruments read_instruments(const std::filesystem::path& run, const InstrumentWishes& wishes,
+Instruments read_instruments(const std::filesystem::path& run, const InstrumentOptions& options,
                              const std::function<bool(double done)>& progress,
-                             const std::function<void(const measurement::Grid&, const SeenField&)>& see) {
+                             const std::function<void(const Grid&, const SeenField&)>& see) {
   const scene::Preset preset = simulation::preset_of_run(run);
   const std::filesystem::path journal = run / results::journal_name;
   const base::HeldFile held(journal);
   const results::JournalScan scan = results::scan_journal(journal);
   const Json header = results::read_json(scan.header_json, journal);
-  if (wishes.lane < 0 || wishes.lane >= scan.lanes)
-    refuse(run, fmt::format("has no lane {}: it has {}", wishes.lane,
+  if (options.lane < 0 || options.lane >= scan.lanes)
+    refuse(run, fmt::format("has no lane {}: it has {}", options.lane,
                             scan.lanes == 1 ? "one" : fmt::format("0 to {}", scan.lanes - 1)));
-  const scene::Scene& scene = preset.lanes.empty() ? preset.scene : preset.lanes.at(wishes.lane);
+  const scene::Scene& scene = preset.lanes.empty() ? preset.scene : preset.lanes.at(options.lane);
   const Eigen::Vector2d size(header.at("length_m"), header.at("height_m"));
   const double radius = header.at("mean_radius_m");
   const bool zone = scene.crack.technique == fracture::Technique::progressive;
-  const fracture::RateScale scale = scale_in(header, wishes.lane);
-  Instruments seen{.grid = measurement::grid_over(size.x(), size.y(), wishes.grid * radius),
-                   .subset = wishes.subset * radius,
-                   .ring = {.inner = wishes.inner * radius,
-                            .outer = wishes.outer * radius,
-                            .beside_faces = wishes.subset * radius,
+  const fracture::RateScale scale = scale_in(header, options.lane);
+  Instruments seen{.grid = grid_over(size.x(), size.y(), options.grid * radius),
+                   .subset = options.subset * radius,
+                   .ring = {.inner = options.inner * radius,
+                            .outer = options.outer * radius,
+                            .beside_faces = options.subset * radius,
                             .zone = zone ? scene.crack.damage_zone_ratio * radius : 0.0},
                    .g_i0 = scale.g_i0,
                    .g_i0_slope = scale.g_i0_slope,
-                   .books = of_lane(scan.samples, wishes.lane),
-                   .gauges = of_lane(scan.gauges, wishes.lane),
+                   .books = of_lane(scan.samples, options.lane),
+                   .gauges = of_lane(scan.gauges, options.lane),
                    .intensity = {},
                    .no_intensity = strange_field(scene),
                    .grip_moves = scene::grip_moves(scene),
                    .finished = scan.summary_json.has_value()};
   seen.clock = clock_of(scene, seen.books);
   const fracture::CrackPath path = path_in(header);
-  const measurement::Camera camera(places_of(*scan.geometry), seen.grid.point, seen.subset, parted_by(path));
+  const Camera camera(places_of(*scan.geometry), seen.grid.point, seen.subset, parted_by(path));
   const IntensityReading reading(path, size, plate_of(scene), seen.ring, seen.books, scale);
   std::int64_t read = 0;
   bool any = false;
   const auto take = [&](const results::Frame& frame) {
     if (!progress(static_cast<double>(read++) / static_cast<double>(scan.frames)))
       throw base::Interrupted("the frames were read");
-    if (frame.lane != wishes.lane || frame.displacement.empty()) return;
+    if (frame.lane != options.lane || frame.displacement.empty()) return;
     const SeenField field{frame.time_s, frame.tip_m, look(camera, frame)};
     if (seen.no_intensity.empty()) seen.intensity.push_back(reading.at(field, seen.grid.point));
     see(seen.grid, field);
@@ -141,4 +140,4 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentW
   return seen;
 }
 
-}  // namespace rift::experiment
+}  // namespace rift::measurement

@@ -1,4 +1,4 @@
-#include "engine/experiment/traces.hpp"
+#include "engine/measurement/traces.hpp"
 
 #include "engine/base/numbers.hpp"
 #include "engine/scene/contradictions_rows.hpp"
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace rift::experiment {
+namespace rift::measurement {
 namespace {
 
 struct GaugeQuantity {
@@ -55,7 +55,7 @@ std::vector<Trace> gauge_traces(const Instruments& seen) {
 }
 
 Trace intensity_trace(const Instruments& seen, const char* name, scene::Dimension dimension,
-                      double measurement::StressIntensity::*value) {
+                      double StressIntensity::*value) {
   Trace trace{name, dimension, {}, {}};
   for (const IntensityPoint& p : seen.intensity)
     trace.time.push_back(p.time + seen.clock), trace.value.push_back(p.k ? (*p.k).*value : std::nan(""));
@@ -94,12 +94,12 @@ std::string first_of(std::vector<std::string> names) {
 std::vector<Trace> traces_of(const Instruments& seen) {
   std::vector<Trace> traces{grip_trace(seen)};
   for (Trace& trace : gauge_traces(seen)) traces.push_back(std::move(trace));
-  traces.push_back(intensity_trace(seen, "k_i", scene::Dimension::stress_intensity,
-                                   &measurement::StressIntensity::opening));
-  traces.push_back(intensity_trace(seen, "k_ii", scene::Dimension::stress_intensity,
-                                   &measurement::StressIntensity::sliding));
-  traces.push_back(intensity_trace(seen, "g_field", scene::Dimension::release_rate,
-                                   &measurement::StressIntensity::release_rate));
+  traces.push_back(
+      intensity_trace(seen, "k_i", scene::Dimension::stress_intensity, &StressIntensity::opening));
+  traces.push_back(
+      intensity_trace(seen, "k_ii", scene::Dimension::stress_intensity, &StressIntensity::sliding));
+  traces.push_back(
+      intensity_trace(seen, "g_field", scene::Dimension::release_rate, &StressIntensity::release_rate));
   return traces;
 }
 
@@ -157,4 +157,4 @@ std::optional<TraceDistance> distance_between(const Trace& trace, const Trace& m
   return d;
 }
 
-}  // namespace rift::experiment
+}  // namespace rift::measurement

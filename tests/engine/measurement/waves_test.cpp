@@ -1,4 +1,4 @@
-#include "engine/calibration/waves.hpp"
+#include "engine/measurement/waves.hpp"
 
 #include "engine/base/interrupted.hpp"
 #include "engine/lattice/stable_step.hpp"
@@ -10,17 +10,18 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift::calibration {
+namespace rift::measurement {
 namespace {
 
 struct Plate {
-  lattice::Lattice lattice = cubic_lattice::lattice_of({120, 24, 1}, packing::Shape::block);
+  lattice::Lattice lattice = calibration::cubic_lattice::lattice_of({120, 24, 1}, packing::Shape::block);
   double dt = 0.5 * lattice::stable_step(lattice).critical;
 };
 
 /// Speeds of long waves along the axes of a cubic lattice of rigidly joined beams, of density 1000 kg/m3.
 theory::WaveSpeeds exact() {
-  const double r = cubic_lattice::section_radius, l = cubic_lattice::edge, e = cubic_lattice::young;
+  const double r = calibration::cubic_lattice::section_radius, l = calibration::cubic_lattice::edge,
+               e = calibration::cubic_lattice::young;
   const double direct = e * std::numbers::pi * r * r / (l * l);
   const double shear = 6.0 * e * (std::numbers::pi * r * r * r * r / 4.0) / (l * l * l * l);
   return {std::sqrt(direct / 1000.0), std::sqrt(shear / 1000.0), 0.9 * std::sqrt(shear / 1000.0)};
@@ -67,4 +68,4 @@ TEST(MeasuredWaves, StopWhenToldTo) {
 }
 
 }  // namespace
-}  // namespace rift::calibration
+}  // namespace rift::measurement

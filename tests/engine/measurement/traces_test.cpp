@@ -1,11 +1,11 @@
-#include "engine/experiment/traces.hpp"
+#include "engine/measurement/traces.hpp"
 
 #include "engine/scene/issue.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rift::experiment {
+namespace rift::measurement {
 namespace {
 
 /// Two gauges, a grip that lets go, one field without a fit.
@@ -22,8 +22,7 @@ Instruments some_instruments() {
       seen.gauges.push_back(gauge);
     }
     IntensityPoint point{.time = 1e-6 * k, .k = {}};
-    if (k > 0)
-      point.k = measurement::StressIntensity{.opening = 1e6 * k, .sliding = -1e5, .release_rate = 7.0 * k};
+    if (k > 0) point.k = StressIntensity{.opening = 1e6 * k, .sliding = -1e5, .release_rate = 7.0 * k};
     seen.intensity.push_back(point);
   }
   return seen;
@@ -129,4 +128,4 @@ TEST(DistanceBetween, IsTakenWhereBothAre) {
 }
 
 }  // namespace
-}  // namespace rift::experiment
+}  // namespace rift::measurement

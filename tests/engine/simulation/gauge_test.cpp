@@ -1,9 +1,10 @@
-#include "engine/measurement/camera.hpp"
+#include "engine/lattice/gauge.hpp"
+
 #include "engine/scene/issue.hpp"
 #include "tests/engine/lattice/hand_made.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
-namespace rift::measurement {
+namespace rift::simulation {
 namespace {
 
 std::vector<Eigen::Vector2d> scattered(int count) {
@@ -19,10 +20,10 @@ std::vector<Eigen::Vector2d> scattered(int count) {
 TEST(LocalPlane, ReadsALinearFieldExactly) {
   const auto at = scattered(200);
   const Eigen::Vector2d middle(0.4, 0.55);
-  const auto plane = local_plane(at, middle, 0.25);
+  const auto plane = lattice::local_plane(at, middle, 0.25);
   ASSERT_TRUE(plane);
   EXPECT_LT(plane->point.size(), at.size());
-  const PlaneMotion m = motion_in(*plane, [&](int i) -> Eigen::Vector3d {
+  const lattice::PlaneMotion m = lattice::motion_in(*plane, [&](int i) -> Eigen::Vector3d {
     return {1.0 + 2.0 * at[i].x() - 3.0 * at[i].y(), 5.0 * at[i].x() + 7.0 * at[i].y(), -1.0};
   });
   EXPECT_NEAR(m.u.x(), 1.0 + 2.0 * 0.4 - 3.0 * 0.55, 1e-13);
@@ -33,23 +34,23 @@ TEST(LocalPlane, ReadsALinearFieldExactly) {
 }
 
 TEST(LocalPlane, RefusesTooFewPointsAndALineOfThem) {
-  EXPECT_FALSE(local_plane(scattered(200), {0.4, 0.5}, 0.02));
+  EXPECT_FALSE(lattice::local_plane(scattered(200), {0.4, 0.5}, 0.02));
   std::vector<Eigen::Vector2d> line;
   for (int i = 0; i < 50; ++i) line.emplace_back(0.02 * i, 0.5 + 1e-4 * (i % 2));
-  EXPECT_FALSE(local_plane(line, {0.5, 0.5}, 0.3));
+  EXPECT_FALSE(lattice::local_plane(line, {0.5, 0.5}, 0.3));
 }
 
 // Far ahead of the crack a pulled strip strains along y alone, from the first row on; and the grip's force is
 // that of the energy it has put in.
 TEST(Gauges, ShowTheStrainOfThePulledPlate) {
-  simulation::Prepared p = simulation::small_plate(
-      {"output.gauges=[[\"36 mm\", \"9 mm\"], [\"36 mm\", \"3 mm\"]]", "output.gauge_length=8"});
+  Prepared p =
+      small_plate({"output.gauges=[[\"36 mm\", \"9 mm\"], [\"36 mm\", \"3 mm\"]]", "output.gauge_length=8"});
   ASSERT_EQ(p.gauge.size(), 2U);
   std::vector<results::GaugeRow> rows;
   std::vector<results::Sample> samples;
-  simulation::Observer observer{.sample = [&](const results::Sample& s) { samples.push_back(s); },
-                                .gauge = [&](const results::GaugeRow& row) { rows.push_back(row); }};
-  simulation::march(p, observer);
+  Observer observer{.sample = [&](const results::Sample& s) { samples.push_back(s); },
+                    .gauge = [&](const results::GaugeRow& row) { rows.push_back(row); }};
+  march(p, observer);
   ASSERT_EQ(rows.size(), 2 * samples.size());
   EXPECT_EQ(rows[0].gauge, 0);
   EXPECT_EQ(rows[1].gauge, 1);
@@ -68,10 +69,9 @@ TEST(Gauges, ShowTheStrainOfThePulledPlate) {
 }
 
 TEST(Gauges, VelocityIsTheRateOfTheDisplacement) {
-  const simulation::Prepared p =
-      simulation::small_plate({"output.gauges=[[\"20 mm\", \"9 mm\"]]", "output.samples=2000"});
+  const Prepared p = small_plate({"output.gauges=[[\"20 mm\", \"9 mm\"]]", "output.samples=2000"});
   std::vector<results::GaugeRow> rows;
-  simulation::march(p, {.gauge = [&](const results::GaugeRow& row) { rows.push_back(row); }});
+  march(p, {.gauge = [&](const results::GaugeRow& row) { rows.push_back(row); }});
   double largest = 0.0, worst = 0.0;
   for (std::size_t k = 1; k + 1 < rows.size(); ++k) {
     const double rate = (rows[k + 1].uy_m - rows[k - 1].uy_m) / (rows[k + 1].time_s - rows[k - 1].time_s);
@@ -83,7 +83,7 @@ TEST(Gauges, VelocityIsTheRateOfTheDisplacement) {
 }
 
 std::string refused(const std::vector<std::string>& overrides) try {
-  simulation::small_plate(overrides);
+  small_plate(overrides);
   return "taken";
 } catch (const scene::InputError& error) {
   return scene::to_text(error.issues.front());
@@ -103,4 +103,4 @@ TEST(Gauges, InTheCracksWayOrTooSmallAreRefused) {
 }
 
 }  // namespace
-}  // namespace rift::measurement
+}  // namespace rift::simulation

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/experiment/intensity.hpp"
+#include "engine/measurement/intensity.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -9,10 +9,10 @@
 #include <vector>
 
 /// What the instruments of a test would have shown of a run: a camera, gauges, the grip's load cell.
-namespace rift::experiment {
+namespace rift::measurement {
 
 /// Lengths in mean radii.
-struct InstrumentWishes {
+struct InstrumentOptions {
   int lane = 0;
   double grid = 4.0;                 // between the camera's points
   double subset = 4.0;               // radius of what each is read over
@@ -20,7 +20,7 @@ struct InstrumentWishes {
 };
 
 struct Instruments {
-  measurement::Grid grid;
+  Grid grid;
   double subset = 0;  // radius [m]
   Ring ring;
   double clock = 0;                       // of a measured history: its time less the run's [s]
@@ -37,8 +37,8 @@ struct Instruments {
 /// @param see  is given each moment's field, in time
 /// @param progress  answers false to stop: Interrupted is thrown
 /// Throws WorldError where there is no run, InputError where it has no such lane or no displacements.
-Instruments read_instruments(const std::filesystem::path& run, const InstrumentWishes& wishes,
+Instruments read_instruments(const std::filesystem::path& run, const InstrumentOptions& options,
                              const std::function<bool(double done)>& progress,
-                             const std::function<void(const measurement::Grid&, const SeenField&)>& see);
+                             const std::function<void(const Grid&, const SeenField&)>& see);
 
-}  // namespace rift::experiment
+}  // namespace rift::measurement

@@ -1,4 +1,4 @@
-#include "engine/experiment/intensity.hpp"
+#include "engine/measurement/intensity.hpp"
 
 #include "engine/theory/wave_speeds.hpp"
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift::experiment {
+namespace rift::measurement {
 namespace {
 
-constexpr measurement::ElasticPlate plate{3.0, 0.3, 2.0, theory::Plane::stress};
+constexpr ElasticPlate plate{3.0, 0.3, 2.0, theory::Plane::stress};
 const Eigen::Vector2d size(0.1, 0.05);
 constexpr Ring ring{.inner = 0.003, .outer = 0.012, .beside_faces = 0.001, .zone = 0.0};
 const fracture::RateScale scale{.thickness = 0.01, .g_i0 = 2.0, .length = 0.1};
@@ -30,14 +30,14 @@ std::vector<results::Sample> books(double speed) {
 /// The field of K_I = 0.02, K_II = 0.004 around a tip of the plate that runs along `along`.
 SeenField field_around(const Eigen::Vector2d& tip, const Eigen::Vector2d& along, double speed,
                        const std::vector<Eigen::Vector2d>& points) {
-  const measurement::NearTip near(plate, speed);
+  const NearTip near(plate, speed);
   const Eigen::Vector2d across(-along.y(), along.x());
   SeenField seen;
   for (const Eigen::Vector2d& p : points) {
     const Eigen::Vector2d from(along.dot(p - tip), across.dot(p - tip));
-    const Eigen::Vector2d u = 0.02 * near.displacement(measurement::Mode::opening, 1, from) +
-                              0.004 * near.displacement(measurement::Mode::sliding, 1, from);
-    measurement::PlaneMotion motion;
+    const Eigen::Vector2d u =
+        0.02 * near.displacement(Mode::opening, 1, from) + 0.004 * near.displacement(Mode::sliding, 1, from);
+    lattice::PlaneMotion motion;
     motion.u.head<2>() = u.x() * along + u.y() * across;
     seen.motion.emplace_back(motion);
   }
@@ -45,7 +45,7 @@ SeenField field_around(const Eigen::Vector2d& tip, const Eigen::Vector2d& along,
 }
 
 IntensityPoint read(const fracture::CrackPath& path, double arc, double speed) {
-  const measurement::Grid grid = measurement::grid_over(size.x(), size.y(), 0.001);
+  const Grid grid = grid_over(size.x(), size.y(), 0.001);
   const Eigen::Vector2d along =
       (fracture::point_on(path, arc) - fracture::point_on(path, arc - 1e-6)).normalized();
   SeenField seen = field_around(fracture::point_on(path, arc), along, speed, grid.point);
@@ -82,7 +82,7 @@ TEST(IntensityReading, StaysOffTheEdgesAndOffABendOfThePath) {
 // The zone lies ahead of where its beams are gone: so does the field's tip.
 TEST(IntensityReading, LooksForTheFieldsTipThroughTheDamageZone) {
   const double speed = 0.4 * theory::wave_speeds(3.0, 0.3, 2.0, theory::Plane::stress).rayleigh;
-  const measurement::Grid grid = measurement::grid_over(size.x(), size.y(), 0.001);
+  const Grid grid = grid_over(size.x(), size.y(), 0.001);
   const fracture::CrackPath path = fracture::straight_path(0.1, 0.025);
   SeenField seen = field_around({0.055, 0.025}, {1, 0}, speed, grid.point);
   seen.tip = 0.05, seen.time = 0.05 / speed;
@@ -100,7 +100,7 @@ TEST(IntensityReading, LooksForTheFieldsTipThroughTheDamageZone) {
 
 TEST(IntensityReading, OfTwoTipsStaysOffTheOther) {
   const double speed = 0.4 * theory::wave_speeds(3.0, 0.3, 2.0, theory::Plane::stress).rayleigh;
-  const measurement::Grid grid = measurement::grid_over(size.x(), size.y(), 0.001);
+  const Grid grid = grid_over(size.x(), size.y(), 0.001);
   const fracture::CrackPath path = fracture::straight_path(0.1, 0.025, 2);
   for (const double half : {-0.002, 0.001, 0.02}) {
     SeenField seen = field_around({0.05 + half, 0.025}, {1, 0}, speed, grid.point);
@@ -116,7 +116,7 @@ TEST(IntensityReading, OfTwoTipsStaysOffTheOther) {
 
 TEST(IntensityReading, SaysNothingOfATipAsFastAsTheSurfaceWave) {
   const double c_r = theory::wave_speeds(3.0, 0.3, 2.0, theory::Plane::stress).rayleigh;
-  const measurement::Grid grid = measurement::grid_over(size.x(), size.y(), 0.001);
+  const Grid grid = grid_over(size.x(), size.y(), 0.001);
   SeenField seen = field_around({0.05, 0.025}, {1, 0}, 0.9 * c_r, grid.point);
   seen.tip = 0.05, seen.time = 0.05 / c_r;
   const IntensityReading reading(fracture::straight_path(0.1, 0.025), size, plate, ring, books(c_r), scale);
@@ -134,4 +134,4 @@ TEST(PartedBy, TellsWhereTheTipMustBeWithOneTipAndWithTwo) {
 }
 
 }  // namespace
-}  // namespace rift::experiment
+}  // namespace rift::measurement

@@ -1,4 +1,4 @@
-#include "engine/calibration/waves.hpp"
+#include "engine/measurement/waves.hpp"
 
 #include "engine/base/interrupted.hpp"
 #include "engine/base/process_limits.hpp"
@@ -12,7 +12,7 @@
 #include <numbers>
 #include <span>
 
-namespace rift::calibration {
+namespace rift::measurement {
 namespace {
 
 using std::numbers::pi;
@@ -166,7 +166,7 @@ std::vector<Swing> watch(const lattice::Lattice& plate, double dt, double durati
 }  // namespace
 
 std::vector<Wave> measured_waves(const lattice::Lattice& plate, double dt, const theory::WaveSpeeds& expected,
-                                 int threads, const CalibrationProgress& progress) {
+                                 int threads, const base::FractionTold& progress) {
   constexpr std::size_t lanes = 8;
   constexpr double largest_misfit = 0.1;
   lattice::Lattice free = plate;
@@ -192,4 +192,4 @@ std::vector<Wave> measured_waves(const lattice::Lattice& plate, double dt, const
   return waves;
 }
 
-}  // namespace rift::calibration
+}  // namespace rift::measurement
