@@ -12,11 +12,10 @@ namespace rift::base {
 /// some fifty microseconds, then sleep.
 class ThreadPool {
  public:
-  /// @param[in] hands  threads, the caller's among them, at most one for each CPU that the process may use; 0
-  /// for
-  ///                   as many as that
-  /// @param[in] most   more hands than this would find nothing to do
-  ThreadPool(int hands, int most);
+  /// @param[in] threads  the caller's among them, at most one for each CPU that the process may use; 0 for as
+  ///                     many as that
+  /// @param[in] most     more threads than this would find nothing to do
+  ThreadPool(int threads, int most);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
@@ -31,13 +30,13 @@ class ThreadPool {
  private:
   using Call = void (*)(const void* task, int k);
   void dispatch(int tasks, const void* task, Call call);
-  void help(int hand);
-  void work(int hand) const;
+  void help(int thread);
+  void work(int thread) const;
 
-  const int hands_;
+  const int threads_;
   int tasks_ = 0;
   const void* task_ = nullptr;
-  Call call_ = nullptr;              // none: the helpers go home
+  Call call_ = nullptr;              // none: the helpers end
   std::atomic<unsigned> round_ = 0;  // rises when there is work
   std::atomic<int> busy_ = 0;        // helpers still at it
   std::vector<std::jthread> helpers_;

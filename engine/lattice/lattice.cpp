@@ -32,7 +32,7 @@ Lattice make_lattice(const packing::Specimen& specimen, const MicroMaterial& mic
   for (const auto& [i, j] : specimen.beam) {
     const double section_radius = micro.radius_ratio * 0.5 * (specimen.radius[i] + specimen.radius[j]);
     lattice.beam.push_back(
-        make_beam(packing::way_between(specimen.box, specimen.centre[i], specimen.centre[j]), section_radius,
+        make_beam(packing::minimum_image(specimen.box, specimen.centre[i], specimen.centre[j]), section_radius,
                   micro.young_modulus, micro.poisson_ratio));
   }
   return lattice;

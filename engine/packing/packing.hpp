@@ -60,7 +60,7 @@ using PackingProgress = std::function<bool(double)>;
 /// coordination number at a minimum converged to 1e-6 of the mean contact force
 /// reaches the request
 ///   [physics.md §1]. Throws PackingError where that takes a mean overlap above
-///   4 %, or the pile finds no rest.
+///   4 %, or the packing finds no rest.
 /// @param[in] threads  0 for one per core; the packing does not depend on it
 /// Cost O(N): about 2,000 passes over the contacts for a plate two elements
 /// thick, several times that for a block, which is near jamming at a

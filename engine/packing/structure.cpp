@@ -23,7 +23,7 @@ std::vector<double> share_of_pairs(const std::vector<Eigen::Vector3d>& points, c
   const double n = static_cast<double>(points.size());
   for (const auto& [i, j] : pairs) {
     const auto k =
-        static_cast<std::size_t>(way_between(box, points[i], points[j]).norm() / (width * diameter));
+        static_cast<std::size_t>(minimum_image(box, points[i], points[j]).norm() / (width * diameter));
     if (k < share.size()) share[k] += 2.0 / (n * (n - 1.0));
   }
   return share;
@@ -62,7 +62,7 @@ PackingStructure structure_of(const Packing& packing, const Box& box) {
   std::vector<int> degree(packing.radius.size());
   for (const auto& [i, j] : touching) {
     ++degree[i], ++degree[j];
-    const Eigen::Vector3d n = way_between(box, packing.centre[i], packing.centre[j]).normalized();
+    const Eigen::Vector3d n = minimum_image(box, packing.centre[i], packing.centre[j]).normalized();
     s.fabric += n * n.transpose() / static_cast<double>(touching.size());
   }
   s.coordination.resize(1 + *std::max_element(degree.begin(), degree.end()));

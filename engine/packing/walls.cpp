@@ -23,11 +23,11 @@ Eigen::Vector3d outward(const Box& box, const Eigen::Vector3d& point) {
 
 }  // namespace
 
-Eigen::Vector3d way_between(const Box& box, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  Eigen::Vector3d way = b - a;
+Eigen::Vector3d minimum_image(const Box& box, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  Eigen::Vector3d span = b - a;
   if (box.shape == Shape::periodic)
-    way.array() -= box.size().array() * (way.array() / box.size().array()).round();
-  return way;
+    span.array() -= box.size().array() * (span.array() / box.size().array()).round();
+  return span;
 }
 
 bool holds(const Box& box, const Eigen::Vector3d& point) {
@@ -40,8 +40,8 @@ Eigen::Vector3d push_of_others(const Box& box, const Eigen::Vector3d& centre, do
   for (int c = 0; c < 3; ++c)
     if (has_flat_walls(box.shape, c)) push[c] = push_between(centre[c], box.size()[c], radius);
   const Eigen::Vector3d out = outward(box, centre);
-  const double way = out.norm(), overlap = way + radius - 0.5 * box.length;
-  if (way > 0.0 && overlap > 0.0) push -= 2.0 * overlap / way * out;
+  const double distance = out.norm(), overlap = distance + radius - 0.5 * box.length;
+  if (distance > 0.0 && overlap > 0.0) push -= 2.0 * overlap / distance * out;
   return push;
 }
 
@@ -51,11 +51,11 @@ Eigen::Matrix3d wall_stiffness(const Box& box, const Eigen::Vector3d& centre, do
     if (has_flat_walls(box.shape, c))
       k(c, c) = (centre[c] < radius ? 2.0 : 0.0) + (box.size()[c] - centre[c] < radius ? 2.0 : 0.0);
   const Eigen::Vector3d out = outward(box, centre);
-  const double way = out.norm(), overlap = way + radius - 0.5 * box.length;
-  if (way > 0.0 && overlap > 0.0) {
-    const Eigen::Vector3d n = out / way;
+  const double distance = out.norm(), overlap = distance + radius - 0.5 * box.length;
+  if (distance > 0.0 && overlap > 0.0) {
+    const Eigen::Vector3d n = out / distance;
     const Eigen::Matrix3d across = round_axes(box.shape).matrix().asDiagonal();
-    k += 2.0 * (n * n.transpose() + overlap / way * (across - n * n.transpose()));
+    k += 2.0 * (n * n.transpose() + overlap / distance * (across - n * n.transpose()));
   }
   return k;
 }

@@ -34,8 +34,8 @@ struct Box {
   Eigen::Vector3d size() const { return {length, height, thickness}; }
 };
 
-/// The way from a to b [as them]; in a periodic box to the nearest image of b.
-Eigen::Vector3d way_between(const Box& box, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+/// The vector from a to b [as them]; in a periodic box to the nearest image of b.
+Eigen::Vector3d minimum_image(const Box& box, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 /// Whether a point lies within the walls.
 bool holds(const Box& box, const Eigen::Vector3d& point);

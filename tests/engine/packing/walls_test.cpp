@@ -58,9 +58,9 @@ TEST(Walls, ThatAreNotThereDoNotPush) {
 }
 
 TEST(Walls, OfAPeriodicBoxAreCrossedByTheShortestWay) {
-  const Eigen::Vector3d way = way_between(periodic, {0.1, 2.9, 1.0}, {1.9, 0.1, 1.5});
+  const Eigen::Vector3d way = minimum_image(periodic, {0.1, 2.9, 1.0}, {1.9, 0.1, 1.5});
   EXPECT_LT((way - Eigen::Vector3d(-0.2, 0.2, 0.5)).norm(), 1e-15);
-  EXPECT_DOUBLE_EQ(way_between(cylinder, {0.1, 0.0, 0.0}, {1.9, 0.0, 0.0}).x(), 1.8);
+  EXPECT_DOUBLE_EQ(minimum_image(cylinder, {0.1, 0.0, 0.0}, {1.9, 0.0, 0.0}).x(), 1.8);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace rift::packing {
 
 /// Overlapping spheres within walls, in units of their expected mean radius, with unit contact stiffness and
 /// unit mass; a wall pushes as the sphere's mirror image behind it would.
-struct Pile {
+struct SpherePacking {
   struct Vector {
     double x = 0, y = 0, z = 0;
   };
@@ -26,7 +26,7 @@ struct Pile {
     std::int64_t half_contacts = 0;  // a contact of two elements counts twice
     double contact_force = 0;        // likewise
     double force2 = 0;               // of the squared net forces
-    double farthest2 = 0;            // largest squared way since the candidates were listed
+    double farthest2 = 0;            // largest squared distance moved since the candidates were listed
   };
   /// Elements [begin, end) and the pairs of them that may touch: pairs within
   /// the chunk once, pairs that leave it in both chunks. So a chunk writes to
@@ -49,7 +49,7 @@ struct Pile {
   std::vector<Sphere> sphere_then;  // when the candidates were listed
   double scale_then = 0.0;
   double skin = 0.25;     // how much further than touching the candidates reach;
-                          // wide while the pile flows
+                          // wide while the packing flows
   int rounds_listed = 0;  // since then
 
   int size() const { return static_cast<int>(sphere.size()); }
@@ -66,12 +66,14 @@ struct Pile {
 
 /// Cut into chunks by the number of spheres alone; without velocities or forces
 /// yet.
-Pile make_pile(const Box& box, double scale, const std::vector<Pile::Sphere>& spheres);
+SpherePacking make_sphere_packing(const Box& box, double scale,
+                                  const std::vector<SpherePacking::Sphere>& sphere);
 
 /// From a to b, in a periodic box to its nearest image.
 template <bool periodic>
-Pile::Vector way(const Box& box, const Pile::Sphere& a, const Pile::Sphere& b) {
-  Pile::Vector d{b.x - a.x, b.y - a.y, b.z - a.z};
+SpherePacking::Vector minimum_image(const Box& box, const SpherePacking::Sphere& a,
+                                    const SpherePacking::Sphere& b) {
+  SpherePacking::Vector d{b.x - a.x, b.y - a.y, b.z - a.z};
   if constexpr (periodic) {
     d.x -= box.length * std::nearbyint(d.x / box.length);
     d.y -= box.height * std::nearbyint(d.y / box.height);
@@ -82,26 +84,26 @@ Pile::Vector way(const Box& box, const Pile::Sphere& a, const Pile::Sphere& b) {
 
 /// Forces f = -dU/dx of the overlaps and the sums that go with them; lists the
 /// candidates anew where the old list may miss a contact. Cost O(N).
-void evaluate_forces(Pile& pile, base::ThreadPool& crew);
+void evaluate_forces(SpherePacking& spheres, base::ThreadPool& pool);
 
 /// Brings the centres of a periodic box back into it; the candidates are stale then.
-void wrap(Pile& pile);
+void wrap(SpherePacking& spheres);
 
 /// Moves the centres by move(i), and keeps account of how far they went since
 /// the candidates were listed.
 template <class Move>
-void move_spheres(Pile& pile, base::ThreadPool& crew, const Move& move) {
-  crew.run(pile.chunks(), [&](int c) {
+void move_spheres(SpherePacking& spheres, base::ThreadPool& pool, const Move& move) {
+  pool.run(spheres.chunks(), [&](int c) {
     double farthest2 = 0.0;
-    for (int i = pile.chunk[c].begin; i < pile.chunk[c].end; ++i) {
-      Pile::Sphere& s = pile.sphere[i];
-      const Pile::Sphere& then = pile.sphere_then[i];
-      const Pile::Vector d = move(i);
+    for (int i = spheres.chunk[c].begin; i < spheres.chunk[c].end; ++i) {
+      SpherePacking::Sphere& s = spheres.sphere[i];
+      const SpherePacking::Sphere& then = spheres.sphere_then[i];
+      const SpherePacking::Vector d = move(i);
       s.x += d.x, s.y += d.y, s.z += d.z;
       const double x = s.x - then.x, y = s.y - then.y, z = s.z - then.z;
       farthest2 = std::max(farthest2, x * x + y * y + z * z);
     }
-    pile.chunk[c].sums.farthest2 = farthest2;
+    spheres.chunk[c].sums.farthest2 = farthest2;
   });
 }
 
