@@ -11,7 +11,7 @@
 namespace rift::experiment {
 
 std::vector<std::vector<history::HistoryPoint>> resampled(const scene::Scene& scene,
-                                                          const history::Course& course, int count,
+                                                          const history::SmoothedHistory& course, int count,
                                                           std::uint64_t seed) {
   std::vector<std::vector<history::HistoryPoint>> histories;
   if (scene.crack.smoothing == history::Smoothing::none) return histories;

@@ -92,7 +92,7 @@ class Laboratory {
   /// The measured crack itself, on the preset's specimen, and the points of the result.
   void measure() {
     const simulation::Prepared p = simulation::prepare(preset_, cache_, preparing("specimen 1"));
-    e_.course = scene::measured_course(preset_.scene);
+    e_.course = scene::smoothed_history(preset_.scene);
     e_.width = preset_.scene.crack.toughness_window * p.lattice.mean_radius;
     pulled_ = p.pulled;
     e_.thickness = p.scale.thickness, e_.rayleigh_speed = p.rayleigh_speed,
@@ -157,11 +157,11 @@ class Laboratory {
         scenes.pop_back();
       else
         scenes.back().crack.end =
-            std::min(scene::crack_end(preset_.scene), scene::measured_course(scenes.back()).end);
+            std::min(scene::crack_end(preset_.scene), scene::smoothed_history(scenes.back()).end);
     }
     std::vector<std::vector<double>> speeds;
     for (const scene::Scene& scene : scenes) {
-      const history::CrackHistory course = scene::measured_course(scene).history;
+      const history::CrackHistory course = scene::smoothed_history(scene).history;
       speeds.emplace_back();
       for (const CriticalPoint& point : e_.along)
         speeds.back().push_back(history::speed_at(course, history::time_of_arrival(course, point.position)));

@@ -53,7 +53,7 @@ struct Application {
 };
 
 struct Experiment {
-  history::Course course;
+  history::SmoothedHistory course;
   std::vector<double> drawn_speed;  // [m/s] standard deviation of the courses' speeds at each point
   double width = 0;                 // over which release rates are read [m]
   double thickness = 0, rayleigh_speed = 0, mean_radius = 0;

@@ -52,7 +52,7 @@ std::vector<Row> of_lane(const std::vector<Row>& rows, int lane) {
 /// By the first row of the books whose tip is on the measured way.
 double clock_of(const scene::Scene& scene, const std::vector<results::Sample>& books) {
   if (scene.crack.history.empty()) return 0.0;
-  const history::Course course = scene::measured_course(scene);
+  const history::SmoothedHistory course = scene::smoothed_history(scene);
   for (const results::Sample& s : books)
     if (s.velocity_m_s > 0.0 && s.tip_m > scene.crack.start)
       return course.first_time + history::time_of_arrival(course.history, s.tip_m) - s.time_s;

@@ -29,10 +29,7 @@ double energy_cut_to(const simulation::Prepared& p, double tip, const base::Frac
       kinematics == lattice::Kinematics::linear
           ? lattice::stretched_at_rest(lattice, present, pull, told)
           : lattice::stretched_at_rest_corotational(lattice, present, pull, told);
-  double energy = 0.0;
-  for (std::size_t b = 0; b < present.size(); ++b)
-    if (present[b]) energy += lattice::energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
-  return energy;
+  return lattice::elastic_energy(lattice, present, kinematics, q);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "engine/measurement/traces.hpp"
 
 #include "engine/base/numbers.hpp"
-#include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/csv_table.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/preset.hpp"
+#include "engine/scene/validation.hpp"
 
 #include <fmt/format.h>
 

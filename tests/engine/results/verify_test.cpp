@@ -61,7 +61,7 @@ TEST(Verify, OfAFinishedRunFindsItWholeAndChangesNothing) {
   const std::string archive = read_text(scratch.path() / "run" / archive_name);
   const Verification v = verify_run(scratch / "run", true);
   EXPECT_TRUE(is_whole(v));
-  for (const Finding& f : not_empty(v.files)) EXPECT_EQ(f.found, Found::sound) << f.file << ": " << f.text;
+  for (const Finding& f : not_empty(v.files)) EXPECT_EQ(f.found, Found::intact) << f.file << ": " << f.text;
   EXPECT_EQ(v.files.size(), 4U);
   EXPECT_EQ(read_text(scratch.path() / "run" / archive_name), archive);
 }
@@ -222,7 +222,7 @@ TEST(Verify, AJournalOfAnotherVersionIsNamed) {
   const Verification v = verify_run(run, true);
   EXPECT_FALSE(is_whole(v));
   EXPECT_EQ(text_of(v, journal_name), "a journal of version 33, and this build reads version 1");
-  EXPECT_EQ(found_of(v, archive_name), Found::sound);
+  EXPECT_EQ(found_of(v, archive_name), Found::intact);
 }
 
 TEST(Verify, OfNoRunThrows) {

@@ -1,7 +1,6 @@
-#include "engine/scene/contradictions_rows.hpp"
-
 #include "engine/scene/derived.hpp"
 #include "engine/scene/units.hpp"
+#include "engine/scene/validation.hpp"
 
 #include <fmt/format.h>
 

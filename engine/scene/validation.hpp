@@ -2,10 +2,19 @@
 
 #include "engine/scene/preset.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
 namespace rift::scene {
+
+/// Mistakes that show only when parameters are seen together: contradictions, an order along the crack's way,
+/// sizes that do not fit. A check that would rest on a key of `invalid` (already reported) is left out.
+std::vector<Issue> validate(const Preset& preset, const std::set<std::string>& invalid);
+
+/// The keys which say otherwise what `key` says, so that a preset has one of them: layers for thickness. The
+/// start of the crack is among those of a measured history, whose first row it is.
+std::vector<std::string> rivals_of(const std::string& key);
 
 // What can be wrong with the rows of [crack]: each is found row by row, at its line where a file holds it.
 

@@ -1,6 +1,5 @@
-#include "engine/scene/contradictions.hpp"
+#include "engine/scene/validation.hpp"
 
-#include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/needs.hpp"
@@ -21,12 +20,12 @@ namespace {
 struct Checks {
   const Preset& preset;
   const Scene& scene;
-  std::set<std::string> unsound;
+  std::set<std::string> invalid;
   std::vector<Issue> issues;
 
   bool given(const std::string& key) const { return preset.origins.contains(key); }
-  bool sound(std::initializer_list<const char*> keys) const {
-    return std::none_of(keys.begin(), keys.end(), [&](const char* key) { return unsound.contains(key); });
+  bool valid(std::initializer_list<const char*> keys) const {
+    return std::none_of(keys.begin(), keys.end(), [&](const char* key) { return invalid.contains(key); });
   }
   void say(const std::string& key, std::string text) {
     issues.push_back(issue_at(preset, key, std::move(text)));
@@ -60,7 +59,7 @@ void check_exclusive(Checks& c) {
 }
 
 void check_micro(Checks& c) {
-  if (!c.sound({"material.stiffness"})) return;
+  if (!c.valid({"material.stiffness"})) return;
   const bool wanted = c.scene.material.stiffness == StiffnessChoice::explicit_values;
   std::vector<std::string> missing;
   for (const char* key :
@@ -72,7 +71,7 @@ void check_micro(Checks& c) {
 }
 
 void check_damping(Checks& c) {
-  if (!c.sound({"damping.alpha", "damping.region"})) return;
+  if (!c.valid({"damping.alpha", "damping.region"})) return;
   const bool somewhere = c.scene.damping.region != DampingRegion::none;
   if (c.scene.damping.alpha > 0 && !somewhere) {
     c.say("damping.alpha", "damps nothing with damping.region = \"none\": choose \"surface\" or \"all\"");
@@ -84,7 +83,7 @@ void check_damping(Checks& c) {
 
 /// Which keys a shape takes; false where its sizes cannot be told.
 bool check_shape(Checks& c) {
-  if (!c.sound({"specimen.shape"})) return false;
+  if (!c.valid({"specimen.shape"})) return false;
   const packing::Shape shape = c.scene.specimen.shape;
   const auto excluded = [&](const char* key, const char* why) {
     if (c.given(key)) c.say(key, why);
@@ -106,7 +105,7 @@ bool check_shape(Checks& c) {
 
 void check_radii(Checks& c) {
   constexpr double widest_log_normal = 0.4;  // one sphere in a thousand is then 3.5 times the mean
-  if (!c.sound({"specimen.radii", "specimen.radius_spread"})) return;
+  if (!c.valid({"specimen.radii", "specimen.radius_spread"})) return;
   if (c.scene.specimen.radii == packing::Radii::log_normal &&
       c.scene.specimen.radius_spread > widest_log_normal)
     c.say("specimen.radius_spread",
@@ -115,7 +114,7 @@ void check_radii(Checks& c) {
 
 void check_sizes(Checks& c) {
   if (!check_shape(c)) return;
-  if (!c.sound({"specimen.length", "specimen.height", "specimen.layers", "specimen.thickness",
+  if (!c.valid({"specimen.length", "specimen.height", "specimen.layers", "specimen.thickness",
                 "specimen.elements", "specimen.radii", "specimen.radius_spread"})) {
     return;
   }
@@ -144,7 +143,7 @@ void check_sizes(Checks& c) {
 }
 
 void check_path(Checks& c) {
-  if (!c.sound({"crack.path", "specimen.height"})) return;
+  if (!c.valid({"crack.path", "specimen.height"})) return;
   if (path_height_m(c.scene) >= c.scene.specimen.height) {
     c.say("crack.path",
           fmt::format("must lie inside the plate, (0, {})", millimetres(c.scene.specimen.height)));
@@ -170,13 +169,13 @@ void check_loading(Checks& c) {
   const bool ramp = loading.method == LoadingMethod::ramp;
   if (loading.tilt != 0.0 && ramp) c.say("loading.tilt", "goes with loading.method = \"static\" only");
   if (loading.shear != 0.0 && ramp) c.say("loading.shear", "goes with loading.method = \"static\" only");
-  if (c.sound({"crack.history", "loading.curve", "crack.friction"})) {
+  if (c.valid({"crack.history", "loading.curve", "crack.friction"})) {
     const std::vector<Issue> rows = load_issues(c.preset);
     c.issues.insert(c.issues.end(), rows.begin(), rows.end());
     if (!rows.empty()) return;
   }
   check_curve(c);
-  if (!c.sound({"loading.displacement", "loading.force", "loading.curve", "crack.history", "crack.friction"}))
+  if (!c.valid({"loading.displacement", "loading.force", "loading.curve", "crack.history", "crack.friction"}))
     return;
   const std::optional<double> force = force_at_start(c.scene);
   const double load = force.value_or(displacement_at_start(c.scene));
@@ -189,7 +188,7 @@ void check_loading(Checks& c) {
 }
 
 void check_gauges(Checks& c) {
-  if (!c.sound({"output.gauges", "specimen.length", "specimen.height"})) return;
+  if (!c.valid({"output.gauges", "specimen.length", "specimen.height"})) return;
   const double length = c.scene.specimen.length, height = c.scene.specimen.height;
   for (const auto& [x, y] : c.scene.output.gauges)
     if (!(x >= 0.0 && x <= length && y >= 0.0 && y <= height))
@@ -201,13 +200,13 @@ void check_gauges(Checks& c) {
 void check_rows(Checks& c) {
   const auto take = [&](const char* key, std::vector<Issue> found) {
     if (found.empty()) return;
-    c.unsound.insert(key);
+    c.invalid.insert(key);
     for (Issue& issue : found) c.issues.push_back(std::move(issue));
   };
-  if (c.sound({"crack.history", "crack.history_gap", "crack.smoothing", "crack.start"}))
+  if (c.valid({"crack.history", "crack.history_gap", "crack.smoothing", "crack.start"}))
     take("crack.history", history_issues(c.preset));
   take("crack.toughness", toughness_issues(c.preset));
-  if (c.sound({"specimen.length", "specimen.height"})) take("crack.path", path_issues(c.preset));
+  if (c.valid({"specimen.length", "specimen.height"})) take("crack.path", path_issues(c.preset));
   if (c.scene.crack.path.point.empty() && c.scene.crack.path_shape == PathShape::spline)
     c.say("crack.path_shape", "goes with a crack.path through points only");
 }
@@ -215,12 +214,12 @@ void check_rows(Checks& c) {
 /// Whether c_r can be told at all.
 bool knows_rayleigh_speed(const Checks& c) {
   const bool both = c.given("material.density") && c.given("material.rayleigh_speed");
-  return !both && c.sound({"material.young_modulus", "material.poisson_ratio", "material.plane",
+  return !both && c.valid({"material.young_modulus", "material.poisson_ratio", "material.plane",
                            "material.rayleigh_speed", "material.density"});
 }
 
 void check_speeds(Checks& c) {
-  if (!c.sound({"crack.velocity", "crack.history"}) || !knows_rayleigh_speed(c)) return;
+  if (!c.valid({"crack.velocity", "crack.history"}) || !knows_rayleigh_speed(c)) return;
   if (highest_velocity(c.scene) <= highest_velocity_over_cr) return;
   const double limit = highest_velocity_over_cr * rayleigh_speed(c.scene);
   const bool measured = !c.scene.crack.history.empty();
@@ -233,18 +232,18 @@ void check_speeds(Checks& c) {
 
 /// "the end of the plate, 200 mm", as far as a tip can run.
 std::string end_of_plate(const Scene& scene) {
-  const std::string at = millimetres(way_of_tip_m(scene));
+  const std::string at = millimetres(tip_path_length_m(scene));
   if (!scene.crack.path.point.empty()) return fmt::format("the end of the path, {}", at);
   return scene.crack.tips == 1 ? fmt::format("the end of the plate, {}", at)
                                : fmt::format("the ends of the plate, {} from its middle", at);
 }
 
-double measured_end(const Scene& scene) { return measured_course(scene).end; }
+double measured_end(const Scene& scene) { return smoothed_history(scene).end; }
 
 /// Start and end on the plate and in order; false where nothing further can be said of the crack's way.
 bool check_ends(Checks& c) {
-  const auto& [way, crack] = std::pair{way_of_tip_m(c.scene), c.scene.crack};
-  if (crack.start >= way) {
+  const auto& [path_length, crack] = std::pair{tip_path_length_m(c.scene), c.scene.crack};
+  if (crack.start >= path_length) {
     c.say("crack.start", fmt::format("must lie before {}", end_of_plate(c.scene)));
     return false;
   }
@@ -253,13 +252,13 @@ bool check_ends(Checks& c) {
           fmt::format("lies beyond the history, which ends at {}", millimetres(measured_end(c.scene))));
     return false;
   }
-  if (!crack.history.empty() && measured_end(c.scene) > way) {
+  if (!crack.history.empty() && measured_end(c.scene) > path_length) {
     c.say("crack.history",
           fmt::format("goes on to {}, beyond {}", millimetres(measured_end(c.scene)), end_of_plate(c.scene)));
     return false;
   }
   if (!crack.end) return true;
-  if (*crack.end > way) {
+  if (*crack.end > path_length) {
     c.say("crack.end", fmt::format("must not lie beyond {}", end_of_plate(c.scene)));
     return false;
   }
@@ -284,7 +283,7 @@ bool check_window_of_two(Checks& c) {
           "changes on the way, so that two tips have no window of their own: give output.window");
     return false;
   }
-  if (!c.sound({"specimen.height", "specimen.layers", "specimen.thickness", "specimen.elements",
+  if (!c.valid({"specimen.height", "specimen.layers", "specimen.thickness", "specimen.elements",
                 "specimen.radius_spread", "crack.path", "crack.technique", "crack.damage_zone_ratio"}) ||
       path_height_m(c.scene) >= c.scene.specimen.height ||
       (c.given("specimen.thickness") && c.given("specimen.layers"))) {
@@ -313,7 +312,7 @@ bool check_window(Checks& c) {
   const std::string window = fmt::format("the measuring window, {} to {},", millimetres(lower * length),
                                          millimetres(upper * length));
   const std::size_t before = c.issues.size();
-  if (upper * length > way_of_tip_m(c.scene) + slack) {
+  if (upper * length > tip_path_length_m(c.scene) + slack) {
     const bool by_path = !window_given && !c.scene.crack.path.point.empty();
     c.say(by_path ? "crack.path" : "output.window",
           fmt::format("{} ends beyond {}", window, end_of_plate(c.scene)));
@@ -339,18 +338,18 @@ void check_pieces(Checks& c) {
 }
 
 void check_crack_way(Checks& c) {
-  if (!c.sound({"specimen.length", "crack.start", "crack.end", "crack.tips", "crack.history",
+  if (!c.valid({"specimen.length", "crack.start", "crack.end", "crack.tips", "crack.history",
                 "crack.toughness", "crack.path"}))
     return;
   if (c.scene.specimen.shape == packing::Shape::block && !c.given("specimen.thickness")) return;
   if (!check_ends(c)) return;
   // The default window depends on the velocity, a velocity in m/s on c_r.
-  if (!c.sound({"crack.velocity", "output.window"}) || !knows_rayleigh_speed(c)) return;
+  if (!c.valid({"crack.velocity", "output.window"}) || !knows_rayleigh_speed(c)) return;
   if (check_window_of_two(c) && check_window(c)) check_pieces(c);
 }
 
 void check_reference(Checks& c) {
-  if (!c.sound({"crack.tips", "output.g_i0_reference"})) return;
+  if (!c.valid({"crack.tips", "output.g_i0_reference"})) return;
   if (c.scene.output.g_i0_reference == ReleaseRateReference::griffith && c.scene.crack.tips != 2)
     c.say("output.g_i0_reference", "goes with crack.tips = 2 only: it is that of a central crack");
 }
@@ -367,17 +366,17 @@ std::vector<std::string> rivals_of(const std::string& key) {
   return rivals;
 }
 
-std::vector<Issue> contradictions(const Preset& preset, const std::set<std::string>& unsound) {
-  Checks checks{preset, preset.scene, unsound, {}};
+std::vector<Issue> validate(const Preset& preset, const std::set<std::string>& invalid) {
+  Checks checks{preset, preset.scene, invalid, {}};
   check_exclusive(checks);
-  if (const auto out = range_issues(preset, preset.scene, derived_numbers(preset, unsound)); !out.empty()) {
+  if (const auto out = range_issues(preset, preset.scene, derived_numbers(preset, invalid)); !out.empty()) {
     checks.issues.insert(checks.issues.end(), out.begin(), out.end());
     return std::move(checks.issues);  // the others compute with these numbers
   }
   check_sizes(checks);
   check_radii(checks);
   check_micro(checks);
-  if (!checks.sound({"specimen.shape"}) || !can_crack(preset.scene)) return std::move(checks.issues);
+  if (!checks.valid({"specimen.shape"}) || !can_crack(preset.scene)) return std::move(checks.issues);
   check_damping(checks);
   check_loading(checks);
   check_gauges(checks);
