@@ -1,6 +1,5 @@
 #include "engine/packing/packing.hpp"
 
-#include "engine/base/interrupted.hpp"
 #include "engine/packing/minimise.hpp"
 #include "engine/packing/neighbours.hpp"
 #include "engine/packing/sphere_packing.hpp"
@@ -111,7 +110,7 @@ SpherePacking loose_start(const PackingRequest& request, double unit, double sca
 /// unbalance falls by a steady factor a round.
 struct Watch {
   const SpherePacking& spheres;
-  const PackingProgress& progress;
+  const base::FractionTold& progress;
   double grown = 0.0;  // share of the growth done
   double goal = 1e-6;  // the unbalance at which a trial ends
   int trial = 0;
@@ -307,7 +306,7 @@ bool is_thin(const Box& box, double mean_radius) {
 
 }  // namespace
 
-Packing pack(const PackingRequest& request, const PackingProgress& progress, int threads) {
+Packing pack(const PackingRequest& request, const base::FractionTold& progress, int threads) {
   constexpr double expected_fraction = 0.615, start_fraction = 0.5;
   constexpr double below_target = 0.994, above_target = 1.02;  // where the search starts
   base::tell_or_stop(progress, 0.0, "packing");
@@ -373,7 +372,7 @@ std::string key_of(const PackingRequest& r) {
 }
 
 Packing cached_packing(const PackingRequest& request, base::Cache& cache, bool& from_cache,
-                       const PackingProgress& progress, int threads) {
+                       const base::FractionTold& progress, int threads) {
   Packing packing;
   const std::string key = key_of(request);
   if (const auto numbers = base::recall(cache, "packing", key);

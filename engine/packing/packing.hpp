@@ -1,13 +1,13 @@
 #pragma once
 
 #include "engine/base/cache.hpp"
+#include "engine/base/interrupted.hpp"
 #include "engine/packing/walls.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -47,10 +47,6 @@ struct PackingError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Told the fraction done in [0, 1] from time to time; answers false to give up
-/// (throws Interrupted then).
-using PackingProgress = std::function<bool(double)>;
-
 /// Random compact packing: spheres grow from a loose random start while their
 /// overlap energy
 ///   U = 1/2 sum (r_i + r_j - d_ij)^2 + sum (r_i - d_i,wall)^2
@@ -65,7 +61,7 @@ using PackingProgress = std::function<bool(double)>;
 /// Cost O(N): about 2,000 passes over the contacts for a plate two elements
 /// thick, several times that for a block, which is near jamming at a
 /// coordination of 6.
-Packing pack(const PackingRequest& request, const PackingProgress& progress = {}, int threads = 0);
+Packing pack(const PackingRequest& request, const base::FractionTold& progress = {}, int threads = 0);
 
 /// Pairs (i < j) at a distance of at most tolerance x (r_i + r_j), ordered by
 /// i, then j; in a periodic box through its faces as well. Cost O(N).
@@ -78,6 +74,6 @@ std::string key_of(const PackingRequest& request);
 
 /// The packing from the cache, or made and remembered. @param[out] from_cache  set where it was there
 Packing cached_packing(const PackingRequest& request, base::Cache& cache, bool& from_cache,
-                       const PackingProgress& progress = {}, int threads = 0);
+                       const base::FractionTold& progress = {}, int threads = 0);
 
 }  // namespace rift::packing
