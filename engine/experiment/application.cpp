@@ -117,8 +117,9 @@ double expected_error(const Experiment& found) {
 
 /// When the tip of the run was at a position, between two rows [s].
 double time_at(const std::vector<Sample>& rows, double position) {
-  const auto [k, part] = base::interval_at(rows, position, &Sample::tip_m);
-  return rows[k - 1].time_s + part * (rows[k].time_s - rows[k - 1].time_s);
+  const std::size_t k = base::interval_at(rows, position, &Sample::tip_m).k;
+  const Sample &a = rows[k - 1], &b = rows[k];
+  return a.time_s + (b.time_s - a.time_s) * (position - a.tip_m) / (b.tip_m - a.tip_m);
 }
 
 /// Clocks are set alike where both cracks are at the first point.

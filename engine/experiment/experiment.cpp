@@ -1,7 +1,6 @@
 #include "engine/experiment/experiment.hpp"
 
 #include "engine/base/interrupted.hpp"
-#include "engine/base/numbers.hpp"
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/kept_parts.hpp"
@@ -233,10 +232,12 @@ class Laboratory {
     double mean, deviation;
   };
   static Spread at(const std::vector<std::vector<double>>& curves, std::size_t k) {
-    std::vector<double> values;
+    double sum = 0.0, squares = 0.0, count = 0.0;
     for (const std::vector<double>& curve : curves)
-      if (std::isfinite(curve[k])) values.push_back(curve[k]);
-    return {base::mean_of(values), values.size() < 2 ? 0.0 : base::deviation_of(values)};
+      if (const double v = curve[k]; std::isfinite(v)) sum += v, squares += v * v, count += 1.0;
+    const double mean = sum / count;
+    return {mean,
+            count > 1.0 ? std::sqrt(std::max(0.0, squares - count * mean * mean) / (count - 1.0)) : 0.0};
   }
 
   void conclude() {

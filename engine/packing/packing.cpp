@@ -94,7 +94,7 @@ SpherePacking loose_start(const PackingRequest& request, double unit, double sca
     const int places = static_cast<int>(more * in_box) + 10;
     Places place(box, places, uniform);
     for (int i = 0; i < places; ++i)
-      if (const Eigen::Vector3d p = place(i); holds(box, p)) inside.push_back(p);
+      if (const Eigen::Vector3d p = place(i); contains(box, p)) inside.push_back(p);
   }
   for (int left = request.elements, k = 0; left > 0; ++k)  // each as likely as any other, in their order
     if (uniform() * (static_cast<double>(inside.size()) - k) < left) {

@@ -2,7 +2,7 @@
 
 #include "engine/base/cache.hpp"
 #include "engine/base/interrupted.hpp"
-#include "engine/packing/walls.hpp"
+#include "engine/packing/geometry.hpp"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/base/thread_pool.hpp"
-#include "engine/packing/walls.hpp"
+#include "engine/packing/geometry.hpp"
 
 #include <Eigen/Core>
 

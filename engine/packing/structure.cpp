@@ -36,7 +36,7 @@ std::vector<Eigen::Vector3d> points_at_random(const Box& box, std::size_t count)
   std::vector<Eigen::Vector3d> points;
   while (points.size() < count) {
     const Eigen::Vector3d p(uniform() * box.length, uniform() * box.height, uniform() * box.thickness);
-    if (holds(box, p)) points.push_back(p);
+    if (contains(box, p)) points.push_back(p);
   }
   return points;
 }

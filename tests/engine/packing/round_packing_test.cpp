@@ -49,7 +49,7 @@ TEST(BulkPacking, FillsEveryShapeToItsCoordination) {
     EXPECT_LT(s.solid_fraction, 0.66);
     EXPECT_LT(s.mean_overlap, 0.02);
     EXPECT_LT(unbalance(packing, r.box), 0.05) << static_cast<int>(shape);
-    for (const auto& p : not_empty(packing.centre)) EXPECT_TRUE(holds(r.box, p));
+    for (const auto& p : not_empty(packing.centre)) EXPECT_TRUE(contains(r.box, p));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "engine/packing/walls.hpp"
+#include "engine/packing/geometry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,11 +20,23 @@ TEST(Walls, HoldTheVolumeOfTheirShape) {
 }
 
 TEST(Walls, HoldWhatLiesWithinThem) {
-  EXPECT_TRUE(holds(cylinder, {1.9, 4.9, 1.0}));
-  EXPECT_FALSE(holds(cylinder, {1.9, 4.9, 1.9}));  // in the box around, outside the round wall
-  EXPECT_FALSE(holds(cylinder, {1.0, 5.1, 1.0}));
-  EXPECT_FALSE(holds(sphere, {1.8, 1.8, 1.0}));
-  EXPECT_TRUE(holds(periodic, {1.9, 2.9, 3.9}));
+  EXPECT_TRUE(contains(cylinder, {1.9, 4.9, 1.0}));
+  EXPECT_FALSE(contains(cylinder, {1.9, 4.9, 1.9}));  // in the box around, outside the round wall
+  EXPECT_FALSE(contains(cylinder, {1.0, 5.1, 1.0}));
+  EXPECT_FALSE(contains(sphere, {1.8, 1.8, 1.0}));
+  EXPECT_TRUE(contains(periodic, {1.9, 2.9, 3.9}));
+}
+
+TEST(Boundary, HasTheElementsThatLieWithinSoManyRadiiOfIt) {
+  const std::vector<Eigen::Vector3d> centre{{0.1, 2.0, 1.0}, {1.0, 4.8, 1.0}, {1.9, 0.3, 1.0}};
+  const std::vector<double> radius{0.2, 0.2, 0.2};
+  const auto at = [&](Boundary b) { return elements_at(cylinder, b, centre, radius, 1.3); };
+  EXPECT_EQ(at(Boundary::left), std::vector{0});
+  EXPECT_EQ(at(Boundary::right), std::vector{2});
+  EXPECT_EQ(at(Boundary::top), std::vector{1});
+  EXPECT_TRUE(at(Boundary::bottom).empty());
+  EXPECT_EQ(ends_of_axis(1), (std::array{Boundary::bottom, Boundary::top}));
+  EXPECT_DOUBLE_EQ(depth_below(cylinder, Boundary::front, centre[0]), 1.0);
 }
 
 /// Sum of the squared overlaps with the walls, by the shapes' own words.

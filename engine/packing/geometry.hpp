@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 namespace rift::packing {
 
@@ -38,7 +40,23 @@ struct Box {
 Eigen::Vector3d minimum_image(const Box& box, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 /// Whether a point lies within the walls.
-bool holds(const Box& box, const Eigen::Vector3d& point);
+bool contains(const Box& box, const Eigen::Vector3d& point);
+
+/// Parts of a specimen's surface, by the faces of its box; what a grip holds or a pull acts on is named so.
+/// Those of an axis stand beside each other, the one at 0 first.
+enum class Boundary : std::uint8_t { left, right, bottom, top, back, front };
+
+/// The two boundaries that an axis leads through.
+constexpr std::array<Boundary, 2> ends_of_axis(int axis) {
+  return {static_cast<Boundary>(2 * axis), static_cast<Boundary>(2 * axis + 1)};
+}
+
+/// How deep a point lies below a boundary.
+double depth_below(const Box& box, Boundary boundary, const Eigen::Vector3d& point);
+
+/// Elements whose centre lies within `depth` of their radius below a boundary, ascending.
+std::vector<int> elements_at(const Box& box, Boundary boundary, const std::vector<Eigen::Vector3d>& centre,
+                             const std::vector<double>& radius, double depth);
 
 /// How the walls push a sphere that reaches beyond them, f = -dU/dx of U = sum overlap^2: as its mirror image
 /// behind a wall would, at unit contact stiffness.

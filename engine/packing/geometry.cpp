@@ -1,4 +1,4 @@
-#include "engine/packing/walls.hpp"
+#include "engine/packing/geometry.hpp"
 
 #include <cmath>
 
@@ -30,9 +30,23 @@ Eigen::Vector3d minimum_image(const Box& box, const Eigen::Vector3d& a, const Ei
   return span;
 }
 
-bool holds(const Box& box, const Eigen::Vector3d& point) {
+bool contains(const Box& box, const Eigen::Vector3d& point) {
   return (point.array() >= 0.0).all() && (point.array() <= box.size().array()).all() &&
          outward(box, point).norm() <= 0.5 * box.length;
+}
+
+double depth_below(const Box& box, Boundary boundary, const Eigen::Vector3d& point) {
+  const int axis = static_cast<int>(boundary) / 2;
+  const bool at_zero = static_cast<int>(boundary) % 2 == 0;
+  return at_zero ? point[axis] : box.size()[axis] - point[axis];
+}
+
+std::vector<int> elements_at(const Box& box, Boundary boundary, const std::vector<Eigen::Vector3d>& centre,
+                             const std::vector<double>& radius, double depth) {
+  std::vector<int> elements;
+  for (std::size_t i = 0; i < centre.size(); ++i)
+    if (depth_below(box, boundary, centre[i]) <= depth * radius[i]) elements.push_back(static_cast<int>(i));
+  return elements;
 }
 
 Eigen::Vector3d push_of_others(const Box& box, const Eigen::Vector3d& centre, double radius) {
