@@ -6,10 +6,9 @@
 
 namespace rift::base {
 
-/// Threads that share out numbered tasks: each takes a contiguous run of them,
-/// the caller the first. Who does a task does not show in the result as long as
-/// every task writes to places of its own. Between two runs the helpers spin for
-/// some fifty microseconds, then sleep.
+/// Threads that share out numbered tasks: each takes a contiguous run of them, the caller the first. Who does
+/// a task does not show in the result as long as every task writes to places of its own. Between two runs the
+/// helpers spin for some fifty microseconds, then sleep.
 class ThreadPool {
  public:
   /// @param[in] threads  the caller's among them, at most one for each CPU that the process may use; 0 for as
@@ -20,8 +19,8 @@ class ThreadPool {
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /// Calls task(k) for k in [0, tasks) and returns when all are done. Tasks
-  /// must not throw. Allocates nothing.
+  /// Calls task(k) for k in [0, tasks) and returns when all are done. Tasks must not throw. Allocates
+  /// nothing.
   template <class Task>
   void run(int tasks, const Task& task) {
     dispatch(tasks, &task, [](const void* t, int k) { (*static_cast<const Task*>(t))(k); });

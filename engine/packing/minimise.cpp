@@ -115,8 +115,7 @@ double sum_over_chunks(const SpherePacking& spheres, base::ThreadPool& pool, con
 struct Solver {
   Vectors d, r, p, hp;
 
-  /// H d = f to a residual of `reduction` of f; ends early at a saddle, with
-  /// what it has so far.
+  /// H d = f to a residual of `reduction` of f; ends early at a saddle, with what it has so far.
   void solve(const SpherePacking& spheres, base::ThreadPool& pool, double reduction,
              const RoundsSpent& spent) {
     constexpr int most_rounds = 1000;

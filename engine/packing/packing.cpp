@@ -149,8 +149,8 @@ constexpr double release_damping = 0.1;  // of a packing that is pressed too har
 constexpr double rough = 1e-3;           // an unbalance from which Newton's method gets on
 constexpr double closeness = 0.015;      // how far above the target the coordination may lie
 
-/// Grows in small strides, each relaxed for a moment only: converging below the
-/// jamming density is slow and of no use.
+/// Grows in small strides, each relaxed for a moment only: converging below the jamming density is slow and
+/// of no use.
 void grow_roughly(SpherePacking& spheres, base::ThreadPool& pool, double scale, Watch& watch) {
   constexpr int strides = 12, rounds_each = 20;
   constexpr double strong_damping = 0.2;
@@ -170,8 +170,7 @@ void grow_roughly(SpherePacking& spheres, base::ThreadPool& pool, double scale, 
       coordination, spheres.coordination(), 100.0 * spheres.mean_overlap(), 100.0 * largest_mean_overlap));
 }
 
-/// dz / d(ln scale): coordination rises with the root of the overlap, from its
-/// value at jamming.
+/// dz / d(ln scale): coordination rises with the root of the overlap, from its value at jamming.
 double slope_of(const SpherePacking& spheres) {
   constexpr double loose = 1e-3;
   return 0.5 / std::max(loose, spheres.mean_overlap());
@@ -203,8 +202,7 @@ void loosen(SpherePacking& spheres, base::ThreadPool& pool, Watch& watch) {
   }
 }
 
-/// Moves the scale until the coordination at a minimum is the one asked for, or
-/// little above.
+/// Moves the scale until the coordination at a minimum is the one asked for, or little above.
 void grow_to(SpherePacking& spheres, base::ThreadPool& pool, double coordination, Watch& watch) {
   constexpr double tight = 1e-6, largest_stride = 0.005;
   constexpr int most_trials = 60, most_rounds = 4000;

@@ -34,8 +34,7 @@ bool candidates_are_stale(const SpherePacking& spheres) {
          });
 }
 
-/// Lists them, with a skin that fits the pace of the flow: a wide one lasts
-/// longer and costs more each round.
+/// Lists them, with a skin that fits the pace of the flow: a wide one lasts longer and costs more each round.
 void list_candidates(SpherePacking& spheres, base::ThreadPool& pool) {
   constexpr int soon = 8, late = 40;
   constexpr double narrowest = 0.12, widest = 0.6;

@@ -28,10 +28,9 @@ struct SpherePacking {
     double force2 = 0;               // of the squared net forces
     double farthest2 = 0;            // largest squared distance moved since the candidates were listed
   };
-  /// Elements [begin, end) and the pairs of them that may touch: pairs within
-  /// the chunk once, pairs that leave it in both chunks. So a chunk writes to
-  /// its own elements only, and every element adds up its contacts in an order
-  /// that knows nothing of threads.
+  /// Elements [begin, end) and the pairs of them that may touch: pairs within the chunk once, pairs that
+  /// leave it in both chunks. So a chunk writes to its own elements only, and every element adds up its
+  /// contacts in an order that knows nothing of threads.
   struct Chunk {
     int begin = 0, end = 0;
     std::vector<int> first;      // of each element's candidates, and the end of the last
@@ -56,16 +55,13 @@ struct SpherePacking {
   int chunks() const { return static_cast<int>(chunk.size()); }
   double coordination() const { return static_cast<double>(sums.half_contacts) / size(); }
   double mean_contact_force() const;
-  /// As a share of r_i + r_j, which is 2 scale on average to first order in the
-  /// spread.
+  /// As a share of r_i + r_j, which is 2 scale on average to first order in the spread.
   double mean_overlap() const { return mean_contact_force() / (2.0 * scale); }
-  /// Root mean square of the net forces over the mean contact force; 0 where
-  /// nothing touches.
+  /// Root mean square of the net forces over the mean contact force; 0 where nothing touches.
   double unbalance() const;
 };
 
-/// Cut into chunks by the number of spheres alone; without velocities or forces
-/// yet.
+/// Cut into chunks by the number of spheres alone; without velocities or forces yet.
 SpherePacking make_sphere_packing(const Box& box, double scale,
                                   const std::vector<SpherePacking::Sphere>& sphere);
 
@@ -82,15 +78,14 @@ SpherePacking::Vector minimum_image(const Box& box, const SpherePacking::Sphere&
   return d;
 }
 
-/// Forces f = -dU/dx of the overlaps and the sums that go with them; lists the
-/// candidates anew where the old list may miss a contact. Cost O(N).
+/// Forces f = -dU/dx of the overlaps and the sums that go with them; lists the candidates anew where the old
+/// list may miss a contact. Cost O(N).
 void evaluate_forces(SpherePacking& spheres, base::ThreadPool& pool);
 
 /// Brings the centres of a periodic box back into it; the candidates are stale then.
 void wrap(SpherePacking& spheres);
 
-/// Moves the centres by move(i), and keeps account of how far they went since
-/// the candidates were listed.
+/// Moves the centres by move(i), and keeps account of how far they went since the candidates were listed.
 template <class Move>
 void move_spheres(SpherePacking& spheres, base::ThreadPool& pool, const Move& move) {
   pool.run(spheres.chunks(), [&](int c) {
