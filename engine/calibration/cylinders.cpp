@@ -20,9 +20,9 @@ namespace rift::calibration {
 namespace {
 
 /// What is still to do, and how far what has begun has come.
-class Bench {
+class TaskQueue {
  public:
-  Bench(const std::vector<double>& work, const base::FractionTold& progress)
+  TaskQueue(const std::vector<double>& work, const base::FractionTold& progress)
       : work_(work), progress_(progress), order_(work.size()), done_(work.size()) {
     std::iota(order_.begin(), order_.end(), 0);
     std::ranges::stable_sort(order_, std::greater{}, [&](std::size_t k) { return work[k]; });
@@ -60,12 +60,12 @@ class Bench {
 
 void side_by_side(const std::vector<double>& work, int threads, const base::FractionTold& progress,
                   const std::function<void(std::size_t, int, const base::FractionTold&)>& task) {
-  Bench bench(work, progress);
+  TaskQueue queue(work, progress);
   const auto work_off = [&](int thread) {
-    while (const auto k = bench.take()) try {
-        task(*k, thread, [&](double done) { return bench.tell(*k, done); });
+    while (const auto k = queue.take()) try {
+        task(*k, thread, [&](double done) { return queue.tell(*k, done); });
       } catch (...) {
-        bench.fail(std::current_exception());
+        queue.fail(std::current_exception());
       }
   };
   {
@@ -74,7 +74,7 @@ void side_by_side(const std::vector<double>& work, int threads, const base::Frac
       helpers.emplace_back(work_off, thread);
     work_off(0);
   }
-  bench.rethrow();
+  queue.rethrow();
 }
 
 namespace {

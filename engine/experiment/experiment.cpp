@@ -45,15 +45,16 @@ std::vector<double> rates_at(const simulation::Prepared& p, const simulation::Ru
 
 class Laboratory {
  public:
-  Laboratory(const scene::Preset& preset, const ExperimentWishes& wishes, const std::filesystem::path& folder,
-             base::Cache& cache, const simulation::BuildInfo& build, const ExperimentProgress& progress)
+  Laboratory(const scene::Preset& preset, const ExperimentOptions& options,
+             const std::filesystem::path& folder, base::Cache& cache, const simulation::BuildInfo& build,
+             const ExperimentProgress& progress)
       : preset_(preset),
-        wishes_(wishes),
+        options_(options),
         run_folder_(folder / "run"),
         cache_(cache),
         build_(build),
         progress_(progress),
-        parts_(folder, experiment_identity(preset, wishes, build), {.threads = wishes.threads}) {}
+        parts_(folder, experiment_identity(preset, options, build), {.threads = options.threads}) {}
 
   Experiment run() {
     measure();
@@ -62,7 +63,7 @@ class Laboratory {
     read_statics();
     e_.efficiency = efficiency_of(preset_, pulled_, slowest(), fastest(), cache_, parts_, progress_);
     conclude();
-    if (wishes_.application) e_.application = apply(preset_, e_, cache_, parts_, progress_);
+    if (options_.application) e_.application = apply(preset_, e_, cache_, parts_, progress_);
     return std::move(e_);
   }
 
@@ -145,7 +146,7 @@ class Laboratory {
 
   /// The same crack along histories that might as well have been measured, as lanes.
   void draw_histories() {
-    const auto histories = resampled(preset_.scene, e_.course, wishes_.resamples,
+    const auto histories = resampled(preset_.scene, e_.course, options_.resamples,
                                      static_cast<std::uint64_t>(preset_.scene.specimen.seed));
     std::vector<scene::Scene> scenes;
     for (const auto& rows : histories) {
@@ -171,7 +172,7 @@ class Laboratory {
     for (std::size_t first = 0; first < scenes.size(); first += most)
       run_drawn({scenes.begin() + static_cast<std::ptrdiff_t>(first),
                  scenes.begin() + static_cast<std::ptrdiff_t>(std::min(first + most, scenes.size()))});
-    e_.resamples = static_cast<int>(drawn_.size()), e_.resamples_asked = wishes_.resamples;
+    e_.resamples = static_cast<int>(drawn_.size()), e_.resamples_asked = options_.resamples;
   }
 
   void run_drawn(const std::vector<scene::Scene>& scenes) {
@@ -186,7 +187,7 @@ class Laboratory {
 
   /// The same crack through other packings.
   void draw_specimens() {
-    for (int k = 1; k < wishes_.specimens; ++k) {
+    for (int k = 1; k < options_.specimens; ++k) {
       const std::string stage = "specimen " + std::to_string(k + 1);
       scene::Preset other = preset_;
       other.scene.specimen.seed += k, other.scene.output.frames = 0;
@@ -266,7 +267,7 @@ class Laboratory {
   }
 
   const scene::Preset& preset_;
-  const ExperimentWishes& wishes_;
+  const ExperimentOptions& options_;
   const std::filesystem::path run_folder_;
   base::Cache& cache_;
   const simulation::BuildInfo& build_;
@@ -280,11 +281,11 @@ class Laboratory {
 
 }  // namespace
 
-Experiment run_experiment(const scene::Preset& preset, const ExperimentWishes& wishes,
+Experiment run_experiment(const scene::Preset& preset, const ExperimentOptions& options,
                           const std::filesystem::path& folder, base::Cache& cache,
                           const simulation::BuildInfo& build, const ExperimentProgress& progress) {
-  begin_experiment(folder, experiment_identity(preset, wishes, build));
-  return Laboratory(preset, wishes, folder, cache, build, progress).run();
+  begin_experiment(folder, experiment_identity(preset, options, build));
+  return Laboratory(preset, options, folder, cache, build, progress).run();
 }
 
 }  // namespace rift::experiment

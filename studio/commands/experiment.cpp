@@ -32,7 +32,7 @@ using Clock = std::chrono::steady_clock;
 
 struct ExperimentCommand {
   SceneOptions scene;
-  experiment::ExperimentWishes wishes;
+  experiment::ExperimentOptions wishes;
   std::string out, truth, budget;
   bool force = false, no_application = false;
   std::unique_ptr<FilmOfRun> film;
