@@ -18,6 +18,7 @@
 #include <cstring>
 #include <exception>
 #include <fstream>
+#include <limits>
 #include <system_error>
 #include <thread>
 
@@ -76,6 +77,15 @@ std::string last_line(const std::string& text) {
   const std::size_t before = text.find_last_of("\n\r", end);
   const std::size_t start = before == std::string::npos ? 0 : before + 1;
   return text.substr(start, end + 1 - start);
+}
+
+/// The last bytes of a file in memory, so many at most.
+std::string end_of_file(int descriptor, off_t most) {
+  struct stat file {};
+  if (fstat(descriptor, &file) != 0) return "";
+  std::string text(static_cast<std::size_t>(std::min(file.st_size, most)), '\0');
+  if (pread(descriptor, text.data(), text.size(), std::max<off_t>(0, file.st_size - most)) < 0) return "";
+  return text;
 }
 
 }  // namespace
@@ -175,14 +185,7 @@ void ChildProcess::note_end(int status) {
   end_ = std::move(end);
 }
 
-std::string ChildProcess::said() const {
-  constexpr off_t enough = 65536;
-  struct stat file {};
-  if (fstat(errors_, &file) != 0) return "";
-  std::string text(static_cast<std::size_t>(std::min(file.st_size, enough)), '\0');
-  if (pread(errors_, text.data(), text.size(), std::max<off_t>(0, file.st_size - enough)) < 0) return "";
-  return text;
-}
+std::string ChildProcess::said() const { return end_of_file(errors_, 65536); }
 
 namespace {
 
@@ -232,31 +235,16 @@ void forget_handlers() {
   _exit(code);
 }
 
-std::string read_all(int descriptor) {
-  std::string text;
-  std::array<char, 65536> buffer;
-  for (;;) {
-    const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
-    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
-    if (count == 0 || (count < 0 && errno != EINTR)) return text;
-  }
-}
-
 }  // namespace
 
 SandboxResult run_in_sandbox(const std::function<std::string()>& work, unsigned seconds) {
-  std::array<int, 2> pipe{};
-  if (::pipe(pipe.data()) != 0) return {{}, std::strerror(errno)};
-  const pid_t child = fork();
-  if (child < 0) return {{}, std::strerror(errno)};
-  if (child == 0) {
-    ::close(pipe[0]);
-    be_the_child(work, seconds, pipe[1]);
-  }
-  ::close(pipe[1]);
-  std::string text = read_all(pipe[0]);
-  ::close(pipe[0]);
-  const int status = status_at_end(child);
+  const int out = memfd_create("result", MFD_CLOEXEC);
+  const pid_t child = out < 0 ? -1 : fork();
+  if (child == 0) be_the_child(work, seconds, out);
+  const int error = errno, status = child < 0 ? 0 : status_at_end(child);
+  std::string text = end_of_file(out, std::numeric_limits<off_t>::max());
+  if (out >= 0) ::close(out);
+  if (child < 0) return {{}, std::strerror(error)};
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {std::move(text), {}};
   if (WIFEXITED(status) && WEXITSTATUS(status) == threw) return {{}, std::move(text)};
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
