@@ -9,9 +9,9 @@ namespace rift::base {
 namespace {
 
 /// Threads that share a CPU would only take turns, and who waits awake would keep the one that works from it.
-int count_hands(int hands, int most) {
+int count_threads(int threads, int most) {
   const int cpus = available_cpus();
-  return std::clamp(hands > 0 ? std::min(hands, cpus) : cpus, 1, std::max(1, most));
+  return std::clamp(threads > 0 ? std::min(threads, cpus) : cpus, 1, std::max(1, most));
 }
 
 inline void breathe() {
@@ -33,8 +33,8 @@ void await_change(const std::atomic<T>& value, T old) {
 
 }  // namespace
 
-ThreadPool::ThreadPool(int hands, int most) : hands_(count_hands(hands, most)) {
-  for (int hand = 1; hand < hands_; ++hand) helpers_.emplace_back([this, hand] { help(hand); });
+ThreadPool::ThreadPool(int threads, int most) : threads_(count_threads(threads, most)) {
+  for (int thread = 1; thread < threads_; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
 }
 
 ThreadPool::~ThreadPool() {
@@ -43,11 +43,11 @@ ThreadPool::~ThreadPool() {
   round_.notify_all();
 }
 
-void ThreadPool::help(int hand) {
+void ThreadPool::help(int thread) {
   for (unsigned done = 0;; ++done) {
     await_change(round_, done);
     if (call_ == nullptr) return;
-    work(hand);
+    work(thread);
     if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
   }
 }
@@ -56,21 +56,21 @@ void ThreadPool::dispatch(int tasks, const void* task, Call call) {
   tasks_ = tasks;
   task_ = task;
   call_ = call;
-  if (hands_ > 1) {
-    busy_.store(hands_ - 1, std::memory_order_relaxed);
+  if (threads_ > 1) {
+    busy_.store(threads_ - 1, std::memory_order_relaxed);
     round_.fetch_add(1, std::memory_order_release);
     round_.notify_all();
   }
   work(0);
-  if (hands_ == 1) return;
+  if (threads_ == 1) return;
   for (int left = busy_.load(std::memory_order_acquire); left != 0;
        left = busy_.load(std::memory_order_acquire))
     await_change(busy_, left);
 }
 
-void ThreadPool::work(int hand) const {
-  const auto share = [&](int h) { return static_cast<int>(std::int64_t{tasks_} * h / hands_); };
-  for (int k = share(hand); k < share(hand + 1); ++k) call_(task_, k);
+void ThreadPool::work(int thread) const {
+  const auto share = [&](int h) { return static_cast<int>(std::int64_t{tasks_} * h / threads_); };
+  for (int k = share(thread); k < share(thread + 1); ++k) call_(task_, k);
 }
 
 }  // namespace rift::base

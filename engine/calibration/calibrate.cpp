@@ -1,5 +1,6 @@
 #include "engine/calibration/calibrate.hpp"
 
+#include "engine/base/numbers.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/scene/derived.hpp"
 
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace rift::calibration {
 namespace {
@@ -63,12 +63,7 @@ Calibrated selected(const std::vector<CylinderResult>& packings, double young_mo
 }  // namespace
 
 Scattered scattered(const std::vector<double>& values) {
-  Scattered s;
-  const auto n = static_cast<double>(values.size());
-  for (double v : values) s.mean += v / n;
-  for (double v : values) s.deviation += (v - s.mean) * (v - s.mean) / (n - 1.0);
-  s.deviation = values.size() > 1 ? std::sqrt(s.deviation) : std::numeric_limits<double>::quiet_NaN();
-  return s;
+  return {base::mean_of(values), base::deviation_of(values)};
 }
 
 OutOfReach::OutOfReach(double wanted, std::array<double, 2> range)
@@ -108,7 +103,7 @@ std::vector<Scattered> poisson_of(const std::vector<CylinderResult>& packings) {
 }
 
 Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio,
-                     base::Cache& cache, const CalibrationProgress& progress, int threads) {
+                     base::Cache& cache, const base::FractionTold& progress, int threads) {
   constexpr double close_enough = 2e-4, share_of_scan = 0.7;
   constexpr int most_secants = 5;
   const int elements = scene.calibration.elements;

@@ -10,17 +10,13 @@
 
 namespace rift::calibration {
 
-/// Told the fraction done in [0, 1]; answers false to give up (throws Interrupted then).
-using CalibrationProgress = std::function<bool(double)>;
-
 /// Tasks that know nothing of each other, shared out to threads, the largest first: each is done by one
 /// thread from beginning to end. The first that throws ends the rest; its exception leaves.
 /// @param[in] work     of each task, in any unit
 /// @param[in] threads  0 for one per available CPU
 /// @param[in] task     k, the thread's number from 0, and whom to tell the fraction of the task that is done
-void side_by_side(
-    const std::vector<double>& work, int threads, const CalibrationProgress& progress,
-    const std::function<void(std::size_t k, int thread, const CalibrationProgress& tell)>& task);
+void side_by_side(const std::vector<double>& work, int threads, const base::FractionTold& progress,
+                  const std::function<void(std::size_t k, int thread, const base::FractionTold& tell)>& task);
 
 /// The beams of a lattice but for their modulus, to which all its moduli are proportional.
 struct BeamShape {
@@ -56,7 +52,7 @@ struct CylinderResult {
 /// same whatever the threads. Throws PackingError, StaticsError or Interrupted.
 /// @param[in] threads  0 for one per available CPU
 std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, base::Cache& cache,
-                                            const CalibrationProgress& progress = {}, int threads = 0);
+                                            const base::FractionTold& progress = {}, int threads = 0);
 
 /// Mean of the coordination of the elements further than `away` from the walls [as the box]; of all elements
 /// where none is.

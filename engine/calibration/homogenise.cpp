@@ -107,7 +107,7 @@ BoxResult result_of(const BoxTest& test, const std::vector<double>& n) {
   return {test.packing, n[0], n[1], Eigen::Map<const Matrix6>(n.data() + numbers_before_stiffness)};
 }
 
-BoxResult homogenise(const BoxTest& test, base::Cache& cache, const CalibrationProgress& tell) {
+BoxResult homogenise(const BoxTest& test, base::Cache& cache, const base::FractionTold& tell) {
   constexpr double share_of_packing = 0.4;
   bool found = false;
   const packing::Packing packing = packing::cached_packing(
@@ -122,7 +122,7 @@ BoxResult homogenise(const BoxTest& test, base::Cache& cache, const CalibrationP
           })};
 }
 
-BoxResult homogenised_or_recalled(const BoxTest& test, base::Cache& cache, const CalibrationProgress& tell) {
+BoxResult homogenised_or_recalled(const BoxTest& test, base::Cache& cache, const base::FractionTold& tell) {
   const std::string key = key_of(test);
   const auto known = base::recall(cache, "box", key);
   BoxResult result;
@@ -141,7 +141,7 @@ BoxResult homogenised_or_recalled(const BoxTest& test, base::Cache& cache, const
 }  // namespace
 
 std::vector<BoxResult> homogenise_boxes(const std::vector<BoxTest>& tests, base::Cache& cache,
-                                        const CalibrationProgress& progress, int threads) {
+                                        const base::FractionTold& progress, int threads) {
   return each_specimen(tests, cache, progress, threads, homogenised_or_recalled);
 }
 

@@ -40,6 +40,6 @@ struct BoxResult {
 
 /// Homogenises all boxes; as press_cylinders() does it.
 std::vector<BoxResult> homogenise_boxes(const std::vector<BoxTest>& tests, base::Cache& cache,
-                                        const CalibrationProgress& progress = {}, int threads = 0);
+                                        const base::FractionTold& progress = {}, int threads = 0);
 
 }  // namespace rift::calibration

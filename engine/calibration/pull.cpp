@@ -8,7 +8,7 @@
 namespace rift::calibration {
 namespace {
 
-/// The elements of one end, and the way between the ends.
+/// The elements of one end.
 struct End {
   std::vector<int> member;
   double mean(const std::vector<double>& of) const {
@@ -20,12 +20,9 @@ struct End {
 
 std::array<End, 2> ends_of(const lattice::Lattice& lattice, int axis) {
   std::array<End, 2> ends;
-  const double edge = lattice.box.size()[axis];
-  for (int i = 0; i < static_cast<int>(lattice.centre.size()); ++i) {
-    const double at = lattice.centre[i][axis], depth = packing::grip_depth * lattice.radius[i];
-    if (at <= depth) ends[0].member.push_back(i);
-    if (edge - at <= depth) ends[1].member.push_back(i);
-  }
+  for (int k = 0; k < 2; ++k)
+    ends[k].member = packing::elements_at(lattice.box, packing::ends_of_axis(axis)[k], lattice.centre,
+                                          lattice.radius, packing::grip_depth);
   for (const End& end : ends)
     if (end.member.size() < 3)
       throw packing::PackingError(

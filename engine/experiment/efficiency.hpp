@@ -13,7 +13,7 @@ namespace rift::experiment {
 /// uncertainties say, or as the rows scatter around the course (parametric bootstrap; Efron and Tibshirani
 /// 1993, section 6.5). The first row, where the notch ends, stays. None where nothing is smoothed.
 std::vector<std::vector<history::HistoryPoint>> resampled(const scene::Scene& scene,
-                                                          const history::Course& course, int count,
+                                                          const history::SmoothedHistory& course, int count,
                                                           std::uint64_t seed);
 
 /// The lattice's efficiency at the velocities of [lowest, highest] c_R: the release ratio of a crack that

@@ -4,9 +4,9 @@
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/kept_parts.hpp"
+#include "engine/measurement/specimen_properties.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/simulation/own_numbers.hpp"
 #include "engine/simulation/record.hpp"
 #include "engine/simulation/summary.hpp"
 
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace rift::experiment {
@@ -29,19 +28,6 @@ std::vector<Sample> crack_rows(const simulation::LaneResult& lane) {
   for (const Sample& row : lane.books)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
   return rows;
-}
-
-/// Mean and standard deviation of those that are numbers; NaN of none.
-struct Spread {
-  double mean = std::numeric_limits<double>::quiet_NaN(), deviation = 0;
-};
-Spread spread_of(const std::vector<double>& values) {
-  double sum = 0.0, squares = 0.0, count = 0.0;
-  for (const double v : values)
-    if (std::isfinite(v)) sum += v, squares += v * v, count += 1.0;
-  if (count == 0.0) return {};
-  const double mean = sum / count;
-  return {mean, count > 1.0 ? std::sqrt(std::max(0.0, squares - count * mean * mean) / (count - 1.0)) : 0.0};
 }
 
 /// What one lane shows at the points, in J/m2.
@@ -59,15 +45,16 @@ std::vector<double> rates_at(const simulation::Prepared& p, const simulation::Ru
 
 class Laboratory {
  public:
-  Laboratory(const scene::Preset& preset, const ExperimentWishes& wishes, const std::filesystem::path& folder,
-             base::Cache& cache, const simulation::BuildInfo& build, const ExperimentProgress& progress)
+  Laboratory(const scene::Preset& preset, const ExperimentOptions& options,
+             const std::filesystem::path& folder, base::Cache& cache, const simulation::BuildInfo& build,
+             const ExperimentProgress& progress)
       : preset_(preset),
-        wishes_(wishes),
+        options_(options),
         run_folder_(folder / "run"),
         cache_(cache),
         build_(build),
         progress_(progress),
-        parts_(folder, experiment_identity(preset, wishes, build), {.threads = wishes.threads}) {}
+        parts_(folder, experiment_identity(preset, options, build), {.threads = options.threads}) {}
 
   Experiment run() {
     measure();
@@ -76,7 +63,7 @@ class Laboratory {
     read_statics();
     e_.efficiency = efficiency_of(preset_, pulled_, slowest(), fastest(), cache_, parts_, progress_);
     conclude();
-    if (wishes_.application) e_.application = apply(preset_, e_, cache_, parts_, progress_);
+    if (options_.application) e_.application = apply(preset_, e_, cache_, parts_, progress_);
     return std::move(e_);
   }
 
@@ -105,7 +92,7 @@ class Laboratory {
   /// The measured crack itself, on the preset's specimen, and the points of the result.
   void measure() {
     const simulation::Prepared p = simulation::prepare(preset_, cache_, preparing("specimen 1"));
-    e_.course = scene::measured_course(preset_.scene);
+    e_.course = scene::smoothed_history(preset_.scene);
     e_.width = preset_.scene.crack.toughness_window * p.lattice.mean_radius;
     pulled_ = p.pulled;
     e_.thickness = p.scale.thickness, e_.rayleigh_speed = p.rayleigh_speed,
@@ -159,7 +146,7 @@ class Laboratory {
 
   /// The same crack along histories that might as well have been measured, as lanes.
   void draw_histories() {
-    const auto histories = resampled(preset_.scene, e_.course, wishes_.resamples,
+    const auto histories = resampled(preset_.scene, e_.course, options_.resamples,
                                      static_cast<std::uint64_t>(preset_.scene.specimen.seed));
     std::vector<scene::Scene> scenes;
     for (const auto& rows : histories) {
@@ -170,11 +157,11 @@ class Laboratory {
         scenes.pop_back();
       else
         scenes.back().crack.end =
-            std::min(scene::crack_end(preset_.scene), scene::measured_course(scenes.back()).end);
+            std::min(scene::crack_end(preset_.scene), scene::smoothed_history(scenes.back()).end);
     }
     std::vector<std::vector<double>> speeds;
     for (const scene::Scene& scene : scenes) {
-      const history::CrackHistory course = scene::measured_course(scene).history;
+      const history::CrackHistory course = scene::smoothed_history(scene).history;
       speeds.emplace_back();
       for (const CriticalPoint& point : e_.along)
         speeds.back().push_back(history::speed_at(course, history::time_of_arrival(course, point.position)));
@@ -185,7 +172,7 @@ class Laboratory {
     for (std::size_t first = 0; first < scenes.size(); first += most)
       run_drawn({scenes.begin() + static_cast<std::ptrdiff_t>(first),
                  scenes.begin() + static_cast<std::ptrdiff_t>(std::min(first + most, scenes.size()))});
-    e_.resamples = static_cast<int>(drawn_.size()), e_.resamples_asked = wishes_.resamples;
+    e_.resamples = static_cast<int>(drawn_.size()), e_.resamples_asked = options_.resamples;
   }
 
   void run_drawn(const std::vector<scene::Scene>& scenes) {
@@ -200,7 +187,7 @@ class Laboratory {
 
   /// The same crack through other packings.
   void draw_specimens() {
-    for (int k = 1; k < wishes_.specimens; ++k) {
+    for (int k = 1; k < options_.specimens; ++k) {
       const std::string stage = "specimen " + std::to_string(k + 1);
       scene::Preset other = preset_;
       other.scene.specimen.seed += k, other.scene.output.frames = 0;
@@ -229,7 +216,7 @@ class Laboratory {
     for (int k = 0; k < static_parts; ++k) {
       if (!progress_("quasi-static", static_cast<double>(k) / static_parts))
         throw base::Interrupted("the quasi-static plates were solved");
-      part_rates.push_back(simulation::quasi_static_rates(p, {at[k], at[k + 1]}).front());
+      part_rates.push_back(measurement::quasi_static_rates(p, {at[k], at[k + 1]}).front());
     }
     // Over two parts each: the few beams between two positions scatter.
     for (int k = 1; k < static_parts; ++k) rates.push_back(0.5 * (part_rates[k - 1] + part_rates[k]));
@@ -241,11 +228,17 @@ class Laboratory {
     }
   }
 
+  /// Of the curves that have a number there; NaN and 0 of none, 0 of a single one.
+  struct Spread {
+    double mean, deviation;
+  };
   static Spread at(const std::vector<std::vector<double>>& curves, std::size_t k) {
-    std::vector<double> values;
-    values.reserve(curves.size());
-    for (const std::vector<double>& curve : curves) values.push_back(curve[k]);
-    return spread_of(values);
+    double sum = 0.0, squares = 0.0, count = 0.0;
+    for (const std::vector<double>& curve : curves)
+      if (const double v = curve[k]; std::isfinite(v)) sum += v, squares += v * v, count += 1.0;
+    const double mean = sum / count;
+    return {mean,
+            count > 1.0 ? std::sqrt(std::max(0.0, squares - count * mean * mean) / (count - 1.0)) : 0.0};
   }
 
   void conclude() {
@@ -274,7 +267,7 @@ class Laboratory {
   }
 
   const scene::Preset& preset_;
-  const ExperimentWishes& wishes_;
+  const ExperimentOptions& options_;
   const std::filesystem::path run_folder_;
   base::Cache& cache_;
   const simulation::BuildInfo& build_;
@@ -288,11 +281,11 @@ class Laboratory {
 
 }  // namespace
 
-Experiment run_experiment(const scene::Preset& preset, const ExperimentWishes& wishes,
+Experiment run_experiment(const scene::Preset& preset, const ExperimentOptions& options,
                           const std::filesystem::path& folder, base::Cache& cache,
                           const simulation::BuildInfo& build, const ExperimentProgress& progress) {
-  begin_experiment(folder, experiment_identity(preset, wishes, build));
-  return Laboratory(preset, wishes, folder, cache, build, progress).run();
+  begin_experiment(folder, experiment_identity(preset, options, build));
+  return Laboratory(preset, options, folder, cache, build, progress).run();
 }
 
 }  // namespace rift::experiment

@@ -14,7 +14,7 @@
 /// whether a crack that is given it runs as the measured one did (the application phase).
 namespace rift::experiment {
 
-struct ExperimentWishes {
+struct ExperimentOptions {
   int resamples = 12;  // histories drawn anew from their noise
   int specimens = 3;   // packings, the preset's among them
   bool application = true;
@@ -53,7 +53,7 @@ struct Application {
 };
 
 struct Experiment {
-  history::Course course;
+  history::SmoothedHistory course;
   std::vector<double> drawn_speed;  // [m/s] standard deviation of the courses' speeds at each point
   double width = 0;                 // over which release rates are read [m]
   double thickness = 0, rayleigh_speed = 0, mean_radius = 0;
@@ -77,7 +77,7 @@ using ExperimentProgress = std::function<bool(std::string_view stage, double don
 /// marches are kept in the folder until forget_parts(), so that a call that was stopped or killed is gone on
 /// with by the same one, to the same bits (kept_parts.hpp). Throws Interrupted, InputError and WorldError.
 /// @param[in] preset  without issues, with crack.history
-Experiment run_experiment(const scene::Preset& preset, const ExperimentWishes& wishes,
+Experiment run_experiment(const scene::Preset& preset, const ExperimentOptions& options,
                           const std::filesystem::path& folder, base::Cache& cache,
                           const simulation::BuildInfo& build, const ExperimentProgress& progress);
 

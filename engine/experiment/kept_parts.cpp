@@ -25,10 +25,10 @@ fs::path parts_folder(const fs::path& folder) { return folder / "parts"; }
 
 }  // namespace
 
-std::string experiment_identity(const scene::Preset& preset, const ExperimentWishes& wishes,
+std::string experiment_identity(const scene::Preset& preset, const ExperimentOptions& options,
                                 const simulation::BuildInfo& build) {
   return fmt::format("{}\nresamples {}\nspecimens {}\nversion {}\ninstruction set {}\n",
-                     scene::preset_text(preset), wishes.resamples, wishes.specimens, build.version,
+                     scene::preset_text(preset), options.resamples, options.specimens, build.version,
                      ensemble::name_of(ensemble::instruction_set()));
 }
 

@@ -10,10 +10,10 @@
 /// its folder until its report is there.
 namespace rift::experiment {
 
-struct ExperimentWishes;
+struct ExperimentOptions;
 
 /// What an experiment is known by: its preset, what is wished of it, the program and its instruction set.
-std::string experiment_identity(const scene::Preset& preset, const ExperimentWishes& wishes,
+std::string experiment_identity(const scene::Preset& preset, const ExperimentOptions& options,
                                 const simulation::BuildInfo& build);
 
 /// Whether the folder holds this very experiment, stopped or killed before its report.

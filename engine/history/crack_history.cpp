@@ -16,13 +16,13 @@ const CrackStretch& stretch_at(const CrackHistory& history, double time) {
   return *(after - 1);
 }
 
-/// How long a stretch takes for a way that is not negative [s].
-double time_for(const CrackStretch& s, double way) {
-  if (way <= 0.0) return 0.0;
-  if (s.acceleration == 0.0) return way / s.speed;  // infinity for a tip at rest
-  const double square = s.speed * s.speed + 2.0 * s.acceleration * way;
+/// How long a stretch takes for a distance that is not negative [s].
+double time_for(const CrackStretch& s, double distance) {
+  if (distance <= 0.0) return 0.0;
+  if (s.acceleration == 0.0) return distance / s.speed;  // infinity for a tip at rest
+  const double square = s.speed * s.speed + 2.0 * s.acceleration * distance;
   if (square < 0.0) return std::numeric_limits<double>::infinity();
-  return 2.0 * way / (s.speed + std::sqrt(square));
+  return 2.0 * distance / (s.speed + std::sqrt(square));
 }
 
 }  // namespace
@@ -81,8 +81,8 @@ constexpr int fewest_knots = 6, most_knots = 60;
 constexpr double least_lambda = 1e-9, largest_lambda = 1e6;  // of the problem without dimensions
 constexpr int steps_of_lambda = 46;                          // three a decade
 
-/// The fit in units of its own: times from 0 to 1, ways in the whole advance, weights 1 / u^2. Unknown are
-/// the speeds v at evenly spaced knots; the misfit is v^T data v - 2 pull v + rest.
+/// The fit in units of its own: times from 0 to 1, distances in the whole advance, weights 1 / u^2. Unknown
+/// are the speeds v at evenly spaced knots; the misfit is v^T data v - 2 pull v + rest.
 struct Problem {
   Eigen::MatrixXd data;  // [knot][knot]
   Eigen::VectorXd pull;  // [knot]
@@ -95,16 +95,16 @@ struct Problem {
 };
 
 /// Integral from 0 to t of the hat function of a knot, knots `apart` from each other.
-double way_of_hat(int knot, int knots, double apart, double t) {
+double integral_of_hat(int knot, int knots, double apart, double t) {
   const auto rising = [&](double x) {  // of a ramp from 0 to 1 that stays there
     const double s = std::clamp(x / apart, 0.0, 1.0);
     return apart * 0.5 * s * s + std::max(0.0, x - apart);
   };
   const double from = (knot - 1) * apart;
-  double way = rising(t - from) - rising(t - from - apart);
-  if (knot == 0) way -= rising(-from) - rising(-from - apart);  // what lies before 0
-  if (knot == knots - 1) way = rising(t - from);                // nothing falls behind the last
-  return way;
+  double integral = rising(t - from) - rising(t - from - apart);
+  if (knot == 0) integral -= rising(-from) - rising(-from - apart);  // what lies before 0
+  if (knot == knots - 1) integral = rising(t - from);                // nothing falls behind the last
+  return integral;
 }
 
 Problem problem_of(const std::vector<HistoryPoint>& rows, double start) {
@@ -116,14 +116,14 @@ Problem problem_of(const std::vector<HistoryPoint>& rows, double start) {
   p.rows = static_cast<double>(rows.size());
   p.data = p.roughness = Eigen::MatrixXd::Zero(knots, knots);
   p.pull = Eigen::VectorXd::Zero(knots);
-  Eigen::VectorXd ways(knots);
+  Eigen::VectorXd integrals(knots);
   for (const HistoryPoint& row : rows) {
     const double t = (row.time - rows.front().time) / p.duration;
-    for (int k = 0; k < knots; ++k) ways[k] = way_of_hat(k, knots, apart, t);
+    for (int k = 0; k < knots; ++k) integrals[k] = integral_of_hat(k, knots, apart, t);
     const double measured = (row.position - start) / p.advance;
     const double weight = row.uncertainty > 0.0 ? std::pow(p.advance / row.uncertainty, 2.0) : 1.0;
-    p.data += weight * ways * ways.transpose();
-    p.pull += weight * measured * ways;
+    p.data += weight * integrals * integrals.transpose();
+    p.pull += weight * measured * integrals;
     p.rest += weight * measured * measured;
   }
   for (int k = 0; k + 1 < knots; ++k) {
@@ -163,15 +163,15 @@ Eigen::VectorXd speeds_of(const Problem& p, double lambda) {
 
 struct Fit {
   Eigen::VectorXd speed;
-  double misfit = 0;    // sum of weighted squares
-  double freedoms = 0;  // trace of the hat matrix, without the bound at 0
+  double misfit = 0;              // sum of weighted squares
+  double degrees_of_freedom = 0;  // trace of the hat matrix, without the bound at 0
 };
 
 Fit fit_of(const Problem& p, double lambda) {
   Fit fit;
   fit.speed = speeds_of(p, lambda);
   fit.misfit = std::max(0.0, fit.speed.dot(p.data * fit.speed - 2.0 * p.pull) + p.rest);
-  fit.freedoms = p.normal(lambda).ldlt().solve(p.data).trace();
+  fit.degrees_of_freedom = p.normal(lambda).ldlt().solve(p.data).trace();
   return fit;
 }
 
@@ -188,18 +188,18 @@ Fit best_fit(const Problem& p, bool known) {
       if (best.misfit <= p.rows) break;
       continue;
     }
-    const double left = std::max(1e-3, p.rows - fit.freedoms);
+    const double left = std::max(1e-3, p.rows - fit.degrees_of_freedom);
     const double validation = fit.misfit / (left * left);
     if (validation < least) least = validation, best = std::move(fit);
   }
   return best;
 }
 
-Course smooth_course(const std::vector<HistoryPoint>& rows, double start) {
+SmoothedHistory smooth_course(const std::vector<HistoryPoint>& rows, double start) {
   const bool known = rows.front().uncertainty > 0.0;
   const Problem p = problem_of(rows, start);
   const Fit fit = best_fit(p, known);
-  Course course;
+  SmoothedHistory course;
   const double apart = p.duration / (p.knots() - 1), unit = p.advance / p.duration;
   double position = start;
   for (int k = 0; k < p.knots(); ++k) {
@@ -211,12 +211,12 @@ Course smooth_course(const std::vector<HistoryPoint>& rows, double start) {
   }
   course.end = position;
   course.chi2 = known ? fit.misfit / p.rows : 0.0;
-  course.freedoms = fit.freedoms;
+  course.degrees_of_freedom = fit.degrees_of_freedom;
   return course;
 }
 
-Course straight_course(const std::vector<HistoryPoint>& rows, double start) {
-  Course course;
+SmoothedHistory straight_course(const std::vector<HistoryPoint>& rows, double start) {
+  SmoothedHistory course;
   double position = start;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
     const double from = rows[i].time, to = rows[i + 1].time, next = rows[i + 1].position;
@@ -227,25 +227,26 @@ Course straight_course(const std::vector<HistoryPoint>& rows, double start) {
   const CrackStretch& last = course.history.stretch.back();
   course.history.stretch.push_back({rows.back().time - rows.front().time, position, last.speed, 0.0});
   course.end = position;
-  course.freedoms = static_cast<double>(rows.size());
+  course.degrees_of_freedom = static_cast<double>(rows.size());
   return course;
 }
 
 }  // namespace
 
-Course course_of(const std::vector<HistoryPoint>& rows, double start, Smoothing smoothing) {
+SmoothedHistory smoothed_history(const std::vector<HistoryPoint>& rows, double start, Smoothing smoothing) {
   assert(rows.size() >= 2);
-  Course course = smoothing == Smoothing::none ? straight_course(rows, start) : smooth_course(rows, start);
+  SmoothedHistory course =
+      smoothing == Smoothing::none ? straight_course(rows, start) : smooth_course(rows, start);
   course.first_time = rows.front().time;
   double squares = 0.0;
   const std::vector<double> fitted = positions_at_rows(course, rows);
   for (std::size_t i = 0; i < rows.size(); ++i) squares += std::pow(fitted[i] - rows[i].position, 2.0);
-  const double left = static_cast<double>(rows.size()) - course.freedoms;
+  const double left = static_cast<double>(rows.size()) - course.degrees_of_freedom;
   course.scatter = left > 0.5 ? std::sqrt(squares / left) : 0.0;
   return course;
 }
 
-std::vector<double> positions_at_rows(const Course& course, const std::vector<HistoryPoint>& rows) {
+std::vector<double> positions_at_rows(const SmoothedHistory& course, const std::vector<HistoryPoint>& rows) {
   std::vector<double> positions;
   positions.reserve(rows.size());
   for (const HistoryPoint& row : rows)

@@ -32,8 +32,8 @@ Lattice make_lattice(const packing::Specimen& specimen, const MicroMaterial& mic
   for (const auto& [i, j] : specimen.beam) {
     const double section_radius = micro.radius_ratio * 0.5 * (specimen.radius[i] + specimen.radius[j]);
     lattice.beam.push_back(
-        make_beam(packing::way_between(specimen.box, specimen.centre[i], specimen.centre[j]), section_radius,
-                  micro.young_modulus, micro.poisson_ratio));
+        make_beam(packing::minimum_image(specimen.box, specimen.centre[i], specimen.centre[j]),
+                  section_radius, micro.young_modulus, micro.poisson_ratio));
   }
   return lattice;
 }
@@ -44,6 +44,14 @@ double energy_of_beam(const Lattice& lattice, int beam, Kinematics kinematics,
   const Beam& b = lattice.beam[beam];
   const bool linear = kinematics == Kinematics::linear;
   return energy_of(b, linear ? strain_of(b, q[i], q[j]) : strain_of(b, pose_of(q[i]), pose_of(q[j])));
+}
+
+double elastic_energy(const Lattice& lattice, const std::vector<char>& present, Kinematics kinematics,
+                      const std::vector<Vector6>& q) {
+  double energy = 0.0;
+  for (std::size_t b = 0; b < lattice.beam.size(); ++b)
+    if (present[b]) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
+  return energy;
 }
 
 double grip_force(const Lattice& lattice, const std::vector<char>& present, Kinematics kinematics,
@@ -65,13 +73,13 @@ double grip_force(const Lattice& lattice, const std::vector<char>& present, Kine
 
 double energy_per_length(const Lattice& lattice, Kinematics kinematics, const std::vector<Vector6>& q) {
   const double from = 0.25 * lattice.box.length, to = 0.75 * lattice.box.length;
-  double energy = 0.0;
-  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
+  std::vector<char> measured(lattice.beam.size());
+  for (std::size_t b = 0; b < measured.size(); ++b) {
     const auto& [i, j] = lattice.ends[b];
     const double middle = 0.5 * (lattice.centre[i].x() + lattice.centre[j].x());
-    if (middle >= from && middle < to) energy += energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
+    measured[b] = middle >= from && middle < to;
   }
-  return energy / (to - from);
+  return elastic_energy(lattice, measured, kinematics, q) / (to - from);
 }
 
 double strip_modulus(const Lattice& lattice, const std::vector<Vector6>& q, double displacement) {

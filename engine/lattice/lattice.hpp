@@ -37,7 +37,12 @@ inline constexpr MicroMaterial bulk_micro_material{
 /// Energy of a beam of the lattice in the motions q of its ends [J], by either kinematics.
 double energy_of_beam(const Lattice& lattice, int beam, Kinematics kinematics, const std::vector<Vector6>& q);
 
-/// With which the top grip pulls along y to hold the motions q [N]; below 0 it presses.
+/// Elastic energy of a lattice [J], its beams added up in their order.
+/// @param[in] present  B, 0 for a beam that is not there
+double elastic_energy(const Lattice& lattice, const std::vector<char>& present, Kinematics kinematics,
+                      const std::vector<Vector6>& q);
+
+/// Force with which the top grip pulls along y to hold the motions q [N]; below 0 it presses.
 /// @param[in] present  B, 0 for a beam that a notch has cut
 double grip_force(const Lattice& lattice, const std::vector<char>& present, Kinematics kinematics,
                   const std::vector<Vector6>& q);

@@ -27,13 +27,13 @@ Camera::Camera(std::vector<Eigen::Vector2d> at, std::vector<Eigen::Vector2d> poi
   }
 }
 
-std::optional<LocalPlane> Camera::held(std::size_t p, double tip) const {
+std::optional<lattice::LocalPlane> Camera::held(std::size_t p, double tip) const {
   const Subset& s = subset_[p];
   std::vector<Eigen::Vector2d> at;
   std::vector<int> element;
   for (std::size_t k = 0; k < s.element.size(); ++k)
     if (s.parted_at[k] > tip) at.push_back(at_[s.element[k]]), element.push_back(s.element[k]);
-  std::optional<LocalPlane> plane = local_plane(at, point_[p], radius_);
+  std::optional<lattice::LocalPlane> plane = lattice::local_plane(at, point_[p], radius_);
   if (plane)
     for (int& i : plane->point) i = element[i];
   return plane;

@@ -1,21 +1,13 @@
 #pragma once
 
-#include "engine/measurement/near_tip.hpp"
+#include "engine/lattice/gauge.hpp"
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
 
 namespace rift::measurement {
-
-/// A virtual strain gauge and velocity probe: what it shows is the best plane through the motions of the
-/// elements under it, whatever their place through the thickness.
-struct Gauge {
-  std::array<double, 2> point{};  // [m]
-  LocalPlane plane;
-};
 
 /// Where the crack's tip must be [m] for its faces to lie between two places; infinity where it never parts
 /// them.
@@ -36,14 +28,14 @@ class Camera {
   /// What each point shows while the tip is at `tip` [m]; nothing where a subset has lost its hold.
   /// @param motion  of an element, by its number, as Eigen::Vector3d
   template <class Motion>
-  std::vector<std::optional<PlaneMotion>> see(double tip, const Motion& motion) const {
-    std::vector<std::optional<PlaneMotion>> seen;
+  std::vector<std::optional<lattice::PlaneMotion>> see(double tip, const Motion& motion) const {
+    std::vector<std::optional<lattice::PlaneMotion>> seen;
     seen.reserve(point_.size());
     for (std::size_t p = 0; p < point_.size(); ++p) {
       const bool torn = tip >= subset_[p].first;
-      const std::optional<LocalPlane> rest = torn ? held(p, tip) : std::nullopt;
-      const std::optional<LocalPlane>& plane = torn ? rest : subset_[p].whole;
-      seen.push_back(plane ? std::optional(motion_in(*plane, motion)) : std::nullopt);
+      const std::optional<lattice::LocalPlane> rest = torn ? held(p, tip) : std::nullopt;
+      const std::optional<lattice::LocalPlane>& plane = torn ? rest : subset_[p].whole;
+      seen.push_back(plane ? std::optional(lattice::motion_in(*plane, motion)) : std::nullopt);
     }
     return seen;
   }
@@ -53,9 +45,9 @@ class Camera {
     std::vector<int> element;
     std::vector<double> parted_at;                           // from the point, per element
     double first = std::numeric_limits<double>::infinity();  // of these
-    std::optional<LocalPlane> whole;                         // while nothing is parted
+    std::optional<lattice::LocalPlane> whole;                // while nothing is parted
   };
-  std::optional<LocalPlane> held(std::size_t p, double tip) const;
+  std::optional<lattice::LocalPlane> held(std::size_t p, double tip) const;
 
   std::vector<Eigen::Vector2d> at_, point_;
   double radius_;

@@ -11,32 +11,6 @@
 
 namespace rift::measurement {
 
-std::optional<LocalPlane> local_plane(const std::vector<Eigen::Vector2d>& at, const Eigen::Vector2d& middle,
-                                      double radius) {
-  constexpr std::size_t fewest = 6;
-  constexpr double flattest = 0.05;  // of the spread across to that along
-  LocalPlane plane;
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  const auto row = [&](int i) -> Eigen::Vector3d {  // in radii, so that all three are of one size
-    return {1.0, (at[i].x() - middle.x()) / radius, (at[i].y() - middle.y()) / radius};
-  };
-  for (int i = 0; i < static_cast<int>(at.size()); ++i) {
-    if ((at[i] - middle).squaredNorm() > radius * radius) continue;
-    plane.point.push_back(i);
-    normal += row(i) * row(i).transpose();
-  }
-  if (plane.point.size() < fewest) return std::nullopt;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(normal);
-  if (modes.eigenvalues()[0] < flattest * flattest * modes.eigenvalues()[2]) return std::nullopt;
-  const Eigen::Matrix3d inverse = normal.inverse();
-  for (const int i : plane.point) {
-    Eigen::Vector3d weight = inverse * row(i);
-    weight.tail<2>() /= radius;
-    plane.weight.push_back(weight);
-  }
-  return plane;
-}
-
 NearTip::NearTip(const ElasticPlate& plate, double speed) {
   const theory::WaveSpeeds c =
       theory::wave_speeds(plate.young_modulus, plate.poisson_ratio, plate.density, plate.plane);
@@ -70,6 +44,80 @@ Eigen::Vector2d NearTip::displacement(Mode mode, int term, const Eigen::Vector2d
 double NearTip::release_rate(double k_opening, double k_sliding) const {
   const double per_square = (1.0 - beta2_ * beta2_) / (2.0 * shear_modulus_ * rayleigh_);
   return per_square * (beta1_ * k_opening * k_opening + beta2_ * k_sliding * k_sliding);
+}
+
+namespace {
+
+std::vector<int> chosen(const std::vector<Eigen::Vector2d>& from_tip, const IntensityFit& fit) {
+  std::vector<int> points;
+  for (int i = 0; i < static_cast<int>(from_tip.size()); ++i) {
+    const double r = from_tip[i].norm();
+    const bool at_face = from_tip[i].x() < 0.0 && std::abs(from_tip[i].y()) < fit.beside_faces;
+    if (r >= fit.inner && r <= fit.outer && !at_face) points.push_back(i);
+  }
+  return points;
+}
+
+}  // namespace
+
+std::optional<StressIntensity> fit_intensity(const NearTip& field,
+                                             const std::vector<Eigen::Vector2d>& from_tip,
+                                             const std::vector<Eigen::Vector2d>& displacement,
+                                             const IntensityFit& fit) {
+  const std::vector<int> points = chosen(from_tip, fit);
+  const int unknowns = 2 * (fit.terms + 1), rows = 2 * static_cast<int>(points.size());
+  if (rows < 3 * unknowns) return std::nullopt;
+  Eigen::MatrixXd basis(rows, unknowns);
+  Eigen::VectorXd seen(rows);
+  for (int p = 0; p < rows / 2; ++p) {
+    seen.segment<2>(2 * p) = displacement[points[p]];
+    // n = 0 of sliding and opening are the shifts; in radii, so that all terms are of one size.
+    for (int n = 0; n <= fit.terms; ++n)
+      for (const Mode mode : {Mode::opening, Mode::sliding})
+        basis.block<2, 1>(2 * p, 2 * n + (mode == Mode::sliding)) =
+            field.displacement(mode, n, from_tip[points[p]] / fit.outer);
+  }
+  const Eigen::VectorXd size = basis.colwise().norm();
+  const Eigen::MatrixXd even = basis * size.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd part = even.colPivHouseholderQr().solve(seen);
+  const Eigen::VectorXd shift = even.leftCols<2>() * part.head<2>();
+  const Eigen::VectorXd fitted = even * part;
+  // A displacement of K in metres goes with r^1/2, here in units of the outer radius.
+  const double per_k = 1.0 / std::sqrt(fit.outer);
+  StressIntensity k;
+  k.opening = part[2] / size[2] * per_k;
+  k.sliding = part[3] / size[3] * per_k;
+  k.release_rate = field.release_rate(k.opening, k.sliding);
+  k.misfit = (seen - fitted).norm() / (fitted - shift).norm();
+  k.points = rows / 2;
+  return k;
+}
+
+std::optional<StressIntensity> locate_intensity(const NearTip& field,
+                                                const std::vector<Eigen::Vector2d>& from_tip,
+                                                const std::vector<Eigen::Vector2d>& displacement,
+                                                const IntensityFit& fit, const std::array<double, 2>& reach) {
+  const auto with_tip_at = [&](double ahead) {
+    std::vector<Eigen::Vector2d> places(from_tip);
+    for (Eigen::Vector2d& p : places) p.x() -= ahead;
+    std::optional<StressIntensity> k = fit_intensity(field, places, displacement, fit);
+    if (k) k->ahead = ahead;
+    return k;
+  };
+  constexpr int tries = 24;  // the misfit has one valley, with ripples where points enter and leave the ring
+  const double apart = (reach[0] + reach[1]) / tries;
+  std::array<std::optional<StressIntensity>, tries + 1> tried;
+  int best = -1;
+  for (int k = 0; k <= tries; ++k) {
+    tried[k] = with_tip_at(-reach[0] + k * apart);
+    if (tried[k] && (best < 0 || tried[k]->misfit < tried[best]->misfit)) best = k;
+  }
+  if (best <= 0 || best == tries || !tried[best - 1] || !tried[best + 1]) return std::nullopt;
+  // The vertex of the parabola through the squares around the least.
+  const auto square = [&](int k) { return tried[k]->misfit * tried[k]->misfit; };
+  const double before = square(best - 1), at = square(best), after = square(best + 1);
+  const double bend = before - 2.0 * at + after;
+  return with_tip_at(tried[best]->ahead + (bend > 0.0 ? 0.5 * apart * (before - after) / bend : 0.0));
 }
 
 }  // namespace rift::measurement

@@ -4,45 +4,11 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace rift::measurement {
-
-/// The best plane through what is known at scattered points, u(p) = u_0 + grad u (p - p_0), as weights of the
-/// points: least squares over those within a circle   [what a strain gauge or a camera's subset shows].
-struct LocalPlane {
-  std::vector<int> point;
-  std::vector<Eigen::Vector3d> weight;  // of each point: in the value at the middle, in d/dx, in d/dy
-};
-
-/// Nothing where fewer than six points lie in the circle, or all about on a line.
-/// @param[in] at      N places [m]
-/// @param[in] middle  p_0
-std::optional<LocalPlane> local_plane(const std::vector<Eigen::Vector2d>& at, const Eigen::Vector2d& middle,
-                                      double radius);
-
-/// Value and slopes of a motion in the plane.
-struct PlaneMotion {
-  Eigen::Vector3d u = Eigen::Vector3d::Zero();
-  Eigen::Vector3d by_x = Eigen::Vector3d::Zero(), by_y = Eigen::Vector3d::Zero();
-  double strain_xx() const { return by_x.x(); }
-  double strain_yy() const { return by_y.y(); }
-  double strain_xy() const { return 0.5 * (by_x.y() + by_y.x()); }
-};
-
-/// @param[in] motion  of a point, by its number
-template <class Motion>
-PlaneMotion motion_in(const LocalPlane& plane, const Motion& motion) {
-  PlaneMotion sum;
-  for (std::size_t k = 0; k < plane.point.size(); ++k) {
-    const Eigen::Vector3d moved = motion(plane.point[k]);
-    sum.u += plane.weight[k][0] * moved;
-    sum.by_x += plane.weight[k][1] * moved;
-    sum.by_y += plane.weight[k][2] * moved;
-  }
-  return sum;
-}
 
 /// An isotropic plate as what is around a tip that runs through it sees it.
 struct ElasticPlate {
@@ -81,5 +47,38 @@ class NearTip {
  private:
   double beta1_, beta2_, shear_modulus_, rayleigh_;  // the last: D = 4 beta1 beta2 - (1 + beta2^2)^2
 };
+
+/// Stress intensities of a field of displacements.
+struct StressIntensity {
+  double opening = 0, sliding = 0;  // K_I, K_II [Pa m^1/2]
+  double release_rate = 0;          // [J/m2], of the two
+  double misfit = 0;                // rms of what the fit leaves over rms of what it explains beyond a shift
+  double ahead = 0;                 // of the field's tip from where the places are relative to [m]
+  int points = 0;                   // that were fitted
+};
+
+/// What is fitted, and where.
+struct IntensityFit {
+  double inner = 0, outer = 0;  // radii around the tip [m]
+  double beside_faces = 0;      // what is nearer to the faces is left out [m]
+  int terms = 6;                // of each mode beyond the shifts
+};
+
+/// Least squares of the terms of NearTip: all that the displacements hold, turns and the stress along the
+/// crack among it. Nothing where fewer points than three times the unknowns lie between the radii.
+/// @param[in] from_tip     N places relative to the tip, x ahead [m]
+/// @param[in] displacement N, in the same axes [m]
+std::optional<StressIntensity> fit_intensity(const NearTip& field,
+                                             const std::vector<Eigen::Vector2d>& from_tip,
+                                             const std::vector<Eigen::Vector2d>& displacement,
+                                             const IntensityFit& fit);
+
+/// The same with the tip where the misfit is the least, within `reach` behind and ahead of where the places
+/// are relative to [m], to some hundredth of it: a crack's field has its tip somewhere in its damage zone.
+/// Nothing where the least misfit is at an end.
+std::optional<StressIntensity> locate_intensity(const NearTip& field,
+                                                const std::vector<Eigen::Vector2d>& from_tip,
+                                                const std::vector<Eigen::Vector2d>& displacement,
+                                                const IntensityFit& fit, const std::array<double, 2>& reach);
 
 }  // namespace rift::measurement

@@ -2,61 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
 namespace rift::packing {
-namespace {
 
-struct CellGrid {
-  Eigen::Vector3d origin;
-  double cell;
-  Eigen::Array3i size;
-
-  Eigen::Array3i at(const Eigen::Vector3d& p) const {
-    return ((p - origin) / cell).array().floor().cast<int>().max(0).min(size - 1);
+void Cells::choose_counts(const Eigen::Vector3d& extent, double width, int points) {
+  for (double total = std::numeric_limits<double>::infinity(); total > 8.0 * (points + 1); width *= 1.5) {
+    total = 1.0;
+    for (int c = 0; c < 3; ++c) total *= std::max(1.0, std::floor(extent[c] / width));
+    for (int c = 0; c < 3; ++c) per_unit_[c] = std::max(1.0, std::floor(extent[c] / width)) / extent[c];
   }
-  int index(const Eigen::Array3i& c) const { return (c[0] * size[1] + c[1]) * size[2] + c[2]; }
-};
-
-CellGrid make_grid(const std::vector<Eigen::Vector3d>& points, double cell) {
-  Eigen::Vector3d low = points.front(), high = points.front();
-  for (const auto& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  // No more cells than about eight a point, however far apart the points lie.
-  const double volume = ((high - low).array() + cell).prod();
-  cell = std::max(cell, std::cbrt(volume / (8.0 * static_cast<double>(points.size()))));
-  return {low, cell, ((high - low) / cell).array().floor().cast<int>() + 1};
+  for (int c = 0; c < 3; ++c) count_[c] = static_cast<int>(std::lround(per_unit_[c] * extent[c]));
 }
 
-}  // namespace
+void Cells::sort(const std::vector<int>& cell) {
+  first_.assign(count_[0] * count_[1] * count_[2] + 1, 0);
+  for (const int c : cell) ++first_[c + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  std::vector<int> next(first_.begin(), first_.end() - 1);
+  member_.resize(cell.size());
+  for (int i = 0; i < static_cast<int>(cell.size()); ++i) member_[next[cell[i]]++] = i;
+}
 
 std::vector<std::array<int, 2>> pairs_within_reach(const std::vector<Eigen::Vector3d>& points,
                                                    const std::vector<double>& reach) {
   std::vector<std::array<int, 2>> pairs;
   if (points.empty()) return pairs;
-  const CellGrid grid =
-      make_grid(points, 2.0 * (1.0 + 1e-12) * *std::max_element(reach.begin(), reach.end()));
-
-  std::vector<int> first(grid.size.prod() + 1, 0), member(points.size());
-  for (const auto& p : points) ++first[grid.index(grid.at(p)) + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<int> next(first.begin(), first.end() - 1);
-  for (int i = 0; i < static_cast<int>(points.size()); ++i)
-    member[next[grid.index(grid.at(points[i]))]++] = i;
+  const double width = 2.0 * (1.0 + 1e-12) * *std::max_element(reach.begin(), reach.end());
+  Eigen::Vector3d low = points.front(), high = points.front();
+  for (const auto& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const auto count = static_cast<int>(points.size());
+  const Cells cells((high - low).cwiseMax(width), width, count, [&](int i) { return points[i] - low; });
 
   std::vector<int> found;
-  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-    const Eigen::Array3i centre = grid.at(points[i]);
-    const Eigen::Array3i low = (centre - 1).max(0), high = (centre + 1).min(grid.size - 1);
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d at = points[i] - low;
     found.clear();
-    for (int x = low[0]; x <= high[0]; ++x)
-      for (int y = low[1]; y <= high[1]; ++y)
-        for (int cell = grid.index({x, y, low[2]}); cell <= grid.index({x, y, high[2]}); ++cell)
-          for (int k = first[cell]; k < first[cell + 1]; ++k) {
-            const int j = member[k];
-            const double limit = reach[i] + reach[j];
-            if (j > i && (points[j] - points[i]).squaredNorm() <= limit * limit) found.push_back(j);
-          }
+    cells.visit_near<false>(at.x(), at.y(), at.z(), [&](int j) {
+      const double limit = reach[i] + reach[j];
+      if (j > i && (points[j] - points[i]).squaredNorm() <= limit * limit) found.push_back(j);
+    });
     std::sort(found.begin(), found.end());
     for (int j : found) pairs.push_back({i, j});
   }

@@ -1,9 +1,8 @@
 #include "engine/packing/packing.hpp"
 
-#include "engine/base/interrupted.hpp"
+#include "engine/packing/minimise.hpp"
 #include "engine/packing/neighbours.hpp"
-#include "engine/packing/pile.hpp"
-#include "engine/packing/settle.hpp"
+#include "engine/packing/sphere_packing.hpp"
 
 #include <fmt/core.h>
 #include <fmt/format.h>
@@ -74,11 +73,11 @@ class Places {
 
 /// In a box each sphere has its place. Round walls cut patches: more places than spheres are then drawn over
 /// the box around, what lies outside is dropped, and of the others some at random.
-Pile loose_start(const PackingRequest& request, double unit, double scale) {
+SpherePacking loose_start(const PackingRequest& request, double unit, double scale) {
   UniformReal uniform{std::mt19937_64(request.seed)};
   Shapes shape(request, uniform);
   const Box box = in_units(request.box, unit);
-  std::vector<Pile::Sphere> spheres;
+  std::vector<SpherePacking::Sphere> spheres;
   if (box.is_cuboid() || box.shape == Shape::periodic) {
     Places place(box, request.elements, uniform);
     for (int i = 0; i < request.elements; ++i) {
@@ -86,7 +85,7 @@ Pile loose_start(const PackingRequest& request, double unit, double scale) {
       const Eigen::Vector3d p = place(i);
       spheres.push_back({p[0], p[1], p[2], s});
     }
-    return make_pile(box, scale, spheres);
+    return make_sphere_packing(box, scale, spheres);
   }
   std::vector<Eigen::Vector3d> inside;
   const double in_box = request.elements * box.size().prod() / box.volume();
@@ -95,14 +94,14 @@ Pile loose_start(const PackingRequest& request, double unit, double scale) {
     const int places = static_cast<int>(more * in_box) + 10;
     Places place(box, places, uniform);
     for (int i = 0; i < places; ++i)
-      if (const Eigen::Vector3d p = place(i); holds(box, p)) inside.push_back(p);
+      if (const Eigen::Vector3d p = place(i); contains(box, p)) inside.push_back(p);
   }
   for (int left = request.elements, k = 0; left > 0; ++k)  // each as likely as any other, in their order
     if (uniform() * (static_cast<double>(inside.size()) - k) < left) {
       spheres.push_back({inside[k][0], inside[k][1], inside[k][2], shape()});
       --left;
     }
-  return make_pile(box, scale, spheres);
+  return make_sphere_packing(box, scale, spheres);
 }
 
 /// Counts the rounds and tells how much of the work is done. How many trials it takes to hit the coordination
@@ -110,8 +109,8 @@ Pile loose_start(const PackingRequest& request, double unit, double scale) {
 /// further one, which starts near a rest, for three quarters of what is left then. Within a trial the
 /// unbalance falls by a steady factor a round.
 struct Watch {
-  const Pile& pile;
-  const PackingProgress& progress;
+  const SpherePacking& spheres;
+  const base::FractionTold& progress;
   double grown = 0.0;  // share of the growth done
   double goal = 1e-6;  // the unbalance at which a trial ends
   int trial = 0;
@@ -124,11 +123,11 @@ struct Watch {
     constexpr double after_trial = 0.25;
     constexpr int most_rounds = 40'000;  // twenty times what a plate takes
     rounds += more, untold += more;
-    if (long{untold} * pile.size() < worth_telling) return;
+    if (long{untold} * spheres.size() < worth_telling) return;
     untold = 0;
     double now = growth * grown;
-    if (grown >= 1.0 && pile.unbalance() > 0.0) {
-      const double in_trial = std::clamp(std::log(pile.unbalance()) / std::log(goal), 0.0, 1.0);
+    if (grown >= 1.0 && spheres.unbalance() > 0.0) {
+      const double in_trial = std::clamp(std::log(spheres.unbalance()) / std::log(goal), 0.0, 1.0);
       const double left = (1.0 - growth) * std::pow(after_trial, trial);
       now = 1.0 - left + left * (1.0 - after_trial) * in_trial;
     }
@@ -139,163 +138,162 @@ struct Watch {
           fmt::format("{} elements find no rest: after {} rounds the net forces are {:.1g} "
                       "of the "
                       "contact forces, at a coordination of {:.4g}",
-                      pile.size(), rounds, pile.unbalance(), pile.coordination()));
+                      spheres.size(), rounds, spheres.unbalance(), spheres.coordination()));
   }
 };
 
-/// Soft enough for the pile to find a good place, hard enough to come to rest:
+/// Soft enough for the packing to find a good place, hard enough to come to rest:
 /// 1e-3 takes 1,400 rounds.
 constexpr double damping = 0.01;
-constexpr double release_damping = 0.1;  // of a pile that is pressed too hard and may hurry
+constexpr double release_damping = 0.1;  // of a packing that is pressed too hard and may hurry
 constexpr double rough = 1e-3;           // an unbalance from which Newton's method gets on
 constexpr double closeness = 0.015;      // how far above the target the coordination may lie
 
-/// Grows in small strides, each relaxed for a moment only: converging below the
-/// jamming density is slow and of no use.
-void grow_roughly(Pile& pile, base::ThreadPool& crew, double scale, Watch& watch) {
+/// Grows in small strides, each relaxed for a moment only: converging below the jamming density is slow and
+/// of no use.
+void grow_roughly(SpherePacking& spheres, base::ThreadPool& pool, double scale, Watch& watch) {
   constexpr int strides = 12, rounds_each = 20;
   constexpr double strong_damping = 0.2;
-  const double stride = std::pow(scale / pile.scale, 1.0 / strides);
+  const double stride = std::pow(scale / spheres.scale, 1.0 / strides);
   for (int k = 0; k < strides; ++k) {
-    pile.scale *= stride;
-    evaluate_forces(pile, crew);
-    relax(pile, crew, 0.0, strong_damping, rounds_each, std::ref(watch));
+    spheres.scale *= stride;
+    evaluate_forces(spheres, pool);
+    damped_relaxation(spheres, pool, 0.0, strong_damping, rounds_each, std::ref(watch));
     watch.grown = (k + 1.0) / strides;
   }
 }
 
-[[noreturn]] void refuse_coordination(const Pile& pile, double coordination) {
+[[noreturn]] void refuse_coordination(const SpherePacking& spheres, double coordination) {
   throw PackingError(fmt::format(
       "a coordination of {:.4g} is out of reach: {:.4g} takes a mean overlap of {:.1f} % of r_i + r_j (limit "
       "{:.0f} %)",
-      coordination, pile.coordination(), 100.0 * pile.mean_overlap(), 100.0 * largest_mean_overlap));
+      coordination, spheres.coordination(), 100.0 * spheres.mean_overlap(), 100.0 * largest_mean_overlap));
 }
 
-/// dz / d(ln scale): coordination rises with the root of the overlap, from its
-/// value at jamming.
-double slope_of(const Pile& pile) {
+/// dz / d(ln scale): coordination rises with the root of the overlap, from its value at jamming.
+double slope_of(const SpherePacking& spheres) {
   constexpr double loose = 1e-3;
-  return 0.5 / std::max(loose, pile.mean_overlap());
+  return 0.5 / std::max(loose, spheres.mean_overlap());
 }
 
-/// Lets the pile calm down and nudges the scale on the way, so that it comes to
+/// Lets the packing calm down and nudges the scale on the way, so that it comes to
 /// rest near the coordination.
-void approach(Pile& pile, base::ThreadPool& crew, double coordination, Watch& watch) {
+void approach(SpherePacking& spheres, base::ThreadPool& pool, double coordination, Watch& watch) {
   constexpr double calm = 0.05, loose = 1e-3, gain = 0.3, largest_nudge = 1e-3;
   constexpr int most_bursts = 80, hot_bursts = 30, rounds_each = 25;
-  for (int k = 0; k < most_bursts && pile.mean_overlap() <= largest_mean_overlap; ++k) {
-    if (relax(pile, crew, rough, damping, rounds_each, std::ref(watch))) return;
-    const bool too_early = k < hot_bursts && pile.unbalance() > calm && pile.mean_overlap() > loose;
-    const double missing = coordination + 0.5 * closeness - pile.coordination();
+  for (int k = 0; k < most_bursts && spheres.mean_overlap() <= largest_mean_overlap; ++k) {
+    if (damped_relaxation(spheres, pool, rough, damping, rounds_each, std::ref(watch))) return;
+    const bool too_early = k < hot_bursts && spheres.unbalance() > calm && spheres.mean_overlap() > loose;
+    const double missing = coordination + 0.5 * closeness - spheres.coordination();
     if (too_early || std::abs(missing) < 0.25 * closeness) continue;
-    pile.scale *= 1.0 + std::clamp(gain * missing / slope_of(pile), -largest_nudge, largest_nudge);
+    spheres.scale *= 1.0 + std::clamp(gain * missing / slope_of(spheres), -largest_nudge, largest_nudge);
   }
 }
 
 /// Spheres of very unequal radii fill a box at a smaller scale than equal ones: shrinks them until they no
 /// longer press each other too hard.
-void loosen(Pile& pile, base::ThreadPool& crew, Watch& watch) {
+void loosen(SpherePacking& spheres, base::ThreadPool& pool, Watch& watch) {
   constexpr int rounds_each = 100;
   constexpr double stride = 0.99;
-  while (pile.mean_overlap() > 0.5 * largest_mean_overlap) {
-    pile.scale *= stride;
-    evaluate_forces(pile, crew);
-    relax(pile, crew, rough, release_damping, rounds_each, std::ref(watch));
+  while (spheres.mean_overlap() > 0.5 * largest_mean_overlap) {
+    spheres.scale *= stride;
+    evaluate_forces(spheres, pool);
+    damped_relaxation(spheres, pool, rough, release_damping, rounds_each, std::ref(watch));
   }
 }
 
-/// Moves the scale until the coordination at a minimum is the one asked for, or
-/// little above.
-void grow_to(Pile& pile, base::ThreadPool& crew, double coordination, Watch& watch) {
+/// Moves the scale until the coordination at a minimum is the one asked for, or little above.
+void grow_to(SpherePacking& spheres, base::ThreadPool& pool, double coordination, Watch& watch) {
   constexpr double tight = 1e-6, largest_stride = 0.005;
   constexpr int most_trials = 60, most_rounds = 4000;
   double caution = 1.0, last_missing = 0.0;
-  approach(pile, crew, coordination, watch);
-  for (int trial = 0; trial < most_trials && pile.mean_overlap() <= largest_mean_overlap; ++trial) {
-    relax(pile, crew, rough, damping, most_rounds, std::ref(watch));
-    settle(pile, crew, tight, damping, std::ref(watch));
+  approach(spheres, pool, coordination, watch);
+  for (int trial = 0; trial < most_trials && spheres.mean_overlap() <= largest_mean_overlap; ++trial) {
+    damped_relaxation(spheres, pool, rough, damping, most_rounds, std::ref(watch));
+    minimise_newton(spheres, pool, tight, damping, std::ref(watch));
     ++watch.trial;
-    const double excess = pile.coordination() - coordination, missing = 0.5 * closeness - excess;
-    if (excess >= 0.0 && excess < closeness && pile.mean_overlap() <= largest_mean_overlap) return;
+    const double excess = spheres.coordination() - coordination, missing = 0.5 * closeness - excess;
+    if (excess >= 0.0 && excess < closeness && spheres.mean_overlap() <= largest_mean_overlap) return;
     caution = std::max(1.0, caution * (missing * last_missing < 0.0 ? 1.5 : 0.8));
     last_missing = missing;
-    pile.scale *= 1.0 + std::clamp(missing / (caution * slope_of(pile)), -largest_stride, largest_stride);
-    evaluate_forces(pile, crew);
+    spheres.scale *=
+        1.0 + std::clamp(missing / (caution * slope_of(spheres)), -largest_stride, largest_stride);
+    evaluate_forces(spheres, pool);
   }
-  refuse_coordination(pile, coordination);
+  refuse_coordination(spheres, coordination);
 }
 
 /// How the scale must change for the coordination to rise by `missing`: z is linear in the root of the mean
 /// overlap (O'Hern et al. 2003), which grows as ln(scale) does.
-double stride_for(const Pile& pile, double missing) {
+double stride_for(const SpherePacking& spheres, double missing) {
   constexpr double slope = 14.0, least = 0.7, most = 1.2;  // dz / d root; root over root before
-  const double root = std::sqrt(pile.mean_overlap());
+  const double root = std::sqrt(spheres.mean_overlap());
   const double wanted = std::clamp(root + missing / slope, least * root, most * root);
   return wanted * wanted - root * root;
 }
 
 /// Relaxes until the net forces are what shifts of 5e-5 radii make: near jamming contact forces are small,
 /// and a millionth of them would be out of proportion.
-void bring_to_rest(Pile& pile, base::ThreadPool& crew, Watch& watch) {
+void bring_to_rest(SpherePacking& spheres, base::ThreadPool& pool, Watch& watch) {
   constexpr double shift = 5e-5;
   constexpr int rounds_each = 25;
-  watch.goal = std::min(0.1, shift / pile.mean_contact_force());
-  while (
-      !relax(pile, crew, shift / pile.mean_contact_force(), release_damping, rounds_each, std::ref(watch))) {
+  watch.goal = std::min(0.1, shift / spheres.mean_contact_force());
+  while (!damped_relaxation(spheres, pool, shift / spheres.mean_contact_force(), release_damping, rounds_each,
+                            std::ref(watch))) {
   }
 }
 
-/// Brings a pile that presses too hard down to the coordination: a compressed pile finds a rest quickly and
-/// stays near one while it is released, where one that grows towards jamming wanders. First with the pile
-/// still moving, then from rest to rest.
-void release_to(Pile& pile, base::ThreadPool& crew, double coordination, Watch& watch) {
+/// Brings a packing that presses too hard down to the coordination: a compressed packing finds a rest quickly
+/// and stays near one while it is released, where one that grows towards jamming wanders. First with the
+/// packing still moving, then from rest to rest.
+void release_to(SpherePacking& spheres, base::ThreadPool& pool, double coordination, Watch& watch) {
   constexpr double still_moving = 0.03;
-  constexpr double yet_to_come = 0.03;  // what the coordination of such a pile gains on its way to rest
+  constexpr double yet_to_come = 0.03;  // what the coordination of such a packing gains on its way to rest
   constexpr int most_trials = 40, most_rounds = 2000;
-  const auto missing = [&] { return coordination + 0.5 * closeness - pile.coordination(); };
+  const auto missing = [&] { return coordination + 0.5 * closeness - spheres.coordination(); };
   const auto stride = [&](double more) {
-    pile.scale *= 1.0 + stride_for(pile, more);
-    evaluate_forces(pile, crew);
+    spheres.scale *= 1.0 + stride_for(spheres, more);
+    evaluate_forces(spheres, pool);
   };
   for (int trial = 0; trial < most_trials; ++trial) {
-    relax(pile, crew, still_moving, release_damping, most_rounds, std::ref(watch));
+    damped_relaxation(spheres, pool, still_moving, release_damping, most_rounds, std::ref(watch));
     if (missing() - yet_to_come >= -closeness) break;
     stride(missing() - yet_to_come);
   }
-  for (int trial = 0; trial < most_trials && pile.mean_overlap() <= largest_mean_overlap; ++trial) {
-    bring_to_rest(pile, crew, watch);
+  for (int trial = 0; trial < most_trials && spheres.mean_overlap() <= largest_mean_overlap; ++trial) {
+    bring_to_rest(spheres, pool, watch);
     ++watch.trial;
-    const double excess = pile.coordination() - coordination;
+    const double excess = spheres.coordination() - coordination;
     if (excess >= 0.0 && excess < closeness) return;
     stride(missing());
   }
-  refuse_coordination(pile, coordination);
+  refuse_coordination(spheres, coordination);
 }
 
-double volume_of(const Pile& pile) {
+double volume_of(const SpherePacking& spheres) {
   double cubes = 0.0;
-  for (const Pile::Sphere& s : pile.sphere) cubes += s.shape * s.shape * s.shape;
-  return 4.0 / 3.0 * std::numbers::pi * cubes * pile.scale * pile.scale * pile.scale;
+  for (const SpherePacking::Sphere& s : spheres.sphere) cubes += s.shape * s.shape * s.shape;
+  return 4.0 / 3.0 * std::numbers::pi * cubes * spheres.scale * spheres.scale * spheres.scale;
 }
 
-/// Lets the pile come to rest at the scale that gives the solid fraction.
-void grow_to_fraction(Pile& pile, base::ThreadPool& crew, double solid_fraction, Watch& watch) {
+/// Lets the packing come to rest at the scale that gives the solid fraction.
+void grow_to_fraction(SpherePacking& spheres, base::ThreadPool& pool, double solid_fraction, Watch& watch) {
   constexpr double loose = 2e-4;
   constexpr int rounds = 1000;
-  pile.scale *= std::cbrt(solid_fraction * pile.box.volume() / volume_of(pile));
-  evaluate_forces(pile, crew);
-  relax(pile, crew, rough, release_damping, rounds, std::ref(watch));
-  if (pile.mean_overlap() <= loose)
+  spheres.scale *= std::cbrt(solid_fraction * spheres.box.volume() / volume_of(spheres));
+  evaluate_forces(spheres, pool);
+  damped_relaxation(spheres, pool, rough, release_damping, rounds, std::ref(watch));
+  if (spheres.mean_overlap() <= loose)
     throw PackingError(
         fmt::format("a solid fraction of {:.4g} leaves the elements loose: nothing carries load "
                     "before they press on each other, from about 0.63 on",
                     solid_fraction));
-  bring_to_rest(pile, crew, watch);
-  if (pile.mean_overlap() > largest_mean_overlap)
+  bring_to_rest(spheres, pool, watch);
+  if (spheres.mean_overlap() > largest_mean_overlap)
     throw PackingError(
         fmt::format("a solid fraction of {:.4g} is out of reach: it takes a mean overlap of "
                     "{:.1f} % of r_i + r_j (limit {:.0f} %)",
-                    solid_fraction, 100.0 * pile.mean_overlap(), 100.0 * largest_mean_overlap));
+                    solid_fraction, 100.0 * spheres.mean_overlap(), 100.0 * largest_mean_overlap));
 }
 
 /// Whether walls hold so much of the packing that it presses hard at any coordination: fewer than six
@@ -306,32 +304,32 @@ bool is_thin(const Box& box, double mean_radius) {
 
 }  // namespace
 
-Packing pack(const PackingRequest& request, const PackingProgress& progress, int threads) {
+Packing pack(const PackingRequest& request, const base::FractionTold& progress, int threads) {
   constexpr double expected_fraction = 0.615, start_fraction = 0.5;
   constexpr double below_target = 0.994, above_target = 1.02;  // where the search starts
   base::tell_or_stop(progress, 0.0, "packing");
   const double sphere = 4.0 / 3.0 * std::numbers::pi;
   const double unit = std::cbrt(request.box.volume() * expected_fraction / (request.elements * sphere));
-  Pile pile = loose_start(request, unit, std::cbrt(start_fraction / expected_fraction));
-  base::ThreadPool crew(threads, pile.chunks());
-  Watch watch{pile, progress};
+  SpherePacking spheres = loose_start(request, unit, std::cbrt(start_fraction / expected_fraction));
+  base::ThreadPool pool(threads, spheres.chunks());
+  Watch watch{spheres, progress};
   const bool thin = is_thin(request.box, unit);
-  grow_roughly(pile, crew, thin ? below_target : above_target, watch);
+  grow_roughly(spheres, pool, thin ? below_target : above_target, watch);
   if (request.solid_fraction > 0.0) {
-    grow_to_fraction(pile, crew, request.solid_fraction, watch);
+    grow_to_fraction(spheres, pool, request.solid_fraction, watch);
   } else if (thin) {
-    if (pile.mean_overlap() > largest_mean_overlap) loosen(pile, crew, watch);
-    grow_to(pile, crew, request.coordination, watch);
+    if (spheres.mean_overlap() > largest_mean_overlap) loosen(spheres, pool, watch);
+    grow_to(spheres, pool, request.coordination, watch);
   } else {
-    release_to(pile, crew, request.coordination, watch);
+    release_to(spheres, pool, request.coordination, watch);
   }
-  if (request.box.shape == Shape::periodic) wrap(pile);
+  if (request.box.shape == Shape::periodic) wrap(spheres);
   std::vector<Eigen::Vector3d> centre;
-  for (const auto& s : pile.sphere) centre.emplace_back(s.x, s.y, s.z);
+  for (const auto& s : spheres.sphere) centre.emplace_back(s.x, s.y, s.z);
   Packing packing;
-  for (int k : column_order(centre, 2.0 * pile.scale)) {
+  for (int k : column_order(centre, 2.0 * spheres.scale)) {
     packing.centre.push_back(centre[k] * unit);
-    packing.radius.push_back(pile.sphere[k].shape * pile.scale * unit);
+    packing.radius.push_back(spheres.sphere[k].shape * spheres.scale * unit);
   }
   return packing;
 }
@@ -348,7 +346,7 @@ PackingStatistics statistics(const Packing& packing, const Box& box) {
   const auto touching = contacts(packing, box, 1.0);
   const double n = static_cast<double>(packing.radius.size());
   for (const auto& [i, j] : touching)
-    s.mean_overlap += 1.0 - way_between(box, packing.centre[i], packing.centre[j]).norm() /
+    s.mean_overlap += 1.0 - minimum_image(box, packing.centre[i], packing.centre[j]).norm() /
                                 (packing.radius[i] + packing.radius[j]);
   if (!touching.empty()) s.mean_overlap /= static_cast<double>(touching.size());
   s.coordination = 2.0 * static_cast<double>(touching.size()) / n;
@@ -372,7 +370,7 @@ std::string key_of(const PackingRequest& r) {
 }
 
 Packing cached_packing(const PackingRequest& request, base::Cache& cache, bool& from_cache,
-                       const PackingProgress& progress, int threads) {
+                       const base::FractionTold& progress, int threads) {
   Packing packing;
   const std::string key = key_of(request);
   if (const auto numbers = base::recall(cache, "packing", key);

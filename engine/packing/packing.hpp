@@ -1,13 +1,13 @@
 #pragma once
 
 #include "engine/base/cache.hpp"
-#include "engine/packing/walls.hpp"
+#include "engine/base/interrupted.hpp"
+#include "engine/packing/geometry.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -15,8 +15,7 @@ namespace rift::packing {
 
 enum class Radii : std::uint8_t { uniform, log_normal };
 
-/// What a packing depends on; two equal requests give the same packing, bit for
-/// bit, on one instruction set.
+/// What a packing depends on; two equal requests give the same packing, bit for bit, on one instruction set.
 struct PackingRequest {
   Box box;
   int elements = 0;
@@ -41,34 +40,25 @@ struct PackingStatistics {
   double mean_radius = 0;     // [m]
 };
 
-/// The coordination asked for is out of reach of a packing that is dense enough
-/// and not pressed too hard.
+/// The coordination asked for is out of reach of a packing that is dense enough and not pressed too hard.
 struct PackingError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Told the fraction done in [0, 1] from time to time; answers false to give up
-/// (throws Interrupted then).
-using PackingProgress = std::function<bool(double)>;
-
-/// Random compact packing: spheres grow from a loose random start while their
-/// overlap energy
+/// Random compact packing: spheres grow from a loose random start while their overlap energy
 ///   U = 1/2 sum (r_i + r_j - d_ij)^2 + sum (r_i - d_i,wall)^2
-/// (a wall counts as half a contact with the sphere's mirror image; walls half
-/// as stiff make a plate of the same coordination 7 % softer) is brought to a
-/// minimum by damped dynamics and, at the end, Newton's method, until the
-/// coordination number at a minimum converged to 1e-6 of the mean contact force
-/// reaches the request
+/// (a wall counts as half a contact with the sphere's mirror image; walls half as stiff make a plate of the
+/// same coordination 7 % softer) is brought to a minimum by damped dynamics and, at the end, Newton's method,
+/// until the coordination number at a minimum converged to 1e-6 of the mean contact force reaches the request
 ///   [physics.md §1]. Throws PackingError where that takes a mean overlap above
-///   4 %, or the pile finds no rest.
+///   4 %, or the packing finds no rest.
 /// @param[in] threads  0 for one per core; the packing does not depend on it
-/// Cost O(N): about 2,000 passes over the contacts for a plate two elements
-/// thick, several times that for a block, which is near jamming at a
-/// coordination of 6.
-Packing pack(const PackingRequest& request, const PackingProgress& progress = {}, int threads = 0);
+/// Cost O(N): about 2,000 passes over the contacts for a plate two elements thick, several times that for a
+/// block, which is near jamming at a coordination of 6.
+Packing pack(const PackingRequest& request, const base::FractionTold& progress = {}, int threads = 0);
 
-/// Pairs (i < j) at a distance of at most tolerance x (r_i + r_j), ordered by
-/// i, then j; in a periodic box through its faces as well. Cost O(N).
+/// Pairs (i < j) at a distance of at most tolerance x (r_i + r_j), ordered by i, then j; in a periodic box
+/// through its faces as well. Cost O(N).
 std::vector<std::array<int, 2>> contacts(const Packing& packing, const Box& box, double tolerance);
 
 PackingStatistics statistics(const Packing& packing, const Box& box);
@@ -78,6 +68,6 @@ std::string key_of(const PackingRequest& request);
 
 /// The packing from the cache, or made and remembered. @param[out] from_cache  set where it was there
 Packing cached_packing(const PackingRequest& request, base::Cache& cache, bool& from_cache,
-                       const PackingProgress& progress = {}, int threads = 0);
+                       const base::FractionTold& progress = {}, int threads = 0);
 
 }  // namespace rift::packing

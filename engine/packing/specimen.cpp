@@ -6,11 +6,13 @@
 namespace rift::packing {
 namespace {
 
-Grip grip_of(const Eigen::Vector3d& centre, double radius, const Box& box) {
-  if (box.shape == Shape::periodic) return Grip::none;
-  if (centre.y() <= grip_depth * radius) return Grip::bottom;
-  if (box.height - centre.y() <= grip_depth * radius) return Grip::top;
-  return Grip::none;
+std::vector<Grip> grips_of(const Packing& packing, const Box& box) {
+  std::vector<Grip> grips(packing.radius.size(), Grip::none);
+  if (box.shape == Shape::periodic) return grips;
+  for (const Grip grip : {Grip::top, Grip::bottom})
+    for (const int i : elements_at(box, boundary_of(grip), packing.centre, packing.radius, grip_depth))
+      grips[i] = grip;
+  return grips;
 }
 
 /// Root of i's tree, halving the path on the way.
@@ -40,6 +42,7 @@ Specimen specimen_of(const Packing& packing, const Box& box, const std::vector<s
   Specimen specimen;
   specimen.box = box;
   specimen.packing = statistics(packing, box);
+  const std::vector<Grip> grips = grips_of(packing, box);
   std::vector<int> renumbered(wanted.size(), -1);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (!wanted[i]) {
@@ -49,26 +52,27 @@ Specimen specimen_of(const Packing& packing, const Box& box, const std::vector<s
     renumbered[i] = static_cast<int>(specimen.centre.size());
     specimen.centre.push_back(packing.centre[i]);
     specimen.radius.push_back(packing.radius[i]);
-    specimen.grip.push_back(grip_of(packing.centre[i], packing.radius[i], box));
+    specimen.grip.push_back(grips[i]);
   }
   for (const auto& [i, j] : beams)
     if (renumbered[i] >= 0 && renumbered[j] >= 0) specimen.beam.push_back({renumbered[i], renumbered[j]});
   return specimen;
 }
 
-std::vector<char> in_grip(const Packing& packing, const Box& box, Grip grip) {
-  std::vector<char> in(packing.radius.size());
-  for (std::size_t i = 0; i < in.size(); ++i)
-    in[i] = grip_of(packing.centre[i], packing.radius[i], box) == grip;
-  return in;
+std::vector<char> reached_from_grip(Grip grip, const std::vector<Grip>& grips,
+                                    const std::vector<std::array<int, 2>>& beams) {
+  std::vector<char> in(grips.size());
+  std::ranges::transform(grips, in.begin(), [&](Grip other) { return other == grip; });
+  return reached_from(in, beams);
 }
 
 }  // namespace
 
 Specimen make_plate(const Packing& packing, const Box& box, double contact_tolerance) {
   const auto beams = contacts(packing, box, contact_tolerance);
-  const std::vector<char> from_bottom = reached_from(in_grip(packing, box, Grip::bottom), beams),
-                          from_top = reached_from(in_grip(packing, box, Grip::top), beams);
+  const std::vector<Grip> grips = grips_of(packing, box);
+  const std::vector<char> from_bottom = reached_from_grip(Grip::bottom, grips, beams),
+                          from_top = reached_from_grip(Grip::top, grips, beams);
   std::vector<char> wanted(from_top.size());
   bool joined = false;
   for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -8,10 +8,12 @@
 
 namespace rift::packing {
 
+/// Which grip holds an element: each takes a boundary's elements within `grip_depth` of their radius; what
+/// lies at both is the bottom's   [physics.md §4].
 enum class Grip : std::uint8_t { none, bottom, top };
 
-/// Which grips hold an element: the faces y = 0 and y = height take those whose centre lies within
-/// `grip_depth` of their radius   [physics.md §4].
+constexpr Boundary boundary_of(Grip grip) { return grip == Grip::bottom ? Boundary::bottom : Boundary::top; }
+
 inline constexpr double grip_depth = 1.3;
 
 /// A specimen ready to become a lattice: elements in touch, the ones that carry no load taken out.

@@ -23,7 +23,7 @@ std::vector<double> share_of_pairs(const std::vector<Eigen::Vector3d>& points, c
   const double n = static_cast<double>(points.size());
   for (const auto& [i, j] : pairs) {
     const auto k =
-        static_cast<std::size_t>(way_between(box, points[i], points[j]).norm() / (width * diameter));
+        static_cast<std::size_t>(minimum_image(box, points[i], points[j]).norm() / (width * diameter));
     if (k < share.size()) share[k] += 2.0 / (n * (n - 1.0));
   }
   return share;
@@ -36,7 +36,7 @@ std::vector<Eigen::Vector3d> points_at_random(const Box& box, std::size_t count)
   std::vector<Eigen::Vector3d> points;
   while (points.size() < count) {
     const Eigen::Vector3d p(uniform() * box.length, uniform() * box.height, uniform() * box.thickness);
-    if (holds(box, p)) points.push_back(p);
+    if (contains(box, p)) points.push_back(p);
   }
   return points;
 }
@@ -62,7 +62,7 @@ PackingStructure structure_of(const Packing& packing, const Box& box) {
   std::vector<int> degree(packing.radius.size());
   for (const auto& [i, j] : touching) {
     ++degree[i], ++degree[j];
-    const Eigen::Vector3d n = way_between(box, packing.centre[i], packing.centre[j]).normalized();
+    const Eigen::Vector3d n = minimum_image(box, packing.centre[i], packing.centre[j]).normalized();
     s.fabric += n * n.transpose() / static_cast<double>(touching.size());
   }
   s.coordination.resize(1 + *std::max_element(degree.begin(), degree.end()));

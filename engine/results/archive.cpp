@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -25,11 +26,7 @@ namespace {
 
 using hdf5::Group;
 using hdf5::Growing;
-
-template <typename T>
-void write_column(Group& group, const std::string& name, const std::vector<T>& values) {
-  group.write<T>(name, values);
-}
+using hdf5::Numbers;
 
 template <typename T, std::size_t K>
 std::span<const T> flat(const std::vector<std::array<T, K>>& rows) {
@@ -46,21 +43,21 @@ std::size_t chunk_rows(std::size_t frame_rows) {
 void write_topology(Group& vtk, const std::string& name, std::int64_t cells, std::int64_t size,
                     const std::vector<std::int64_t>& connectivity) {
   auto group = vtk.group(name);
-  write_column(group, "NumberOfCells", std::vector{cells});
-  write_column(group, "NumberOfConnectivityIds", std::vector{static_cast<std::int64_t>(connectivity.size())});
-  write_column(group, "Connectivity", connectivity);
+  group.write("NumberOfCells", std::vector{cells});
+  group.write("NumberOfConnectivityIds", std::vector{static_cast<std::int64_t>(connectivity.size())});
+  group.write("Connectivity", connectivity);
   std::vector<std::int64_t> offsets(static_cast<std::size_t>(cells) + 1);
   for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(i) * size;
-  write_column(group, "Offsets", offsets);
+  group.write("Offsets", offsets);
 }
 
 /// Elements as points with a vertex each, beams as lines; stored once, whatever the number of steps.
 void write_geometry(Group& vtk, const Geometry& geometry) {
-  vtk.attribute<std::int64_t>("Version", std::vector<std::int64_t>{2, 0});
+  vtk.attribute("Version", std::vector<std::int64_t>{2, 0});
   vtk.ascii_attribute("Type", "PolyData");
   const auto elements = static_cast<std::int64_t>(geometry.position.size());
-  write_column(vtk, "NumberOfPoints", std::vector{elements});
-  vtk.write<float>("Points", flat(geometry.position), 3);
+  vtk.write("NumberOfPoints", std::vector{elements});
+  vtk.write("Points", flat(geometry.position), 3);
 
   std::vector<std::int64_t> vertices(geometry.position.size());
   std::iota(vertices.begin(), vertices.end(), 0);
@@ -73,14 +70,13 @@ void write_geometry(Group& vtk, const Geometry& geometry) {
 }
 
 /// One array over time: the rows of all its steps on end, and where each step's rows begin.
-template <typename T>
 struct TimeField {
-  Growing<T> rows;
+  Growing rows;
   std::vector<std::int64_t> offsets;
 
   /// Steps of which nothing was heard show the last rows before them, or else the first there will be.
   void pad(std::size_t steps) { offsets.resize(steps, offsets.empty() ? 0 : offsets.back()); }
-  void append(std::size_t step, std::span<const T> values) {
+  void append(std::size_t step, const Numbers& values) {
     pad(step);
     offsets.push_back(static_cast<std::int64_t>(rows.rows()));
     rows.append(values);
@@ -88,24 +84,23 @@ struct TimeField {
 };
 
 /// The arrays of PointData or of CellData, each made when its first values come.
-template <typename T>
 class TimeFields {
  public:
   TimeFields(Group& group, std::size_t step_rows, std::size_t columns)
       : group_(group), step_rows_(step_rows), columns_(columns) {}
 
-  void append(const std::string& name, std::size_t step, std::span<const T> values) {
+  void append(const std::string& name, std::size_t step, const Numbers& values) {
     auto field = fields_.find(name);
     if (field == fields_.end()) {
-      auto rows = group_.growing<T>(name, chunk_rows(step_rows_), columns_);
-      field = fields_.emplace(name, TimeField<T>{std::move(rows), {}}).first;
+      auto rows = group_.growing(name, values.type, chunk_rows(step_rows_), columns_);
+      field = fields_.emplace(name, TimeField{std::move(rows), {}}).first;
     }
     field->second.append(step, values);
   }
   void write_offsets(Group& offsets, std::size_t steps) {
     for (auto& [name, field] : fields_) {
       field.pad(steps);
-      write_column(offsets, name, field.offsets);
+      offsets.write(name, field.offsets);
     }
   }
 
@@ -113,20 +108,19 @@ class TimeFields {
   Group& group_;
   std::size_t step_rows_;
   std::size_t columns_;
-  std::map<std::string, TimeField<T>> fields_;
+  std::map<std::string, TimeField> fields_;
 };
 
 /// The Steps group of a mesh that never changes: all its offsets stay at the one copy there is.
 void write_steps(Group& steps, const std::vector<double>& times) {
   const std::size_t count = times.size();
   steps.attribute("NSteps", static_cast<std::int64_t>(count));
-  write_column(steps, "Values", times);
-  write_column(steps, "NumberOfParts", std::vector<std::int64_t>(count, 1));
+  steps.write("Values", times);
+  steps.write("NumberOfParts", std::vector<std::int64_t>(count, 1));
   for (const char* name : {"PartOffsets", "PointOffsets"})
-    write_column(steps, name, std::vector<std::int64_t>(count, 0));
+    steps.write(name, std::vector<std::int64_t>(count, 0));
   const std::vector<std::int64_t> per_topology(4 * count, 0);  // vertices, lines, polygons, strips
-  for (const char* name : {"CellOffsets", "ConnectivityIdOffsets"})
-    steps.write<std::int64_t>(name, per_topology, 4);
+  for (const char* name : {"CellOffsets", "ConnectivityIdOffsets"}) steps.write(name, per_topology, 4);
 }
 
 void write_vtkhdf(Group& root, const std::filesystem::path& journal, const JournalScan& scan) {
@@ -135,14 +129,12 @@ void write_vtkhdf(Group& root, const std::filesystem::path& journal, const Journ
   write_geometry(vtk, geometry);
   auto point_data = vtk.group("PointData");
   auto cell_data = vtk.group("CellData");
-  write_column(point_data, "radius", geometry.radius);
+  point_data.write("radius", geometry.radius);
   if (scan.frames == 0) return;
 
   const std::size_t cells = geometry.position.size() + geometry.beam.size();
-  TimeFields<float> vectors(point_data, geometry.position.size(), 3);
-  TimeFields<float> numbers(point_data, geometry.position.size(), 0);
-  TimeFields<float> factors(cell_data, cells, 0);
-  TimeFields<std::uint8_t> flags(cell_data, cells, 0);
+  TimeFields vectors(point_data, geometry.position.size(), 3),
+      numbers(point_data, geometry.position.size(), 0), of_cells(cell_data, cells, 0);
   std::vector<double> times;
   for_each_moment(journal, geometry, [&](std::span<const Frame> frames) {
     const std::size_t step = times.size();
@@ -154,8 +146,8 @@ void write_vtkhdf(Group& root, const std::filesystem::path& journal, const Journ
       if (!frame.elastic_energy.empty()) numbers.append(name("elastic_energy"), step, frame.elastic_energy);
       if (frame.damage_factor.empty()) continue;
       const auto spread = cell_fields(geometry, frame);
-      factors.append(name("damage_factor"), step, spread.damage_factor);
-      flags.append(name("broken"), step, spread.broken);
+      of_cells.append(name("damage_factor"), step, spread.damage_factor);
+      of_cells.append(name("broken"), step, spread.broken);
     }
   });
 
@@ -163,35 +155,33 @@ void write_vtkhdf(Group& root, const std::filesystem::path& journal, const Journ
   write_steps(steps, times);
   auto point_offsets = steps.group("PointDataOffsets");
   auto cell_offsets = steps.group("CellDataOffsets");
-  write_column(point_offsets, "radius", std::vector<std::int64_t>(times.size(), 0));
+  point_offsets.write("radius", std::vector<std::int64_t>(times.size(), 0));
   vectors.write_offsets(point_offsets, times.size());
   numbers.write_offsets(point_offsets, times.size());
-  factors.write_offsets(cell_offsets, times.size());
-  flags.write_offsets(cell_offsets, times.size());
+  of_cells.write_offsets(cell_offsets, times.size());
 }
 
 /// One member of each row, as a dataset.
 template <typename Rows, typename Get>
 void write_member(Group& group, const std::string& name, const Rows& rows, Get get) {
-  std::vector<std::decay_t<decltype(get(rows.front()))>> values;
+  std::vector<std::decay_t<decltype(std::invoke(get, rows.front()))>> values;
   values.reserve(rows.size());
-  for (const auto& row : rows) values.push_back(get(row));
-  write_column(group, name, values);
+  for (const auto& row : rows) values.push_back(std::invoke(get, row));
+  group.write(name, values);
 }
 
 template <typename Rows, typename Columns>
 void write_columns(Group& group, const Rows& rows, const Columns& columns) {
-  for (const auto& column : columns)
-    write_member(group, column.name, rows, [&](const auto& row) { return row.*column.value; });
+  for (const auto& column : columns) write_member(group, column.name, rows, column.value);
 }
 
 void write_series(Group& root, const JournalScan& scan) {
   auto series = root.group("series");
-  write_member(series, "step", scan.samples, [](const Sample& s) { return s.step; });
-  write_member(series, "time_s", scan.samples, [](const Sample& s) { return s.time_s; });
+  write_member(series, "step", scan.samples, &Sample::step);
+  write_member(series, "time_s", scan.samples, &Sample::time_s);
   write_member(series, "phase", scan.samples,
                [](const Sample& s) { return static_cast<std::uint8_t>(s.phase); });
-  write_member(series, "lane", scan.samples, [](const Sample& s) { return s.lane; });
+  write_member(series, "lane", scan.samples, &Sample::lane);
   write_columns(series, scan.samples, sample_columns);
   const auto matched = match_rates(scan.samples, scan.rates);
   for (const auto& column : rate_columns)
@@ -207,25 +197,25 @@ void write_crack(Group& root, const JournalScan& scan) {
   for (const auto& curve : scan.rates) last[curve.lane] = &curve;
   for (const auto& [lane, curve] : last) {
     auto group = crack.group(fmt::format("lane{}", lane));
-    write_member(group, "tip_m", curve->points, [](const RatePoint& p) { return p.tip_m; });
+    write_member(group, "tip_m", curve->points, &RatePoint::tip_m);
     write_columns(group, curve->points, rate_columns);
   }
 }
 
 void write_events(Group& root, const JournalScan& scan) {
   auto events = root.group("events");
-  write_member(events, "beam", scan.events, [](const ReleaseEvent& e) { return e.beam; });
-  write_member(events, "lane", scan.events, [](const ReleaseEvent& e) { return e.lane; });
+  write_member(events, "beam", scan.events, &ReleaseEvent::beam);
+  write_member(events, "lane", scan.events, &ReleaseEvent::lane);
   write_columns(events, scan.events, event_columns);
 }
 
 void write_gauges(Group& root, const JournalScan& scan) {
   if (scan.gauges.empty()) return;
   auto gauges = root.group("gauges");
-  write_member(gauges, "step", scan.gauges, [](const GaugeRow& row) { return row.step; });
-  write_member(gauges, "time_s", scan.gauges, [](const GaugeRow& row) { return row.time_s; });
-  write_member(gauges, "lane", scan.gauges, [](const GaugeRow& row) { return row.lane; });
-  write_member(gauges, "gauge", scan.gauges, [](const GaugeRow& row) { return row.gauge; });
+  write_member(gauges, "step", scan.gauges, &GaugeRow::step);
+  write_member(gauges, "time_s", scan.gauges, &GaugeRow::time_s);
+  write_member(gauges, "lane", scan.gauges, &GaugeRow::lane);
+  write_member(gauges, "gauge", scan.gauges, &GaugeRow::gauge);
   write_columns(gauges, scan.gauges, gauge_columns);
 }
 

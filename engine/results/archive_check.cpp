@@ -1,7 +1,7 @@
 #include "engine/results/archive_check.hpp"
 
+#include "engine/base/child_process.hpp"
 #include "engine/base/text.hpp"
-#include "engine/results/child.hpp"
 #include "engine/results/hdf5.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/series.hpp"
@@ -182,25 +182,9 @@ class Inspection {
   ArchiveCheck check_;
 };
 
-std::string to_text(const ArchiveCheck& check) {
-  return base::json_text(nlohmann::json{{"problems", check.problems},
-                                        {"digest", check.digest},
-                                        {"moments", check.moments},
-                                        {"samples", check.samples},
-                                        {"events", check.events},
-                                        {"elements", check.elements},
-                                        {"beams", check.beams}});
-}
-
-ArchiveCheck from_text(const std::string& text) {
-  const auto json = json_or_discarded(text);
-  ArchiveCheck check{json.at("problems"), json.at("digest")};
-  check.moments = json.at("moments"), check.samples = json.at("samples"), check.events = json.at("events");
-  check.elements = json.at("elements"), check.beams = json.at("beams");
-  return check;
-}
-
 }  // namespace
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ArchiveCheck, problems, digest, moments, samples, events, elements, beams)
 
 ArchiveCheck check_archive(const std::filesystem::path& path) try {
   const InputFile file(path);
@@ -210,9 +194,10 @@ ArchiveCheck check_archive(const std::filesystem::path& path) try {
 }
 
 ArchiveCheck check_archive_in_child(const std::filesystem::path& path, unsigned seconds) {
-  const Told told = told_by_child([&] { return to_text(check_archive(path)); }, seconds);
-  if (told.text) return from_text(*told.text);
-  return {{fmt::format("reading {} was given up: {}", path.string(), told.death)}, {}};
+  const base::SandboxResult result =
+      base::run_in_sandbox([&] { return base::json_text(nlohmann::json(check_archive(path))); }, seconds);
+  if (result.text) return json_or_discarded(*result.text).get<ArchiveCheck>();
+  return {{fmt::format("reading {} was given up: {}", path.string(), result.death)}, {}};
 }
 
 }  // namespace rift::results

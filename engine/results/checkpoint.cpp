@@ -70,7 +70,7 @@ void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) 
       hdf5::Group root = file.root();
       for (const auto& [name, numbers] : checkpoint.state) {
         index["state"][name] = numbers.size();
-        if (!numbers.empty()) root.write<double>(name, numbers);
+        if (!numbers.empty()) root.write(name, numbers);
       }
       root.write_text("index", base::json_text(index));
     }

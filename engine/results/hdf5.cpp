@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,33 +40,21 @@ Handle own(hid_t id, Handle::Closer closer, const std::string& attempt, const Pl
 
 namespace {
 
-template <typename T>
-struct Types;
-template <>
-struct Types<float> {
-  static hid_t file() { return H5T_IEEE_F32LE; }
-  static hid_t memory() { return H5T_NATIVE_FLOAT; }
-};
-template <>
-struct Types<double> {
-  static hid_t file() { return H5T_IEEE_F64LE; }
-  static hid_t memory() { return H5T_NATIVE_DOUBLE; }
-};
-template <>
-struct Types<std::int32_t> {
-  static hid_t file() { return H5T_STD_I32LE; }
-  static hid_t memory() { return H5T_NATIVE_INT32; }
-};
-template <>
-struct Types<std::int64_t> {
-  static hid_t file() { return H5T_STD_I64LE; }
-  static hid_t memory() { return H5T_NATIVE_INT64; }
-};
-template <>
-struct Types<std::uint8_t> {
-  static hid_t file() { return H5T_STD_U8LE; }
-  static hid_t memory() { return H5T_NATIVE_UINT8; }
-};
+/// Little-endian, as the machines are that rift runs on (records.cpp): numbers lie in memory as in the file.
+hid_t type_of(Number type) {
+  switch (type) {
+    case Number::float32:
+      return H5T_IEEE_F32LE;
+    case Number::float64:
+      return H5T_IEEE_F64LE;
+    case Number::int32:
+      return H5T_STD_I32LE;
+    case Number::int64:
+      return H5T_STD_I64LE;
+    default:
+      return H5T_STD_U8LE;
+  }
+}
 
 Handle text_type(std::size_t size, H5T_cset_t characters, const Place& place) {
   auto type = own(H5Tcopy(H5T_C_S1), H5Tclose, "describe", place);
@@ -113,9 +100,8 @@ Handle::~Handle() {
   if (id_ >= 0) closer_(id_);
 }
 
-template <typename T>
-void Growing<T>::append(std::span<const T> values) {
-  const std::size_t count = values.size() / std::max<std::size_t>(columns_, 1);
+void Growing::append(const Numbers& values) {
+  const std::size_t count = values.count / std::max<std::size_t>(columns_, 1);
   if (count == 0) return;
   const auto total = shape(rows_ + count, columns_);
   require(H5Dset_extent(dataset_.id(), total.data()), "extend", place_);
@@ -126,8 +112,8 @@ void Growing<T>::append(std::span<const T> values) {
   require(H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
           "extend", place_);
   const auto memory_space = dataspace(size, nullptr, place_);
-  require(H5Dwrite(dataset_.id(), Types<T>::memory(), memory_space.id(), file_space.id(), H5P_DEFAULT,
-                   values.data()),
+  require(H5Dwrite(dataset_.id(), type_of(values.type), memory_space.id(), file_space.id(), H5P_DEFAULT,
+                   values.data),
           "write", place_);
   rows_ += count;
 }
@@ -143,21 +129,20 @@ Group Group::group(const std::string& name) {
           place};
 }
 
-template <typename T>
-void Group::write(const std::string& name, std::span<const T> values, std::size_t columns) {
+void Group::write(const std::string& name, const Numbers& values, std::size_t columns) {
   const auto place = at(name);
-  const auto size = shape(values.size() / std::max<std::size_t>(columns, 1), columns);
+  const auto size = shape(values.count / std::max<std::size_t>(columns, 1), columns);
   const auto space = dataspace(size, nullptr, place);
   auto chunk = size;
   chunk[0] = std::clamp<hsize_t>(chunk[0], 1, hsize_t{1} << 16);
-  const auto creation = values.size_bytes() >= compress_from_bytes
+  const auto creation = values.bytes >= compress_from_bytes
                             ? compressed(chunk, place)
                             : own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "describe", place);
-  const auto dataset = own(H5Dcreate2(handle_.id(), name.c_str(), Types<T>::file(), space.id(), H5P_DEFAULT,
-                                      creation.id(), H5P_DEFAULT),
+  const auto dataset = own(H5Dcreate2(handle_.id(), name.c_str(), type_of(values.type), space.id(),
+                                      H5P_DEFAULT, creation.id(), H5P_DEFAULT),
                            H5Dclose, "create", place);
-  if (values.empty()) return;
-  require(H5Dwrite(dataset.id(), Types<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "write",
+  if (values.count == 0) return;
+  require(H5Dwrite(dataset.id(), type_of(values.type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data), "write",
           place);
 }
 
@@ -172,48 +157,42 @@ void Group::write_text(const std::string& name, std::string_view text) {
   require(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "write", place);
 }
 
-template <typename T>
-Growing<T> Group::growing(const std::string& name, std::size_t chunk_rows, std::size_t columns) {
+Growing Group::growing(const std::string& name, Number type, std::size_t chunk_rows, std::size_t columns) {
   const auto place = at(name);
   auto largest = shape(0, columns);
   largest[0] = H5S_UNLIMITED;
   const auto space = dataspace(shape(0, columns), largest.data(), place);
   const auto creation = compressed(shape(std::max<std::size_t>(chunk_rows, 1), columns), place);
-  return {own(H5Dcreate2(handle_.id(), name.c_str(), Types<T>::file(), space.id(), H5P_DEFAULT, creation.id(),
+  return {own(H5Dcreate2(handle_.id(), name.c_str(), type_of(type), space.id(), H5P_DEFAULT, creation.id(),
                          H5P_DEFAULT),
               H5Dclose, "create", place),
           place, columns};
 }
 
-template <typename T>
-void Group::attribute(const std::string& name, T value) {
+void Group::write_attribute(const std::string& name, std::int64_t type, const Handle& space,
+                            const void* data) {
   const auto place = at(name);
-  const auto space = own(H5Screate(H5S_SCALAR), H5Sclose, "describe", place);
   const auto attribute =
-      own(H5Acreate2(handle_.id(), name.c_str(), Types<T>::file(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-          H5Aclose, "create", place);
-  require(H5Awrite(attribute.id(), Types<T>::memory(), &value), "write", place);
+      own(H5Acreate2(handle_.id(), name.c_str(), type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+          "create", place);
+  require(H5Awrite(attribute.id(), type, data), "write", place);
 }
 
-template <typename T>
-void Group::attribute(const std::string& name, std::span<const T> values) {
-  const auto place = at(name);
-  const auto space = dataspace(shape(values.size(), 0), nullptr, place);
-  const auto attribute =
-      own(H5Acreate2(handle_.id(), name.c_str(), Types<T>::file(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-          H5Aclose, "create", place);
-  require(H5Awrite(attribute.id(), Types<T>::memory(), values.data()), "write", place);
+void Group::attribute(const std::string& name, std::int64_t value) {
+  const auto space = own(H5Screate(H5S_SCALAR), H5Sclose, "describe", at(name));
+  write_attribute(name, type_of(Number::int64), space, &value);
+}
+
+void Group::attribute(const std::string& name, const Numbers& values) {
+  write_attribute(name, type_of(values.type), dataspace(shape(values.count, 0), nullptr, at(name)),
+                  values.data);
 }
 
 void Group::ascii_attribute(const std::string& name, std::string_view text) {
-  const auto place = at(name);
   const auto bytes = at_least_one_byte(text);
-  const auto type = text_type(bytes.size(), H5T_CSET_ASCII, place);
-  const auto space = own(H5Screate(H5S_SCALAR), H5Sclose, "describe", place);
-  const auto attribute =
-      own(H5Acreate2(handle_.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-          "create", place);
-  require(H5Awrite(attribute.id(), type.id(), bytes.data()), "write", place);
+  const auto type = text_type(bytes.size(), H5T_CSET_ASCII, at(name));
+  const auto space = own(H5Screate(H5S_SCALAR), H5Sclose, "describe", at(name));
+  write_attribute(name, type.id(), space, bytes.data());
 }
 
 File::File(const std::filesystem::path& path) : path_(path), disk_(std::make_unique<Disk>()) {
@@ -240,26 +219,5 @@ void File::close() {
   require(H5Fflush(id_, H5F_SCOPE_GLOBAL), "write", place);
   require(H5Fclose(std::exchange(id_, -1)), "write", place);
 }
-
-template class Growing<float>;
-template class Growing<double>;
-template class Growing<std::int32_t>;
-template class Growing<std::int64_t>;
-template class Growing<std::uint8_t>;
-template void Group::write(const std::string&, std::span<const float>, std::size_t);
-template void Group::write(const std::string&, std::span<const double>, std::size_t);
-template void Group::write(const std::string&, std::span<const std::int32_t>, std::size_t);
-template void Group::write(const std::string&, std::span<const std::int64_t>, std::size_t);
-template void Group::write(const std::string&, std::span<const std::uint8_t>, std::size_t);
-template Growing<float> Group::growing(const std::string&, std::size_t, std::size_t);
-template Growing<double> Group::growing(const std::string&, std::size_t, std::size_t);
-template Growing<std::int32_t> Group::growing(const std::string&, std::size_t, std::size_t);
-template Growing<std::int64_t> Group::growing(const std::string&, std::size_t, std::size_t);
-template Growing<std::uint8_t> Group::growing(const std::string&, std::size_t, std::size_t);
-template void Group::attribute(const std::string&, std::int32_t);
-template void Group::attribute(const std::string&, std::int64_t);
-template void Group::attribute(const std::string&, double);
-template void Group::attribute(const std::string&, std::span<const std::int32_t>);
-template void Group::attribute(const std::string&, std::span<const std::int64_t>);
 
 }  // namespace rift::results::hdf5

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 /// Writing HDF5 files, and reading our own: what the archive and checkpoints need of the C API, with its
@@ -43,12 +44,40 @@ struct Place {
   const Disk* disk;
 };
 
-/// A dataset of rows that grows: chunks of `chunk_rows` rows, shuffled and deflated.
+/// Types of elements.
+enum class Number : std::uint8_t { float32, float64, int32, int64, uint8 };
+
 template <typename T>
+inline constexpr Number number_type = Number::uint8;
+template <>
+inline constexpr Number number_type<float> = Number::float32;
+template <>
+inline constexpr Number number_type<double> = Number::float64;
+template <>
+inline constexpr Number number_type<std::int32_t> = Number::int32;
+template <>
+inline constexpr Number number_type<std::int64_t> = Number::int64;
+
+/// Numbers of one type, as they lie in memory.
+struct Numbers {
+  template <typename T>
+  Numbers(std::span<const T> values)
+      : type(number_type<T>), data(values.data()), count(values.size()), bytes(values.size_bytes()) {
+    static_assert(number_type<T> != Number::uint8 || std::is_same_v<T, std::uint8_t>);
+  }
+  template <typename T>
+  Numbers(const std::vector<T>& values) : Numbers(std::span<const T>(values)) {}
+
+  Number type;
+  const void* data;
+  std::size_t count, bytes;
+};
+
+/// A dataset of rows that grows: chunks of `chunk_rows` rows, shuffled and deflated.
 class Growing {
  public:
   /// @param values  whole rows
-  void append(std::span<const T> values);
+  void append(const Numbers& values);
   [[nodiscard]] std::size_t rows() const { return rows_; }
 
  private:
@@ -68,21 +97,18 @@ class Group {
 
   /// A dataset of the values' own size: [n], or [n / columns, columns] where columns > 0. Larger ones are
   /// compressed.
-  template <typename T>
-  void write(const std::string& name, std::span<const T> values, std::size_t columns = 0);
+  void write(const std::string& name, const Numbers& values, std::size_t columns = 0);
 
   /// A scalar dataset: one fixed-length UTF-8 text.
   void write_text(const std::string& name, std::string_view text);
 
   /// A dataset of no rows yet, [0] or, where columns > 0, [0, columns].
-  template <typename T>
-  [[nodiscard]] Growing<T> growing(const std::string& name, std::size_t chunk_rows, std::size_t columns = 0);
+  [[nodiscard]] Growing growing(const std::string& name, Number type, std::size_t chunk_rows,
+                                std::size_t columns = 0);
 
   /// A scalar attribute, or an array of [n].
-  template <typename T>
-  void attribute(const std::string& name, T value);
-  template <typename T>
-  void attribute(const std::string& name, std::span<const T> values);
+  void attribute(const std::string& name, std::int64_t value);
+  void attribute(const std::string& name, const Numbers& values);
   /// A fixed-length ASCII attribute, not null-terminated, as VTKHDF asks of `Type`.
   void ascii_attribute(const std::string& name, std::string_view text);
 
@@ -90,6 +116,7 @@ class Group {
   friend class File;
   Group(Handle handle, Place place) : handle_(std::move(handle)), place_(std::move(place)) {}
   [[nodiscard]] Place at(const std::string& name) const;
+  void write_attribute(const std::string& name, std::int64_t type, const Handle& space, const void* data);
   Handle handle_;
   Place place_;
 };

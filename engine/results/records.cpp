@@ -114,7 +114,7 @@ void fields(Codec& code, R& record) {
 }
 
 /// Counts that agree with one another and indices that point into the arrays they index.
-bool is_sound(const Geometry& geometry) {
+bool is_valid(const Geometry& geometry) {
   const auto elements = static_cast<std::int64_t>(geometry.position.size());
   const auto beams = static_cast<std::int64_t>(geometry.beam.size());
   if (geometry.radius.size() != geometry.position.size()) return false;
@@ -127,13 +127,13 @@ bool is_sound(const Geometry& geometry) {
   return true;
 }
 
-bool is_sound(const Sample& sample) { return sample.phase <= Phase::fracture && sample.lane >= 0; }
-bool is_sound(const Frame& frame) { return frame.lane >= 0; }
-bool is_sound(const ReleaseEvent& event) { return event.lane >= 0 && event.beam >= 0; }
-bool is_sound(const RateCurve& curve) { return curve.lane >= 0; }
-bool is_sound(const GaugeRow& row) { return row.lane >= 0 && row.gauge >= 0; }
-bool is_sound(const RunHeader&) { return true; }
-bool is_sound(const RunEnd&) { return true; }
+bool is_valid(const Sample& sample) { return sample.phase <= Phase::fracture && sample.lane >= 0; }
+bool is_valid(const Frame& frame) { return frame.lane >= 0; }
+bool is_valid(const ReleaseEvent& event) { return event.lane >= 0 && event.beam >= 0; }
+bool is_valid(const RateCurve& curve) { return curve.lane >= 0; }
+bool is_valid(const GaugeRow& row) { return row.lane >= 0 && row.gauge >= 0; }
+bool is_valid(const RunHeader&) { return true; }
+bool is_valid(const RunEnd&) { return true; }
 
 template <std::size_t I = 0>
 std::optional<Record> decode_kind(std::size_t index, std::string_view payload) {
@@ -144,7 +144,7 @@ std::optional<Record> decode_kind(std::size_t index, std::string_view payload) {
     std::variant_alternative_t<I, Record> record;
     Decoder decoder{payload};
     fields(decoder, record);
-    if (!decoder.good || !decoder.bytes.empty() || !is_sound(record)) return std::nullopt;
+    if (!decoder.good || !decoder.bytes.empty() || !is_valid(record)) return std::nullopt;
     return record;
   }
 }

@@ -113,10 +113,10 @@ class Verifier {
         fmt::format("{} samples, {} frames, to step {}", run.samples, run.frames, run.last_step);
     switch (run.condition) {
       case RunCondition::finished:
-        found(journal_name, Found::sound, holds);
+        found(journal_name, Found::intact, holds);
         break;
       case RunCondition::unfinished:
-        found(journal_name, Found::sound,
+        found(journal_name, Found::intact,
               result_.running ? holds + "; another process is writing it"
                               : fmt::format("{}; {}", holds, run.reason));
         break;
@@ -155,7 +155,7 @@ class Verifier {
       if (const std::uint64_t needed = checkpoint_journal_bytes(path); needed > good)
         why =
             fmt::format("it needs {} bytes of the journal, which has {}: it is of another run", needed, good);
-    if (why.empty()) return found(name, Found::sound, "");
+    if (why.empty()) return found(name, Found::intact, "");
     found(name, Found::damaged, why);
     if (mend_) move_aside(path);
   }
@@ -177,7 +177,7 @@ class Verifier {
     if (check.problems.size() > 1) wrong += fmt::format(", and {} more", check.problems.size() - 1);
     if (wrong.empty() && can_be_made) wrong = differs_from_journal(check);
     if (wrong.empty())
-      return found(archive_name, Found::sound,
+      return found(archive_name, Found::intact,
                    fmt::format("{} datasets, {} moments, {} elements, {} beams", check.digest.size(),
                                check.moments, check.elements, check.beams));
     if (!can_be_made || !mend_) return found(archive_name, Found::damaged, wrong);
@@ -206,7 +206,7 @@ class Verifier {
 
   void table(const char* name, const std::string& expected, bool same) {
     const fs::path path = folder_ / name;
-    if (same) return found(name, Found::sound, "");
+    if (same) return found(name, Found::intact, "");
     const bool there = fs::exists(path);
     if (!mend_)
       return found(
@@ -259,7 +259,7 @@ class Verifier {
 
 const char* name_of(Found found) {
   switch (found) {
-    case Found::sound:
+    case Found::intact:
       return "sound";
     case Found::missing:
       return "missing";

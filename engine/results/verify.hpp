@@ -10,7 +10,7 @@ namespace rift::results {
 
 /// What a file of a run is found to be.
 enum class Found {
-  sound,
+  intact,
   missing,  // and could not be made, or was not to be
   mended,   // made anew from the journal; what was there before is kept beside it as *_damaged*
   damaged,  // something of it is lost
@@ -20,7 +20,7 @@ const char* name_of(Found found);
 
 struct Finding {
   std::string file;
-  Found found = Found::sound;
+  Found found = Found::intact;
   std::string text;  // for people
 };
 

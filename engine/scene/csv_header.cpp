@@ -1,5 +1,4 @@
-#include "engine/scene/csv_header.hpp"
-
+#include "engine/scene/csv_table.hpp"
 #include "engine/scene/issue.hpp"
 
 #include <fmt/format.h>

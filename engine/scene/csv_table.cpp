@@ -1,6 +1,5 @@
 #include "engine/scene/csv_table.hpp"
 
-#include "engine/scene/csv_header.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/toml_text.hpp"
 

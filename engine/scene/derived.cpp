@@ -1,5 +1,6 @@
 #include "engine/scene/derived.hpp"
 
+#include "engine/base/numbers.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/spline.hpp"
 #include "engine/theory/references.hpp"
@@ -79,8 +80,8 @@ double speed_m_s(const Speed& speed, double rayleigh_speed) {
   return speed.relative ? speed.value * rayleigh_speed : speed.value;
 }
 
-history::Course measured_course(const Scene& scene) {
-  return history::course_of(scene.crack.history, scene.crack.start, scene.crack.smoothing);
+history::SmoothedHistory smoothed_history(const Scene& scene) {
+  return history::smoothed_history(scene.crack.history, scene.crack.start, scene.crack.smoothing);
 }
 
 double load_time(const Scene& scene) {
@@ -90,10 +91,9 @@ double load_time(const Scene& scene) {
 double load_at(const LoadCurve& curve, double time) {
   const auto& rows = curve.row;
   if (time <= rows.front()[0]) return rows.front()[1];
-  for (std::size_t k = 1; k < rows.size(); ++k)
-    if (time <= rows[k][0])
-      return std::lerp(rows[k - 1][1], rows[k][1], (time - rows[k - 1][0]) / (rows[k][0] - rows[k - 1][0]));
-  return rows.back()[1];
+  if (time > rows.back()[0]) return rows.back()[1];
+  const auto [k, part] = base::interval_at(rows, time, [](const auto& row) { return row[0]; });
+  return std::lerp(rows[k - 1][1], rows[k][1], part);
 }
 
 std::optional<double> force_at_start(const Scene& scene) {
@@ -118,7 +118,7 @@ bool keeps_its_velocity(const Scene& scene) {
 
 double highest_velocity(const Scene& scene) {
   if (!scene.crack.history.empty())
-    return history::highest_speed(measured_course(scene).history) / rayleigh_speed(scene);
+    return history::highest_speed(smoothed_history(scene).history) / rayleigh_speed(scene);
   double highest = scene.crack.toughness.row.empty() ? 0.0 : fastest_by_itself;
   for (const VelocityPiece& piece : scene.crack.velocity) {
     const Speed& v = piece.speed;
@@ -160,7 +160,8 @@ std::array<double, 2> window_over_length(const Scene& scene) {
     const double zone = expected_zone_m(scene);
     const double from = scene.crack.start + 5.0 * (zone > 0.0 ? zone : expected_mean_radius_m(scene));
     const double echo = echo_free_tip_m(scene);
-    const double to = std::isinf(echo) ? way_of_tip_m(scene) : echo;  // an echo from an end is back before it
+    const double to =
+        std::isinf(echo) ? tip_path_length_m(scene) : echo;  // an echo from an end is back before it
     return {from / scene.specimen.length, to / scene.specimen.length};
   }
   if (highest_velocity(scene) > 0.8) return {0.4, 0.6};
@@ -171,12 +172,12 @@ double shortest_window_m(const Scene& scene) {
   return std::max(2.0 * expected_zone_m(scene), 10.0 * expected_mean_radius_m(scene));
 }
 
-double way_of_tip_m(const Scene& scene) { return path_length_m(scene) / scene.crack.tips; }
+double tip_path_length_m(const Scene& scene) { return path_length_m(scene) / scene.crack.tips; }
 
 double crack_end(const Scene& scene) {
   if (scene.crack.end) return *scene.crack.end;
-  if (!scene.crack.history.empty()) return measured_course(scene).end;
-  if (!scene.crack.toughness.row.empty()) return way_of_tip_m(scene);
+  if (!scene.crack.history.empty()) return smoothed_history(scene).end;
+  if (!scene.crack.toughness.row.empty()) return tip_path_length_m(scene);
   return window_over_length(scene)[1] * scene.specimen.length;
 }
 
@@ -189,7 +190,7 @@ double echo_free_tip_m(const Scene& scene, double faster) {
   const double path = path_height_m(scene), start = scene.crack.start;
   const double to_grip = std::min(path, scene.specimen.height - path);
   return start + theory::echo_free_advance(speed_m_s(scene.crack.velocity.front().speed, speeds.rayleigh),
-                                           2.0 * to_grip, way_of_tip_m(scene) - start,
+                                           2.0 * to_grip, tip_path_length_m(scene) - start,
                                            faster * speeds.dilatational);
 }
 
@@ -252,21 +253,21 @@ std::string to_blame(const Preset& preset, const Scene& scene, const std::vector
   });
 }
 
-/// Gathers the numbers whose keys are all sound.
+/// Gathers the numbers whose keys are all valid.
 struct DerivedList {
   const Scene& scene;
-  const std::set<std::string>& unsound;
+  const std::set<std::string>& invalid;
   std::vector<DerivedNumber> numbers = {};
 
-  bool sound(const std::vector<std::string>& keys) const {
+  bool valid(const std::vector<std::string>& keys) const {
     return std::none_of(keys.begin(), keys.end(),
-                        [&](const std::string& key) { return unsound.contains(key); });
+                        [&](const std::string& key) { return invalid.contains(key); });
   }
   /// `value` is asked for only where it can be told.
   template <class Value>
   void add(std::string name, const Range& range, std::string unit, std::vector<std::string> keys,
            const Value& value) {
-    if (sound(keys)) numbers.push_back({std::move(name), value(), range, std::move(unit), std::move(keys)});
+    if (valid(keys)) numbers.push_back({std::move(name), value(), range, std::move(unit), std::move(keys)});
   }
 };
 
@@ -281,7 +282,7 @@ void add_sizes(DerivedList& list) {
   const Scene& scene = list.scene;
   const Scene::Specimen& s = scene.specimen;
   if (!s.thickness && !s.layers) return;  // one of the two is missing, which is told elsewhere
-  if (!list.sound({"specimen.shape", "specimen.radii", "crack.technique"})) return;
+  if (!list.valid({"specimen.shape", "specimen.radii", "crack.technique"})) return;
   std::vector<std::string> keys = size_keys(scene);
   keys.emplace_back("specimen.elements");
   list.add("a thickness", length_range, "m", keys, [&] { return thickness_m(scene); });
@@ -357,8 +358,8 @@ std::vector<Issue> range_issues(const Preset& preset, const Scene& scene,
   return issues;
 }
 
-std::vector<DerivedNumber> derived_numbers(const Preset& preset, const std::set<std::string>& unsound) {
-  DerivedList list{preset.scene, unsound};
+std::vector<DerivedNumber> derived_numbers(const Preset& preset, const std::set<std::string>& invalid) {
+  DerivedList list{preset.scene, invalid};
   add_sizes(list);
   add_material(list);
   add_strain(list);

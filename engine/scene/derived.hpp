@@ -48,7 +48,7 @@ inline constexpr double fastest_by_itself = 0.95;
 
 /// The tip's course along its measured history, from crack.start on. Asks for a history whose rows are in
 /// order.
-history::Course measured_course(const Scene& scene);
+history::SmoothedHistory smoothed_history(const Scene& scene);
 
 /// What a load curve's clock shows as the crack starts [s]: a measured history's first time, else 0.
 double load_time(const Scene& scene);
@@ -93,7 +93,7 @@ std::array<double, 2> window_over_length(const Scene& scene);
 double shortest_window_m(const Scene& scene);
 
 /// How far a tip can run [m]: the length of the path, with two tips half of it.
-double way_of_tip_m(const Scene& scene);
+double tip_path_length_m(const Scene& scene);
 
 /// Where the crack's way ends [m]: as given; or with the measured course, for a crack that runs by itself
 /// with the path, else with the window.
@@ -127,8 +127,8 @@ std::vector<Issue> range_issues(const Preset& preset, const Scene& scene,
                                 const std::vector<DerivedNumber>& numbers);
 
 /// All that follows from the preset's scene without a lattice: thickness, mean radius, elastic moduli,
-/// density, wave speeds, strain, damage zone; those but for which a key is among the `unsound`.
-std::vector<DerivedNumber> derived_numbers(const Preset& preset, const std::set<std::string>& unsound);
+/// density, wave speeds, strain, damage zone; those but for which a key is among the `invalid`.
+std::vector<DerivedNumber> derived_numbers(const Preset& preset, const std::set<std::string>& invalid);
 
 /// Of the Young's modulus of beams [Pa], given or derived.
 inline constexpr Range micro_modulus_range{1e-6, 1e18};

@@ -1,13 +1,12 @@
 #include "engine/scene/preset.hpp"
 
-#include "engine/scene/contradictions.hpp"
-#include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/rows_file.hpp"
 #include "engine/scene/scenario.hpp"
 #include "engine/scene/scenarios.hpp"
 #include "engine/scene/toml_text.hpp"
+#include "engine/scene/validation.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +37,7 @@ struct Reading {
   Preset preset;
   TomlDocument document;
   std::vector<Given> given;
-  std::set<std::string> unsound;      // keys with an issue of their own
+  std::set<std::string> invalid;      // keys with an issue of their own
   std::filesystem::path folder = {};  // of the preset, from which its files are found
 
   void say(Issue issue) { preset.issues.push_back(std::move(issue)); }
@@ -152,12 +151,12 @@ void assign_all(Reading& reading) {
     const std::string key(given.row->key);
     reading.preset.origins[key] = given.origin;
     if (!take_rows(reading, given)) {
-      reading.unsound.insert(key);
+      reading.invalid.insert(key);
       continue;
     }
     std::string problem = assign(reading.preset.scene, *given.row, given.value);
     if (problem.empty()) continue;
-    reading.unsound.insert(key);
+    reading.invalid.insert(key);
     reading.say(issue_at(reading.preset, key, std::move(problem)));
   }
   drop_excluded_defaults(reading.preset);
@@ -173,7 +172,7 @@ Preset finished(Reading reading, const std::vector<std::string>& overrides, bool
   for (const std::string& text : overrides) take_override(reading, text);
   assign_all(reading);
   if (readable) {
-    for (Issue& issue : take_scenarios(reading.preset, reading.document, reading.unsound))
+    for (Issue& issue : take_scenarios(reading.preset, reading.document, reading.invalid))
       reading.say(std::move(issue));
     for (Issue& issue : take_steering(reading.preset, reading.document)) reading.say(std::move(issue));
   }

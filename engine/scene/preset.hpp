@@ -82,4 +82,7 @@ struct PresetFile {
 /// device without end does no harm and the reader sees that it is too large.
 PresetFile read_preset_file(const std::filesystem::path& path, std::size_t largest);
 
+/// The reference page docs/parameters.md, made from the parameter table; a test keeps the file equal to it.
+std::string parameters_markdown();
+
 }  // namespace rift::scene

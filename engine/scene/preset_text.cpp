@@ -1,5 +1,3 @@
-#include "engine/scene/preset_text.hpp"
-
 #include "engine/scene/needs.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset.hpp"

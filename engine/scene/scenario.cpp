@@ -13,10 +13,10 @@ namespace {
 void put(Scenario& scenario, const Setting& setting) {
   const std::string key(setting.axis->key);
   scenario.preset.origins[key] = {scenario.preset.name, setting.line, shown(setting.value)};
-  scenario.unsound.erase(key);  // of the base, whose value no longer counts
+  scenario.invalid.erase(key);  // of the base, whose value no longer counts
   std::string problem = assign(scenario.preset.scene, parameter_of(*setting.axis), setting.value);
   if (problem.empty()) return;
-  scenario.unsound.insert(key);
+  scenario.invalid.insert(key);
   scenario.preset.issues.push_back(issue_at(scenario.preset, key, std::move(problem)));
 }
 
@@ -40,7 +40,7 @@ void settle_damping(Scene& scene, bool alpha_given, bool region_given, Chosen ch
 Scenario scenario_of(const Base& base, std::span<const Setting> settings, Chosen chosen) {
   Scenario scenario{
       {base.preset.scene, base.preset.origins, {}, base.preset.name, {}, {}, {}, base.preset.rows, {}},
-      base.unsound};
+      base.invalid};
   for (const Setting& setting : settings) put(scenario, setting);
   const auto given = [&](std::string_view key) {
     return std::any_of(settings.begin(), settings.end(),
@@ -115,12 +115,12 @@ HandRow read_hand_row(ScenarioReading& reading, const TomlRow& row) {
   if (row.entries.empty()) {
     reading.say(
         {reading.file(), row.line, "", fmt::format("[[{}]] is empty: name an axis and its value", row.list)});
-    out.sound = false;
+    out.valid = false;
   }
   for (const TomlEntry& entry : row.entries) {
     const Axis* axis = find_axis(entry.name);
     const bool allowed_here = axis && (row.list != "lanes" || axis->per_lane);
-    out.sound = out.sound && allowed_here;
+    out.valid = out.valid && allowed_here;
     if (!axis) {
       reading.say({reading.file(), entry.line, "", unknown_axis(entry.name)});
     } else if (!allowed_here) {

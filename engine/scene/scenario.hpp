@@ -23,16 +23,16 @@ struct Setting {
 /// The scene of a preset that scenarios start from.
 struct Base {
   const Preset& preset;
-  const std::set<std::string>& unsound;  // its keys with an issue of their own
+  const std::set<std::string>& invalid;  // its keys with an issue of their own
 };
 
 struct Scenario {
   Preset preset;  // scene and origins, those of the settings at their lines; issues: of the settings alone
-  std::set<std::string> unsound;  // keys with an issue of their own
+  std::set<std::string> invalid;  // keys with an issue of their own
 };
 
 /// Who chose a combination of values. In a grid it is arithmetic, and what means nothing is taken out; in a
-/// table of its own it is a wish, and two values that cannot both be meant stay for contradictions() to find.
+/// table of its own it is a wish, and two values that cannot both be meant stay for validate() to find.
 enum class Chosen { by_grid, by_hand };
 
 /// The base with `settings` assigned, then settled, so that what is physically one scenario is one scene:
@@ -57,7 +57,7 @@ struct Mention {
 struct HandRow {
   std::vector<Setting> settings;
   int line = 0;
-  bool sound = true;  // every name in it was understood
+  bool valid = true;  // every name in it was understood
 };
 
 /// Everything on the way from a text to scenarios, each mistake held once.

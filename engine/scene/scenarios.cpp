@@ -1,8 +1,9 @@
 #include "engine/scene/scenarios.hpp"
 
-#include "engine/scene/contradictions.hpp"
+#include "engine/base/text.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/scenario.hpp"
+#include "engine/scene/validation.hpp"
 
 #include <fmt/format.h>
 
@@ -55,10 +56,6 @@ std::string axis_of_key(const std::string& name) {
   return {};
 }
 
-std::string without_quotes(const std::string& text) {
-  return text.starts_with('"') ? text.substr(1, text.size() - 2) : text;
-}
-
 }  // namespace
 
 std::span<const Axis> axes() { return table; }
@@ -83,7 +80,7 @@ bool applies(const Scene& scene, const Axis& axis) {
 
 std::string axis_text(const Scene& scene, const Axis& axis) {
   const std::string value = applies(scene, axis) ? toml_value(scene, parameter_of(axis)) : std::string{};
-  return value.empty() ? "-" : without_quotes(value);
+  return value.empty() ? "-" : base::without_quotes(value);
 }
 
 std::string unknown_axis(const std::string& name) {
@@ -106,7 +103,7 @@ namespace {
 
 void check(ScenarioReading& reading, const Scenario& scenario) {
   for (const Issue& issue : scenario.preset.issues) reading.say(issue);
-  for (Issue& issue : contradictions(scenario.preset, scenario.unsound)) reading.say(std::move(issue));
+  for (Issue& issue : validate(scenario.preset, scenario.invalid)) reading.say(std::move(issue));
 }
 
 bool too_many(ScenarioReading& reading, double count, int line) {
@@ -153,7 +150,7 @@ void take_rows(ScenarioReading& reading, const std::vector<HandRow>& rows, std::
     const Scenario scenario = scenario_of(reading.base, row.settings, Chosen::by_hand);
     check(reading, scenario);
     scenes.push_back(scenario.preset.scene);
-    if (!row.sound || !scenario.preset.issues.empty()) continue;
+    if (!row.valid || !scenario.preset.issues.empty()) continue;
     const auto [earlier, fresh] = seen.emplace(fingerprint(scenario.preset.scene), row.line);
     if (fresh) continue;
     const std::string where = earlier->second == 0 ? "the grid" : fmt::format("line {}", earlier->second);
@@ -259,16 +256,16 @@ StudyRow study_row(const Scene& scene, const std::vector<Mention>& mentions) {
 
 /// What nobody varies is checked as it stands, but for the axes of scenarios which could not be made.
 void check_base(ScenarioReading& reading, const std::vector<Mention>& mentions) {
-  std::set<std::string> unsound = reading.base.unsound;
-  for (const Mention& m : mentions) unsound.emplace(m.axis->key);
-  for (Issue& issue : contradictions(reading.base.preset, unsound)) reading.say(std::move(issue));
+  std::set<std::string> invalid = reading.base.invalid;
+  for (const Mention& m : mentions) invalid.emplace(m.axis->key);
+  for (Issue& issue : validate(reading.base.preset, invalid)) reading.say(std::move(issue));
 }
 
 }  // namespace
 
 std::vector<Issue> take_scenarios(Preset& preset, const TomlDocument& document,
-                                  const std::set<std::string>& unsound) {
-  ScenarioReading study{{preset, unsound}, document}, lanes{{preset, unsound}, document};
+                                  const std::set<std::string>& invalid) {
+  ScenarioReading study{{preset, invalid}, document}, lanes{{preset, invalid}, document};
   check_shapes(study);
   const std::vector<Scene> of_study = study_scenes(study);
   std::vector<Scene> of_lanes = lane_scenes(lanes);

@@ -20,7 +20,7 @@ double speed_of_lead(const history::CrackHistory& course, double start, double z
 }
 
 LaneHistory measured_history(const scene::Scene& scene, double zone, const LaneUnits& units) {
-  const history::CrackHistory course = scene::measured_course(scene).history;
+  const history::CrackHistory course = scene::smoothed_history(scene).history;
   LaneHistory lane;
   if (zone > 0.0) {
     const double speed = speed_of_lead(course, scene.crack.start, zone);

@@ -169,9 +169,9 @@ void Run<Real>::read_gauges(const Seat& seat) {
   const LaneUnits& units = plan(seat).units;
   for (std::size_t g = 0; g < prepared_.gauge.size(); ++g) {
     const auto& [point, plane] = prepared_.gauge[g];
-    const measurement::PlaneMotion moved = measurement::motion_in(
+    const lattice::PlaneMotion moved = lattice::motion_in(
         plane, [&](int i) -> Eigen::Vector3d { return ensemble_.motion(i, lane).template head<3>(); });
-    const measurement::PlaneMotion rate = measurement::motion_in(plane, [&](int i) -> Eigen::Vector3d {
+    const lattice::PlaneMotion rate = lattice::motion_in(plane, [&](int i) -> Eigen::Vector3d {
       return ensemble_.velocity(i, lane).template head<3>() / units.time;
     });
     observer_.gauge({.step = steps(seat),

@@ -60,12 +60,12 @@ fracture::CrackPath path_of(const scene::Scene& scene) {
 }
 
 /// A gauge that the crack would tear shows an opening, not a strain.
-std::vector<measurement::Gauge> gauges_of(const Prepared& p) {
+std::vector<lattice::Gauge> gauges_of(const Prepared& p) {
   const scene::Scene::Output& output = p.preset.scene.output;
   const double radius = 0.5 * output.gauge_length * p.lattice.mean_radius;
   std::vector<Eigen::Vector2d> centre;
   for (const Eigen::Vector3d& c : p.lattice.centre) centre.emplace_back(c.head<2>());
-  std::vector<measurement::Gauge> gauges;
+  std::vector<lattice::Gauge> gauges;
   for (const auto& [x, y] : output.gauges) {
     const auto refuse = [&](const std::string& why) {
       return scene::InputError({scene::issue_at(
@@ -76,7 +76,7 @@ std::vector<measurement::Gauge> gauges_of(const Prepared& p) {
       throw refuse(
           fmt::format("the crack runs {:g} mm away, through a gauge of {:.4g} mm (output.gauge_length)",
                       1e-3 * std::round(1e6 * away), 2e3 * radius));
-    auto plane = measurement::local_plane(centre, {x, y}, radius);
+    auto plane = lattice::local_plane(centre, {x, y}, radius);
     if (!plane)
       throw refuse(fmt::format("a gauge of {:g} mm (output.gauge_length) has too few elements under it",
                                2e3 * radius));

@@ -5,7 +5,7 @@
 #include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/release.hpp"
 #include "engine/fracture/release_rate.hpp"
-#include "engine/measurement/camera.hpp"
+#include "engine/lattice/gauge.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/lane.hpp"
 #include "engine/simulation/schedule.hpp"
@@ -56,7 +56,7 @@ struct Prepared {
   std::vector<lattice::Vector6>
       displacement;  // at the start of the run: at rest and pulled, or none for a ramp
   fracture::CrackPath path;
-  std::vector<measurement::Gauge> gauge;
+  std::vector<lattice::Gauge> gauge;
   std::vector<LanePlan> lane;
   std::vector<lattice::DampedBeam> damped;  // those that any lane damps
   lattice::StableStep stable;               // of the lattice without damping

@@ -67,14 +67,6 @@ std::vector<lattice::Vector6> scaled(const std::vector<lattice::Vector6>& unit, 
   return q;
 }
 
-double energy_of_all(const lattice::Lattice& lattice, lattice::Kinematics kinematics,
-                     const std::vector<char>& present, const std::vector<lattice::Vector6>& q) {
-  double energy = 0.0;
-  for (std::size_t b = 0; b < lattice.beam.size(); ++b)
-    if (present[b]) energy += lattice::energy_of_beam(lattice, static_cast<int>(b), kinematics, q);
-  return energy;
-}
-
 /// Solutions of the statics, each known by all that it depends on. All stiffnesses carry the same factor
 /// E_mu, so E_mu is not among it and all are solved with the same one, to the same bits; the linear ones are
 /// for 1 m and serve any displacement.
@@ -225,7 +217,7 @@ void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progr
       lattice::energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
   if (!notch.empty()) p.displacement = statics.at_rest(notched, notch, p.pulled);
   p.grip_force = lattice::grip_force(p.lattice, notched, kinematics, p.displacement);
-  p.static_energy = energy_of_all(p.lattice, kinematics, notched, p.displacement);
+  p.static_energy = lattice::elastic_energy(p.lattice, notched, kinematics, p.displacement);
   refuse_out_of_range(p, prestress_numbers(p));
   if (scene.loading.method == scene::LoadingMethod::ramp)
     p.displacement.assign(p.displacement.size(), lattice::Vector6::Zero());

@@ -69,12 +69,9 @@ Seen crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& pat
 
 /// Energy of a block that is pulled by 1 mm [J].
 double energy_pulled(const lattice::Lattice& lattice) {
-  const std::vector<lattice::Vector6> pulled =
-      lattice::stretched_at_rest(lattice, std::vector<char>(lattice.beam.size(), 1), 1e-3);
-  double energy = 0.0;
-  for (std::size_t b = 0; b < lattice.beam.size(); ++b)
-    energy += lattice::energy_of_beam(lattice, static_cast<int>(b), lattice::Kinematics::linear, pulled);
-  return energy;
+  const std::vector<char> all(lattice.beam.size(), 1);
+  return lattice::elastic_energy(lattice, all, lattice::Kinematics::linear,
+                                 lattice::stretched_at_rest(lattice, all, 1e-3));
 }
 
 /// Two halves that nothing joins: the upper one is lifted as a whole and nothing is strained.

@@ -1,7 +1,7 @@
 #include "engine/base/cache.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/lattice/statics.hpp"
-#include "engine/simulation/own_numbers.hpp"
+#include "engine/measurement/specimen_properties.hpp"
 #include "engine/stability/cracked_plate.hpp"
 #include "engine/stability/suite.hpp"
 
@@ -362,7 +362,7 @@ std::shared_ptr<double> at_no_velocity(const Words& overrides) {
   scene::Preset preset = plate_preset(overrides);
   base::Cache none;
   const simulation::Prepared p = simulation::prepare(preset, none);
-  return std::make_shared<double>(simulation::quasi_static_ratio(p, p.lane.front().window));
+  return std::make_shared<double>(measurement::quasi_static_ratio(p, p.lane.front().window));
 }
 
 /// The faster, the less: near the static limit for the slowest, near what is known on the way.

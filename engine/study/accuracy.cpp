@@ -1,8 +1,8 @@
 #include "engine/study/accuracy.hpp"
 
-#include "engine/scene/contradictions.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/scene/validation.hpp"
 #include "engine/study/identity.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ std::string issues_text(const std::vector<scene::Issue>& issues) {
 std::vector<scene::Issue> contradictions_of(const scene::Preset& preset, const scene::Scene& scene) {
   scene::Preset varied = preset;
   varied.scene = scene;
-  return scene::contradictions(varied, {});
+  return scene::validate(varied, {});
 }
 
 struct Planning {

@@ -89,7 +89,7 @@ void measure(Judging& j, AccuracyLine& line) {
   }
   line.ratio = mean_of(ratios);
   line.specimens = static_cast<int>(ratios.size());
-  line.scatter = ratios.size() > 1 ? deviation_of(ratios) : nan;
+  line.scatter = deviation_of(ratios);
   line.error_broberg = mean_of(broberg);
   line.wall_s = mean_of(wall);
   line.error = line.step_error = line.converged = nan;

@@ -120,7 +120,7 @@ std::vector<OwnProblem> own_problem(const Evidence& evidence) {
     p.half_length_m = 0.5 * number_in(row, "length_m") * (window[0].get<double>() + window[1].get<double>());
     const auto strip = zones.find(key_of(zone));
     const EfficiencyPoint* eta = strip == zones.end() ? nullptr : find_point(strip->second, v);
-    if (eta) p.efficiency = mean_of(eta->ratio), p.efficiency_scatter = deviation_of(eta->ratio);
+    if (eta) p.efficiency = mean_of(eta->ratio), p.efficiency_scatter = scatter_of(eta->ratio);
   }
   std::vector<OwnProblem> list;
   for (auto& [place, point] : points) {
@@ -139,7 +139,7 @@ std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points) {
     const double on = y / (x - y);
     const double limit = fine.over_efficiency() + on * (fine.over_efficiency() - coarse.over_efficiency());
     if (!std::isfinite(limit)) continue;
-    const auto relative = [](const OwnProblem& p) { return deviation_of(p.ratio) / mean_of(p.ratio); };
+    const auto relative = [](const OwnProblem& p) { return scatter_of(p.ratio) / mean_of(p.ratio); };
     const double of_coarse = relative(coarse), of_fine = fine.ratio.size() > 1 ? relative(fine) : of_coarse;
     const double of_efficiency = fine.efficiency_scatter / fine.efficiency;
     list.push_back({fine.v, fine.zone, limit, fine.broberg,
@@ -182,7 +182,7 @@ Judgement beyond_efficiency(const Evidence& evidence) {
   double farthest = 0.0, scatter = 0.0;
   for (const EfficiencyPoint& p : zones.rbegin()->second) {
     farthest = std::max(farthest, std::abs(mean_of(p.ratio) - 1.0));
-    scatter = std::max(scatter, std::max(deviation_of(p.ratio), mean_of(p.along)));
+    scatter = std::max(scatter, std::max(scatter_of(p.ratio), mean_of(p.along)));
   }
   if (zones.rbegin()->second.empty()) return {Verdict::not_decidable, "no result"};
   return {farthest <= near_margin ? Verdict::holds : Verdict::does_not_hold,

@@ -81,19 +81,8 @@ double release_energy_per_beam(const SummaryRow& row) {
   return per_length * number_in(row, "length_m") / number_in(row, "beams_crossed");
 }
 
-double mean_of(const std::vector<double>& numbers) {
-  if (numbers.empty()) return std::numeric_limits<double>::quiet_NaN();
-  double sum = 0.0;
-  for (double n : numbers) sum += n;
-  return sum / static_cast<double>(numbers.size());
-}
-
-double deviation_of(const std::vector<double>& numbers) {
-  const double mean = mean_of(numbers);
-  if (numbers.size() < 2) return numbers.empty() ? mean : 0.0;
-  double sum = 0.0;
-  for (double n : numbers) sum += (n - mean) * (n - mean);
-  return std::sqrt(sum / static_cast<double>(numbers.size() - 1));
+double scatter_of(const std::vector<double>& numbers) {
+  return numbers.size() == 1 ? 0.0 : deviation_of(numbers);
 }
 
 double number_in(const SummaryRow& row, const char* name) {
@@ -158,7 +147,7 @@ Difference difference_of(const CurvePoint& a, const CurvePoint& b) {
     const auto other = std::find(b.seed.begin(), b.seed.end(), a.seed[k]);
     if (other != b.seed.end()) differences.push_back(a.ratio[k] - b.ratio[other - b.seed.begin()]);
   }
-  return {mean_of(differences), deviation_of(differences), static_cast<int>(differences.size())};
+  return {mean_of(differences), scatter_of(differences), static_cast<int>(differences.size())};
 }
 
 enum class Side { below, above };
@@ -236,7 +225,7 @@ Judgement is_better(const Curve& curve, const Curve& than, Span span) {
   for (const auto& [seed, distance] : of_a)
     if (of_b.contains(seed)) gains.push_back(of_b.at(seed) - distance);
   const double gain = mean_distance(b) - mean_distance(a);
-  const double scatter = gains.size() > 1 ? deviation_of(gains) : 0.0;
+  const double scatter = gains.empty() ? 0.0 : scatter_of(gains);
   return {verdict_of(gain > 0.0, scatter, std::abs(gain)),
           fmt::format("{}: mean |delta| {:.3f} against {:.3f}, scatter of the difference {:.3f}",
                       span_text(span), mean_distance(a), mean_distance(b), scatter)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/numbers.hpp"
 #include "engine/study/runner.hpp"
 
 #include <string>
@@ -49,9 +50,11 @@ Curve outside(const Curve& curve, double from, double to);
 /// Energy that the release of one beam takes, the mean over those that the crack crosses [J].
 double release_energy_per_beam(const SummaryRow& row);
 
-/// Mean of numbers, and the standard deviation of a sample of them (0 for one); NaN for none.
-double mean_of(const std::vector<double>& numbers);
-double deviation_of(const std::vector<double>& numbers);
+using base::deviation_of;
+using base::mean_of;
+
+/// The standard deviation of numbers; 0 of a single one, which shows none.
+double scatter_of(const std::vector<double>& numbers);
 
 /// A number of a row, NaN where it is null or missing.
 double number_in(const SummaryRow& row, const char* name);

@@ -67,7 +67,7 @@ constexpr double preparation_steps = 10000.0;  // packing and static solve last 
 
 double crack_time(const scene::Scene& scene) {
   if (!scene.crack.history.empty())
-    return history::time_of_arrival(scene::measured_course(scene).history, scene::crack_end(scene));
+    return history::time_of_arrival(scene::smoothed_history(scene).history, scene::crack_end(scene));
   std::vector<history::SpeedUntil> pieces;
   for (const scene::VelocityPiece& piece : scene.crack.velocity)
     pieces.push_back({scene::speed_m_s(piece.speed, scene::rayleigh_speed(scene)),

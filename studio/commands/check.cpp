@@ -1,7 +1,7 @@
 #include "engine/base/console.hpp"
 #include "engine/base/interrupted.hpp"
 #include "engine/base/text.hpp"
-#include "engine/simulation/own_numbers.hpp"
+#include "engine/measurement/specimen_properties.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/scene_options.hpp"
 #include "studio/text/dry_run.hpp"
@@ -76,9 +76,9 @@ ExitCode check(const CheckOptions& check_options) {
     Json j = dry_run(prepared, options.threads);
     if (check_options.measure) {
       j["measured"] =
-          simulation::json_of(simulation::measure_own_numbers(prepared, cache, tell, options.threads),
-                              prepared.lattice.mean_radius);
-      j["measured"]["ratio_quasi_static"] = simulation::quasi_static_ratio(
+          measurement::json_of(measurement::measure_specimen(prepared, cache, tell, options.threads),
+                               prepared.lattice.mean_radius);
+      j["measured"]["ratio_quasi_static"] = measurement::quasi_static_ratio(
           prepared, prepared.lane.front().window, [&](double done) { return tell("quasi-static", done); });
     }
     line.clear();

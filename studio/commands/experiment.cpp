@@ -32,7 +32,7 @@ using Clock = std::chrono::steady_clock;
 
 struct ExperimentCommand {
   SceneOptions scene;
-  experiment::ExperimentWishes wishes;
+  experiment::ExperimentOptions wishes;
   std::string out, truth, budget;
   bool force = false, no_application = false;
   std::unique_ptr<FilmOfRun> film;
@@ -59,10 +59,10 @@ fracture::CriticalRate read_truth(const std::string& file) {
   return preset.scene.crack.toughness;
 }
 
-std::string smoothing_text(const scene::Scene& scene, const history::Course& course) {
+std::string smoothing_text(const scene::Scene& scene, const history::SmoothedHistory& course) {
   if (scene.crack.smoothing == history::Smoothing::none) return "straight lines from row to row";
-  return fmt::format("monotone penalised spline, {:.0f} degrees of freedom for {} rows", course.freedoms,
-                     scene.crack.history.size());
+  return fmt::format("monotone penalised spline, {:.0f} degrees of freedom for {} rows",
+                     course.degrees_of_freedom, scene.crack.history.size());
 }
 
 std::string command_text(const ExperimentCommand& command) {

@@ -32,7 +32,7 @@ constexpr std::size_t fields_kept = 12;  // of the way, for the maps
 struct MeasureCommand {
   std::string run, out, color;
   std::vector<std::string> against;
-  experiment::InstrumentWishes wishes;
+  measurement::InstrumentOptions wishes;
   bool force = false, json = false, quiet = false;
 };
 
@@ -50,7 +50,7 @@ fs::path folder_of(const MeasureCommand& command) {
                                                           : std::string("measure"));
 }
 
-void check(const experiment::InstrumentWishes& w) {
+void check(const measurement::InstrumentOptions& w) {
   for (const auto& [option, value] :
        {std::pair{"--grid", w.grid}, {"--subset", w.subset}, {"--inner", w.inner}, {"--outer", w.outer}})
     if (!std::isfinite(value))
@@ -92,13 +92,13 @@ class FieldFile {
 void read_run(const MeasureCommand& command, InstrumentsReport& report, FieldFile& file, ProgressLine& line,
               const StopSignal& stop) {
   double next_tip = 0.0;
-  report.seen = experiment::read_instruments(
+  report.seen = measurement::read_instruments(
       command.run, command.wishes,
       [&](double done) {
         line.tell("frames", done);
         return stop.received() == 0;
       },
-      [&](const measurement::Grid& grid, const experiment::SeenField& field) {
+      [&](const measurement::Grid& grid, const measurement::SeenField& field) {
         file.append(field_csv_rows(grid, field));
         if (field.tip < next_tip) return;
         report.field.push_back(field);
@@ -109,8 +109,8 @@ void read_run(const MeasureCommand& command, InstrumentsReport& report, FieldFil
 
 void lay_over(InstrumentsReport& report, const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    for (experiment::Trace& trace : experiment::read_traces(file, report.trace)) {
-      for (const experiment::Trace& other : report.measured)
+    for (measurement::Trace& trace : measurement::read_traces(file, report.trace)) {
+      for (const measurement::Trace& other : report.measured)
         if (other.name == trace.name)
           throw scene::InputError(
               {scene::Issue{.file = file, .key = {}, .text = trace.name + " is in an earlier file too"}});
@@ -162,7 +162,7 @@ ExitCode measure(const MeasureCommand& command) {
   try {
     FieldFile file(owned);
     read_run(command, report, file, line, stop);
-    report.trace = experiment::traces_of(report.seen);
+    report.trace = measurement::traces_of(report.seen);
     lay_over(report, command.against);
     file.keep();
   } catch (const base::Interrupted& interrupted) {
@@ -180,7 +180,7 @@ void add_measure(CLI::App& app, ExitCode& exit_code) {
       "measure",
       "What a test's instruments would have shown of a run: grip force, gauges, a camera's fields, K");
   const auto options = std::make_shared<MeasureCommand>();
-  experiment::InstrumentWishes& wishes = options->wishes;
+  measurement::InstrumentOptions& wishes = options->wishes;
   command.add_option("run", options->run, "Folder of the run, unfinished ones too")->required();
   command.add_option(
       "--against", options->against,

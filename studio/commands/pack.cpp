@@ -28,7 +28,7 @@ scene::Preset preset_for(const SceneOptions& options) {
 }
 
 PackedSpecimen packed(const ReportOptions& options, const scene::Preset& preset, base::Cache& cache,
-                      const packing::PackingProgress& progress) {
+                      const base::FractionTold& progress) {
   const auto start = Clock::now();
   const scene::Scene& scene = preset.scene;
   PackedSpecimen specimen{.scene = scene, .build = build_info(), .box = scene::box_of(scene), .packing = {}};

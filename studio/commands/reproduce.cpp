@@ -4,8 +4,8 @@
 #include "engine/base/text.hpp"
 #include "engine/calibration/calibrate.hpp"
 #include "engine/lattice/lattice.hpp"
+#include "engine/measurement/specimen_properties.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/simulation/own_numbers.hpp"
 #include "engine/study/claims.hpp"
 #include "engine/study/paper_study.hpp"
 #include "engine/study/runner.hpp"
@@ -203,8 +203,9 @@ OwnSpeed measure_speed(const ReproduceOptions& options, int elements, const Stop
   const simulation::Prepared plate = simulation::prepare(
       scene::read_preset(resolve_preset("plate_pnrt"), {fmt::format("specimen.elements={}", elements)}),
       cache, tell);
-  const simulation::OwnNumbers own = simulation::measure_own_numbers(plate, cache, tell, options.threads);
-  const double in_situ = own.nominal.rayleigh / own.speed(calibration::WaveKind::rayleigh);
+  const measurement::SpecimenProperties own =
+      measurement::measure_specimen(plate, cache, tell, options.threads);
+  const double in_situ = own.nominal.rayleigh / own.speed(measurement::WaveKind::rayleigh);
   return {in_situ * std::sqrt(plate.micro.young_modulus / lattice::bulk_micro_material.young_modulus),
           in_situ};
 }

@@ -78,7 +78,7 @@ ChartSeries efficiency_series(const std::string& label, const std::vector<study:
   for (const study::EfficiencyPoint& p : points) {
     series.x.push_back(p.v);
     series.y.push_back(study::mean_of(p.ratio));
-    series.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio) : nothing);
+    series.error.push_back(study::deviation_of(p.ratio));
   }
   return series;
 }
@@ -105,7 +105,7 @@ Chart efficiency_against_zone(const study::Evidence& evidence) {
       ChartSeries& curve = curves[p.v];
       curve.x.push_back(zone);
       curve.y.push_back(study::mean_of(p.ratio));
-      curve.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio) : nothing);
+      curve.error.push_back(study::deviation_of(p.ratio));
     }
   int colour = 0;
   for (auto& [v, curve] : curves) {
@@ -239,8 +239,7 @@ Chart size_chart(const std::vector<study::OwnProblem>& points) {
     ChartSeries& curve = curves[{p.v, p.zone}];
     curve.x.push_back(p.radius_m / p.half_length_m);
     curve.y.push_back(p.over_efficiency() / p.broberg);
-    curve.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio) / p.efficiency / p.broberg
-                                             : nothing);
+    curve.error.push_back(study::deviation_of(p.ratio) / p.efficiency / p.broberg);
   }
   for (const study::Extrapolated& e : study::extrapolated(points)) {
     curves[{e.v, e.zone}].x.push_back(0.0);

@@ -36,7 +36,7 @@ NamedChart history_chart(const ExperimentReport& report) {
     rows.x.push_back(1e6 * row.time), rows.y.push_back(1e3 * row.position);
     if (row.uncertainty > 0.0) rows.error.push_back(1e3 * row.uncertainty);
   }
-  const history::Course& c = report.experiment.course;
+  const history::SmoothedHistory& c = report.experiment.course;
   const double duration = report.rows.back().time - report.rows.front().time;
   for (int k = 0; k <= 200; ++k) {
     const double t = duration * k / 200;

@@ -17,7 +17,7 @@ using Style = ChartSeries::Style;
 constexpr std::size_t most_series = 12;
 constexpr double most_cells = 5000;  // of a map
 
-ChartSeries series_of(const experiment::Trace& trace, std::string label, Style look, int colour) {
+ChartSeries series_of(const measurement::Trace& trace, std::string label, Style look, int colour) {
   const TraceScale scale = scale_of(trace.dimension);
   ChartSeries s;
   s.label = std::move(label), s.style = look, s.colour = colour;
@@ -26,9 +26,9 @@ ChartSeries series_of(const experiment::Trace& trace, std::string label, Style l
   return s;
 }
 
-const experiment::Trace* found(const std::vector<experiment::Trace>& traces, const std::string& name) {
+const measurement::Trace* found(const std::vector<measurement::Trace>& traces, const std::string& name) {
   const auto at =
-      std::find_if(traces.begin(), traces.end(), [&](const experiment::Trace& t) { return t.name == name; });
+      std::find_if(traces.begin(), traces.end(), [&](const measurement::Trace& t) { return t.name == name; });
   const auto seen = [](double value) { return std::isfinite(value); };
   const bool any = at != traces.end() && std::any_of(at->value.begin(), at->value.end(), seen);
   return any ? &*at : nullptr;
@@ -46,8 +46,8 @@ NamedChart time_chart(const InstrumentsReport& report, const char* name, const c
   named.chart.key_outside = wanted.size() > 2 || !report.measured.empty();
   int colour = 0;
   for (const Wanted& w : wanted) {
-    const experiment::Trace* run = found(report.trace, w.name);
-    const experiment::Trace* measured = found(report.measured, w.name);
+    const measurement::Trace* run = found(report.trace, w.name);
+    const measurement::Trace* measured = found(report.measured, w.name);
     if (!run) continue;
     const std::string unit = scale_of(run->dimension).unit;
     named.chart.y_label = fmt::format("{} [{}]", quantity, unit.empty() ? "-" : unit);
@@ -71,7 +71,7 @@ std::vector<NamedChart> gauge_charts(const InstrumentsReport& report) {
         Kind{"vx", "Velocity along the crack", "velocity x"}}) {
     std::vector<Wanted> gauges;
     for (int g = 0; gauges.size() < most_series; ++g) {
-      const experiment::Trace* trace = found(report.trace, fmt::format("gauge{}_{}", g, kind.name));
+      const measurement::Trace* trace = found(report.trace, fmt::format("gauge{}_{}", g, kind.name));
       if (!trace) break;
       const auto row = std::find_if(report.seen.gauges.begin(), report.seen.gauges.end(),
                                     [&](const results::GaugeRow& r) { return r.gauge == g; });
@@ -99,7 +99,7 @@ NamedChart rate_chart(const InstrumentsReport& report) {
   field.label = "of the field", field.style = Style::line_points, field.colour = 1;
   books.label = "G_{ID} of the books", books.style = Style::line, books.colour = 0;
   still.label = "G_{I0}", still.style = Style::line, still.colour = -1;
-  for (const experiment::IntensityPoint& p : report.seen.intensity) {
+  for (const measurement::IntensityPoint& p : report.seen.intensity) {
     const double tip = 1e3 * p.tip;
     field.x.push_back(tip), field.y.push_back(p.k ? 1e-3 * p.k->release_rate : std::nan(""));
     books.x.push_back(tip), books.y.push_back(1e-3 * p.g_id);
@@ -119,8 +119,8 @@ bool has_points(const NamedChart& named) {
 double mm(double metres) { return 0.1 * std::round(1e4 * metres); }
 
 /// Every so manieth point of the grid, as a map.
-HeatMap map_of(const InstrumentsReport& report, const experiment::SeenField& field,
-               const std::function<double(const measurement::PlaneMotion&)>& value) {
+HeatMap map_of(const InstrumentsReport& report, const measurement::SeenField& field,
+               const std::function<double(const lattice::PlaneMotion&)>& value) {
   const measurement::Grid& grid = report.seen.grid;
   const int stride = std::max(
       1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(grid.point.size()) / most_cells))));
@@ -174,7 +174,7 @@ std::vector<NamedMap> field_maps(const InstrumentsReport& report) {
   std::vector<NamedMap> maps;
   const std::size_t last = report.field.size() - 1;
   for (const std::size_t k : {last / 2, last}) {
-    const experiment::SeenField& field = report.field[k];
+    const measurement::SeenField& field = report.field[k];
     const std::string when = fmt::format("tip at {:.1f} mm", 1e3 * field.tip);
     const auto add = [&](const char* name, const char* title, const char* label, auto value) {
       NamedMap named{fmt::format("{}_{}", name, k == last ? "end" : "half_way"),
@@ -184,9 +184,9 @@ std::vector<NamedMap> field_maps(const InstrumentsReport& report) {
       maps.push_back(std::move(named));
     };
     add("displacement_y", "Displacement across the crack", "u_y [um]",
-        [](const measurement::PlaneMotion& m) { return 1e6 * m.u.y(); });
+        [](const lattice::PlaneMotion& m) { return 1e6 * m.u.y(); });
     add("strain_yy", "Strain across the crack", "strain yy [10^{-3}]",
-        [](const measurement::PlaneMotion& m) { return 1e3 * m.strain_yy(); });
+        [](const lattice::PlaneMotion& m) { return 1e3 * m.strain_yy(); });
     if (last == 0) break;
   }
   std::erase_if(maps, [](const NamedMap& named) {

@@ -26,12 +26,12 @@ std::string with_unit(double value, scene::Dimension dimension) {
                      plain_text(scale.unit));
 }
 
-const experiment::Trace& trace_named(const InstrumentsReport& report, const std::string& name) {
+const measurement::Trace& trace_named(const InstrumentsReport& report, const std::string& name) {
   return *std::find_if(report.trace.begin(), report.trace.end(),
-                       [&](const experiment::Trace& t) { return t.name == name; });
+                       [&](const measurement::Trace& t) { return t.name == name; });
 }
 
-std::string distance_text(const experiment::Trace& measured, const experiment::TraceDistance& d) {
+std::string distance_text(const measurement::Trace& measured, const measurement::TraceDistance& d) {
   std::string text =
       fmt::format("off by {} (rms), {} at most, at {} of its {} points", with_unit(d.rms, measured.dimension),
                   with_unit(d.largest, measured.dimension), d.points, measured.time.size());
@@ -40,32 +40,32 @@ std::string distance_text(const experiment::Trace& measured, const experiment::T
 }
 
 /// Why moments have no K, the most frequent reason first.
-std::string without_intensity(const std::vector<experiment::IntensityPoint>& points) {
-  std::map<experiment::NoFit, int> count;
-  for (const experiment::IntensityPoint& p : points)
+std::string without_intensity(const std::vector<measurement::IntensityPoint>& points) {
+  std::map<measurement::NoFit, int> count;
+  for (const measurement::IntensityPoint& p : points)
     if (!p.k) ++count[p.why];
-  std::vector<std::pair<experiment::NoFit, int>> reasons(count.begin(), count.end());
+  std::vector<std::pair<measurement::NoFit, int>> reasons(count.begin(), count.end());
   std::stable_sort(reasons.begin(), reasons.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string text;
   for (const auto& [why, moments] : reasons)
-    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", moments, experiment::reason_of(why));
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", moments, measurement::reason_of(why));
   return text;
 }
 
-std::string span_text(const experiment::Trace& trace) {
+std::string span_text(const measurement::Trace& trace) {
   return trace.time.empty()
              ? std::string("no time")
              : fmt::format("{:.6g} to {:.6g} us", 1e6 * trace.time.front(), 1e6 * trace.time.back());
 }
 
 std::vector<std::pair<std::string, std::string>> conclusions(const InstrumentsReport& report) {
-  const experiment::Instruments& seen = report.seen;
+  const measurement::Instruments& seen = report.seen;
   std::vector<std::pair<std::string, std::string>> rows{
       {"camera", fmt::format("{} x {} points, each read over a circle of {:.3g} mm", seen.grid.columns,
                              seen.grid.rows, 2e3 * seen.subset)}};
   const bool blind =
-      std::none_of(report.field.begin(), report.field.end(), [](const experiment::SeenField& field) {
+      std::none_of(report.field.begin(), report.field.end(), [](const measurement::SeenField& field) {
         return std::any_of(field.motion.begin(), field.motion.end(),
                            [](const auto& m) { return m.has_value(); });
       });
@@ -89,7 +89,7 @@ std::vector<std::pair<std::string, std::string>> conclusions(const InstrumentsRe
                     against.over_g_i0, against.taken, against.moments));
   const auto closed =
       std::count_if(seen.intensity.begin(), seen.intensity.end(),
-                    [](const experiment::IntensityPoint& p) { return p.k && p.k->opening < 0.0; });
+                    [](const measurement::IntensityPoint& p) { return p.k && p.k->opening < 0.0; });
   if (closed > 0)
     rows.emplace_back("closed faces",
                       fmt::format("K_I is below 0 at {} moments: faces that press are not those of "
@@ -98,8 +98,8 @@ std::vector<std::pair<std::string, std::string>> conclusions(const InstrumentsRe
   if (seen.clock != 0.0)
     rows.emplace_back("clock",
                       fmt::format("the measured history's: the run's plus {:.8g} us", 1e6 * seen.clock));
-  for (const experiment::Trace& measured : report.measured) {
-    const auto d = experiment::distance_between(trace_named(report, measured.name), measured);
+  for (const measurement::Trace& measured : report.measured) {
+    const auto d = measurement::distance_between(trace_named(report, measured.name), measured);
     rows.emplace_back(measured.name,
                       d ? distance_text(measured, *d)
                         : fmt::format("lies at {}, the run at {}: no time is in both", span_text(measured),
@@ -108,11 +108,11 @@ std::vector<std::pair<std::string, std::string>> conclusions(const InstrumentsRe
   return rows;
 }
 
-std::string intensity_csv(const experiment::Instruments& seen) {
+std::string intensity_csv(const measurement::Instruments& seen) {
   std::string csv =
       "time_s,tip_m,crack_velocity_over_cr,k_i_pa_m1_2,k_ii_pa_m1_2,g_field_j_m2,tip_ahead_m,misfit,"
       "points,g_id_j_m2\n";
-  for (const experiment::IntensityPoint& p : seen.intensity) {
+  for (const measurement::IntensityPoint& p : seen.intensity) {
     csv += fmt::format("{},{},{},", p.time, p.tip, p.over_cr);
     csv += p.k ? fmt::format("{},{},{},{},{},{},", p.k->opening, p.k->sliding, p.k->release_rate, p.k->ahead,
                              p.k->misfit, p.k->points)
@@ -126,7 +126,7 @@ std::string intensity_csv(const experiment::Instruments& seen) {
 
 FieldAgainstBooks field_against_books(const InstrumentsReport& report) {
   FieldAgainstBooks mean;
-  for (const experiment::IntensityPoint& p : report.seen.intensity) {
+  for (const measurement::IntensityPoint& p : report.seen.intensity) {
     if (!p.k || !std::isfinite(p.g_id)) continue;
     ++mean.moments;
     mean.over_g_i0 += p.k->release_rate / (report.seen.g_i0 + report.seen.g_i0_slope * p.tip);
@@ -140,11 +140,11 @@ std::string field_csv_header() {
   return "time_s,tip_m,x_m,y_m,ux_m,uy_m,uz_m,strain_xx,strain_yy,strain_xy\n";
 }
 
-std::string field_csv_rows(const measurement::Grid& grid, const experiment::SeenField& field) {
+std::string field_csv_rows(const measurement::Grid& grid, const measurement::SeenField& field) {
   std::string csv;
   for (std::size_t p = 0; p < field.motion.size(); ++p) {
     if (!field.motion[p]) continue;
-    const measurement::PlaneMotion& m = *field.motion[p];
+    const lattice::PlaneMotion& m = *field.motion[p];
     csv += fmt::format("{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n", field.time,
                        field.tip, grid.point[p].x(), grid.point[p].y(), m.u.x(), m.u.y(), m.u.z(),
                        m.strain_xx(), m.strain_yy(), m.strain_xy());
@@ -156,10 +156,10 @@ Table intensity_table(const InstrumentsReport& report) {
   Table table{{"time [us]", "tip [mm]", "v [c_R]", "K_I [MPa m½]", "K_II", "G, field [kJ/m²]", "G_ID, books",
                "taken", "misfit"},
               {}};
-  const std::vector<experiment::IntensityPoint>& points = report.seen.intensity;
+  const std::vector<measurement::IntensityPoint>& points = report.seen.intensity;
   const std::size_t apart = std::max<std::size_t>(1, points.size() / 12);
   for (std::size_t k = 0; k < points.size(); k += apart) {
-    const experiment::IntensityPoint& p = points[k];
+    const measurement::IntensityPoint& p = points[k];
     const measurement::StressIntensity none{
         .opening = NAN, .sliding = NAN, .release_rate = NAN, .misfit = NAN};
     const measurement::StressIntensity i = p.k.value_or(none);
@@ -184,7 +184,7 @@ Json instruments_json(const InstrumentsReport& report) {
   const auto or_null = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
   const FieldAgainstBooks against = field_against_books(report);
   Json along = Json::array(), measured = Json::array();
-  for (const experiment::IntensityPoint& p : report.seen.intensity) {
+  for (const measurement::IntensityPoint& p : report.seen.intensity) {
     const auto of = [&](double measurement::StressIntensity::*value) {
       return p.k ? Json((*p.k).*value) : Json(nullptr);
     };
@@ -198,8 +198,8 @@ Json instruments_json(const InstrumentsReport& report) {
                      {"misfit", of(&measurement::StressIntensity::misfit)},
                      {"g_id_j_m2", or_null(p.g_id)}});
   }
-  for (const experiment::Trace& trace : report.measured) {
-    const auto d = experiment::distance_between(trace_named(report, trace.name), trace);
+  for (const measurement::Trace& trace : report.measured) {
+    const auto d = measurement::distance_between(trace_named(report, trace.name), trace);
     measured.push_back({{"name", trace.name},
                         {"points", d ? d->points : 0},
                         {"rms", d ? Json(d->rms) : Json(nullptr)},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/experiment/traces.hpp"
+#include "engine/measurement/traces.hpp"
 #include "studio/text/table.hpp"
 
 #include <nlohmann/json.hpp>
@@ -15,10 +15,10 @@ namespace rift::studio {
 struct InstrumentsReport {
   std::string run, command, version;
   int lane = 0;
-  experiment::Instruments seen;
-  std::vector<experiment::SeenField> field;  // some, along the way
-  std::vector<experiment::Trace> trace;      // of the run
-  std::vector<experiment::Trace> measured;   // laid over
+  measurement::Instruments seen;
+  std::vector<measurement::SeenField> field;  // some, along the way
+  std::vector<measurement::Trace> trace;      // of the run
+  std::vector<measurement::Trace> measured;   // laid over
 };
 
 /// A dozen moments: stress intensities, and the books beside them.
@@ -35,7 +35,7 @@ void write_instruments_report(const InstrumentsReport& report, const std::filesy
 
 /// field.csv: a row per moment and point of the grid that the camera holds.
 std::string field_csv_header();
-std::string field_csv_rows(const measurement::Grid& grid, const experiment::SeenField& field);
+std::string field_csv_rows(const measurement::Grid& grid, const measurement::SeenField& field);
 
 /// Mean over the moments that have both, weights alike; NaN where there are none.
 struct FieldAgainstBooks {

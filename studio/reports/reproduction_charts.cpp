@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace rift::studio {
@@ -84,8 +83,7 @@ ChartSeries series_of(const std::string& label, const study::Curve& curve, int c
   for (const study::CurvePoint& p : curve) {
     series.x.push_back(p.v);
     series.y.push_back(study::mean_of(p.ratio));
-    series.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio)
-                                              : std::numeric_limits<double>::quiet_NaN());
+    series.error.push_back(study::deviation_of(p.ratio));
   }
   return series;
 }

@@ -14,22 +14,22 @@ engine/packing:      base
 engine/lattice:      base packing
 engine/fracture:     base history results packing lattice
 engine/ensemble:     base results packing lattice fracture history
-engine/measurement:  base theory
 engine/scene:        base history theory packing lattice fracture ensemble
 engine/calibration:  base theory packing lattice fracture ensemble scene
-engine/simulation:   base history theory results packing lattice fracture ensemble measurement scene calibration
-engine/stability:    base results packing lattice fracture ensemble scene simulation
-engine/experiment:   base history theory results packing lattice fracture ensemble measurement scene calibration simulation
+engine/simulation:   base history theory results packing lattice fracture ensemble scene calibration
+engine/measurement:  base history theory results packing lattice fracture ensemble scene calibration simulation
+engine/stability:    base results packing lattice fracture ensemble scene simulation measurement
+engine/experiment:   base history theory results packing lattice fracture ensemble scene calibration simulation measurement
 engine/study:        base history theory results packing lattice fracture ensemble scene calibration simulation
 viz:                 base results
 viz/draw:            base results viz
 studio/text:         base theory results scene simulation study
 studio/charts:       base theory study studio/text
-studio/reports:      base history theory results packing lattice fracture ensemble scene calibration simulation stability experiment study studio/text studio/charts
+studio/reports:      base history theory results packing lattice fracture ensemble scene calibration simulation measurement stability experiment study studio/text studio/charts
 studio/screen:       base theory results fracture scene simulation studio/text
 studio/workbench:    base history theory results scene simulation study studio/text studio/charts studio/reports studio/screen
 studio/terminal:     base studio/screen studio/workbench
-studio/commands:     base theory results packing lattice ensemble scene calibration simulation stability experiment study viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/terminal
+studio/commands:     base theory results packing lattice ensemble scene calibration simulation measurement stability experiment study viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/terminal
 studio:              base results scene studio/commands
 '
 

@@ -1,8 +1,8 @@
 #include "engine/history/crack_history.hpp"
-#include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/csv_table.hpp"
 #include "engine/scene/preset.hpp"
 #include "engine/scene/rows_text.hpp"
+#include "engine/scene/validation.hpp"
 #include "tests/fuzz/bytes.hpp"
 
 #include <array>
@@ -29,8 +29,8 @@ void measured(std::string_view text) {
   for (const history::Smoothing smoothing : {history::Smoothing::monotone, history::Smoothing::none}) {
     preset.scene.crack.smoothing = smoothing;
     if (!scene::history_issues(preset).empty()) continue;
-    const history::Course course =
-        history::course_of(preset.scene.crack.history, preset.scene.crack.start, smoothing);
+    const history::SmoothedHistory course =
+        history::smoothed_history(preset.scene.crack.history, preset.scene.crack.start, smoothing);
     for (const history::CrackStretch& s : course.history.stretch)
       if (!(s.speed >= 0.0) || !std::isfinite(s.position)) std::abort();
   }

@@ -1,4 +1,4 @@
-#include "engine/experiment/traces.hpp"
+#include "engine/measurement/traces.hpp"
 #include "engine/scene/csv_table.hpp"
 #include "engine/scene/issue.hpp"
 #include "tests/fuzz/bytes.hpp"
@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   static fuzz::MemoryFile file;
   try {
-    for (const experiment::Trace& trace : experiment::read_traces(
+    for (const measurement::Trace& trace : measurement::read_traces(
              file.holding(text), {{"grip_force", scene::Dimension::force, {}, {}},
                                   {"gauge0_strain_yy", scene::Dimension::strain, {}, {}}}))
       if (trace.time.size() != trace.value.size()) std::abort();

@@ -115,9 +115,9 @@ TEST(ProcessLimits, MemoryIsTheLeastOfTheLimits) {
 
 TEST(ThreadPool, OfMoreThreadsThanCpusDoesEveryTaskOnce) {
   for (int round = 0; round < 2; ++round) {
-    ThreadPool crew(9, 100);
+    ThreadPool pool(9, 100);
     std::vector<int> done(100);
-    for (int k = 0; k < 50; ++k) crew.run(100, [&](int task) { ++done[task]; });
+    for (int k = 0; k < 50; ++k) pool.run(100, [&](int task) { ++done[task]; });
     EXPECT_EQ(std::set<int>(done.begin(), done.end()), std::set<int>{50});
   }
 }
@@ -133,9 +133,9 @@ TEST(ThreadPool, ThreadsThatShareACpuDoNotLookForWorkWhileOneOfThemWorks) {
   // 15 helpers that each look 2,000 times a round, some 50 us, would take 400 x 15 x 50 us = 300 ms; asleep,
   // they take no time of the user's but for some calls a round.
   const auto used = [] {
-    ThreadPool crew(16, 16);
+    ThreadPool pool(16, 16);
     const double before = processor_time();
-    for (int k = 0; k < 400; ++k) crew.run(16, [](int) {});
+    for (int k = 0; k < 400; ++k) pool.run(16, [](int) {});
     return std::min(200, static_cast<int>(1e3 * (processor_time() - before)));  // [ms]
   };
   EXPECT_LT(in_a_child(keep_one_cpu, used), 100);

@@ -32,5 +32,20 @@ TEST(Escaped, TwiceIsOnce) {
   EXPECT_EQ(escaped(once), once);
 }
 
+TEST(Letters, AreTakenApartAndPutTogetherAgain) {
+  const std::string text = "a\u00b5\u65e5\U0001F600";
+  EXPECT_EQ(letters_of(text), U"a\u00b5\u65e5\U0001F600");
+  EXPECT_EQ(count_letters(text), 4U);
+  std::string again;
+  for (const char32_t letter : letters_of(text)) append_letter(again, letter);
+  EXPECT_EQ(again, text);
+}
+
+TEST(WithoutQuotes, TakesAPairOfThemOff) {
+  EXPECT_EQ(without_quotes("\"simple\""), "simple");
+  EXPECT_EQ(without_quotes("0.5"), "0.5");
+  EXPECT_EQ(without_quotes("\""), "\"");
+}
+
 }  // namespace
 }  // namespace rift::base

@@ -17,7 +17,7 @@ scene::Preset measured_preset() {
   return preset;
 }
 
-Experiment small_experiment(const scene::Preset& preset, const ExperimentWishes& wishes) {
+Experiment small_experiment(const scene::Preset& preset, const ExperimentOptions& wishes) {
   const TemporaryFolder folder;
   return run_experiment(preset, wishes, folder.path(), shared_cache(), {},
                         [](std::string_view, double) { return true; });

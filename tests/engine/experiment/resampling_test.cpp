@@ -20,7 +20,7 @@ scene::Scene measured(double uncertainty) {
 }
 
 double deviation(const std::vector<std::vector<history::HistoryPoint>>& histories, const scene::Scene& scene,
-                 const history::Course& course) {
+                 const history::SmoothedHistory& course) {
   double squares = 0.0, count = 0.0;
   const std::vector<double> fitted = history::positions_at_rows(course, scene.crack.history);
   for (const auto& rows : histories)
@@ -32,7 +32,7 @@ double deviation(const std::vector<std::vector<history::HistoryPoint>>& historie
 TEST(Resampled, RowsScatterAsTheirUncertaintiesSayOrAsTheRowsDid) {
   for (const double uncertainty : {3e-4, 0.0}) {
     const scene::Scene scene = measured(uncertainty);
-    const history::Course course = scene::measured_course(scene);
+    const history::SmoothedHistory course = scene::smoothed_history(scene);
     const auto histories = resampled(scene, course, 20, 1);
     ASSERT_EQ(histories.size(), 20U);
     const double expected = uncertainty > 0.0 ? uncertainty : course.scatter;
@@ -48,7 +48,7 @@ TEST(Resampled, RowsScatterAsTheirUncertaintiesSayOrAsTheRowsDid) {
 
 TEST(Resampled, IsTheSameForTheSameSeedAndNothingWhereNothingIsSmoothed) {
   scene::Scene scene = measured(3e-4);
-  const history::Course course = scene::measured_course(scene);
+  const history::SmoothedHistory course = scene::smoothed_history(scene);
   EXPECT_EQ(resampled(scene, course, 3, 5), resampled(scene, course, 3, 5));
   EXPECT_NE(resampled(scene, course, 3, 5), resampled(scene, course, 3, 6));
   scene.crack.smoothing = history::Smoothing::none;

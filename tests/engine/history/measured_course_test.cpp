@@ -26,7 +26,7 @@ std::vector<HistoryPoint> measured(int rows, double noise, bool known, unsigned 
   return out;
 }
 
-double largest_error(const Course& course) {
+double largest_error(const SmoothedHistory& course) {
   double most = 0.0;
   for (double t = 0.0; t < 300e-6; t += 1e-6)
     most = std::max(most, std::abs(tip_at(course.history, t) - truth(t)));
@@ -36,7 +36,8 @@ double largest_error(const Course& course) {
 TEST(MeasuredCourse, NeverGoesBackwardWhateverTheNoise) {
   for (const double noise : {2e-5, 2e-4, 2e-3, 2e-2})
     for (const unsigned seed : {1U, 2U, 3U}) {
-      const Course course = course_of(measured(60, noise, true, seed), 0.01, Smoothing::monotone);
+      const SmoothedHistory course =
+          smoothed_history(measured(60, noise, true, seed), 0.01, Smoothing::monotone);
       for (double t = 0.0; t <= 300e-6; t += 1e-6) ASSERT_GE(speed_at(course.history, t), -1e-9) << noise;
       EXPECT_EQ(tip_at(course.history, 0.0), 0.01);
       EXPECT_NEAR(course.end, tip_at(course.history, 300e-6), 1e-12);
@@ -46,7 +47,7 @@ TEST(MeasuredCourse, NeverGoesBackwardWhateverTheNoise) {
 
 TEST(MeasuredCourse, RecoversTheTruthWithinTheNoiseArrestAndRestartIncluded) {
   for (const bool known : {true, false}) {
-    const Course course = course_of(measured(400, 2e-4, known), 0.01, Smoothing::monotone);
+    const SmoothedHistory course = smoothed_history(measured(400, 2e-4, known), 0.01, Smoothing::monotone);
     EXPECT_LT(largest_error(course), 6e-4) << known;
     EXPECT_NEAR(course.scatter, 2e-4, 3e-5) << known;
     EXPECT_NEAR(speed_at(course.history, 50e-6), 300.0, 30.0) << known;
@@ -55,13 +56,13 @@ TEST(MeasuredCourse, RecoversTheTruthWithinTheNoiseArrestAndRestartIncluded) {
 }
 
 TEST(MeasuredCourse, ErrorsFallWithMoreRows) {
-  const double few = largest_error(course_of(measured(40, 1e-3, true), 0.01, Smoothing::monotone));
-  const double many = largest_error(course_of(measured(4000, 1e-3, true), 0.01, Smoothing::monotone));
+  const double few = largest_error(smoothed_history(measured(40, 1e-3, true), 0.01, Smoothing::monotone));
+  const double many = largest_error(smoothed_history(measured(4000, 1e-3, true), 0.01, Smoothing::monotone));
   EXPECT_LT(many, 0.6 * few);
 }
 
 TEST(MeasuredCourse, FitsRowsAsNearAsTheirUncertaintiesSay) {
-  const Course course = course_of(measured(200, 5e-4, true), 0.01, Smoothing::monotone);
+  const SmoothedHistory course = smoothed_history(measured(200, 5e-4, true), 0.01, Smoothing::monotone);
   EXPECT_LE(course.chi2, 1.0);
   EXPECT_GT(course.chi2, 0.7);
 }
@@ -70,7 +71,7 @@ TEST(MeasuredCourse, OfExactRowsAtOneSpeedIsThatSpeed) {
   std::vector<HistoryPoint> rows;
   for (int i = 0; i < 20; ++i) rows.push_back({1e-6 * i, 0.01 + 500e-6 * i, 0.0});
   for (const Smoothing smoothing : {Smoothing::monotone, Smoothing::none}) {
-    const Course course = course_of(rows, 0.01, smoothing);
+    const SmoothedHistory course = smoothed_history(rows, 0.01, smoothing);
     for (const double t : {0.0, 3.3e-6, 18.9e-6}) {
       EXPECT_NEAR(speed_at(course.history, t), 500.0, 1e-3);
       EXPECT_NEAR(tip_at(course.history, t), 0.01 + 500.0 * t, 1e-9);
@@ -81,7 +82,7 @@ TEST(MeasuredCourse, OfExactRowsAtOneSpeedIsThatSpeed) {
 
 TEST(MeasuredCourse, WithoutSmoothingGoesThroughEveryRow) {
   const std::vector<HistoryPoint> rows{{0, 0.01, 0}, {4e-6, 0.012, 0}, {6e-6, 0.012, 0}, {7e-6, 0.0125, 0}};
-  const Course course = course_of(rows, 0.01, Smoothing::none);
+  const SmoothedHistory course = smoothed_history(rows, 0.01, Smoothing::none);
   const std::vector<double> at = positions_at_rows(course, rows);
   ASSERT_FALSE(rows.empty());
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_NEAR(at[i], rows[i].position, 1e-15);

@@ -1,4 +1,5 @@
-#include "engine/measurement/stress_intensity.hpp"
+#include "engine/measurement/near_tip.hpp"
+
 #include "engine/theory/references.hpp"
 #include "engine/theory/wave_speeds.hpp"
 #include "tests/engine/lattice/hand_made.hpp"

@@ -27,7 +27,7 @@ double unbalance(const Packing& packing, const Box& box) {
   for (std::size_t i = 0; i < n; ++i) net[i] = wall_push(box, packing.centre[i], packing.radius[i]);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
-      const Eigen::Vector3d d = way_between(box, packing.centre[i], packing.centre[j]);
+      const Eigen::Vector3d d = minimum_image(box, packing.centre[i], packing.centre[j]);
       const double overlap = packing.radius[i] + packing.radius[j] - d.norm();
       if (overlap <= 0.0) continue;
       net[i] -= overlap * d.normalized(), net[j] += overlap * d.normalized();
@@ -49,7 +49,7 @@ TEST(BulkPacking, FillsEveryShapeToItsCoordination) {
     EXPECT_LT(s.solid_fraction, 0.66);
     EXPECT_LT(s.mean_overlap, 0.02);
     EXPECT_LT(unbalance(packing, r.box), 0.05) << static_cast<int>(shape);
-    for (const auto& p : not_empty(packing.centre)) EXPECT_TRUE(holds(r.box, p));
+    for (const auto& p : not_empty(packing.centre)) EXPECT_TRUE(contains(r.box, p));
   }
 }
 
@@ -111,7 +111,7 @@ TEST(Contacts, GoThroughTheFacesOfAPeriodicBoxOnce) {
   for (int i = 0; i < 300; ++i)
     for (int j = i + 1; j < 300; ++j) {
       const double reach = packing.radius[i] + packing.radius[j];
-      if (way_between(r.box, packing.centre[i], packing.centre[j]).norm() > reach) continue;
+      if (minimum_image(r.box, packing.centre[i], packing.centre[j]).norm() > reach) continue;
       tried.push_back({i, j});
       through += (packing.centre[i] - packing.centre[j]).norm() > reach;
     }

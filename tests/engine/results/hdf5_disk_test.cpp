@@ -18,7 +18,7 @@ void write_file(const fs::path& path) {
   File file(path);
   {
     Group root = file.root();
-    auto rows = root.growing<double>("rows", 64);
+    auto rows = root.growing("rows", Number::float64, 64);
     std::vector<double> numbers(100);
     for (int k = 0; k < 40; ++k) {
       for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -28,8 +28,8 @@ void write_file(const fs::path& path) {
     for (int k = 0; k < 8; ++k) {
       Group group = root.group("group" + std::to_string(k));
       group.write_text("text", std::string(300, 'x'));
-      group.write<double>("numbers", numbers);
-      group.attribute<std::int64_t>("count", 100);
+      group.write("numbers", numbers);
+      group.attribute("count", 100);
     }
   }
   file.close();

@@ -1,5 +1,5 @@
-#include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/preset.hpp"
+#include "engine/scene/validation.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 
 #include "engine/scene/derived.hpp"
 #include "engine/scene/preset.hpp"
-#include "engine/scene/preset_text.hpp"
 #include "engine/scene/toml_text.hpp"
 #include "tests/expectations.hpp"
 

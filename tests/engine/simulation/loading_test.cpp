@@ -21,11 +21,7 @@ TEST(GripForce, IsTheSlopeOfTheEnergy) {
                  : lattice::stretched_at_rest_corotational(p.lattice, present, d);
     };
     const auto energy = [&](double d) {
-      const auto q = at_rest(d);
-      double sum = 0.0;
-      for (std::size_t b = 0; b < present.size(); ++b)
-        sum += lattice::energy_of_beam(p.lattice, static_cast<int>(b), kinematics, q);
-      return sum;
+      return lattice::elastic_energy(p.lattice, present, kinematics, at_rest(d));
     };
     const double d = 6e-4, step = 1e-6;
     const double slope = (energy(d + step) - energy(d - step)) / (2 * step);

@@ -1,4 +1,4 @@
-#include "engine/theory/quadrature.hpp"
+#include "engine/theory/references.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,143 @@
+#include "engine/measurement/instruments.hpp"
+
+#include "engine/base/interrupted.hpp"
+#include "engine/base/ownership.hpp"
+#include "engine/results/archive.hpp"
+#include "engine/results/journal_index.hpp"
+#include "engine/results/json_input.hpp"
+#include "engine/results/records.hpp"
+#include "engine/results/run_folder.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/scene/issue.hpp"
+#include "engine/simulation/record.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace rift::measurement {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse(const std::filesystem::path& run, const std::string& text) {
+  throw scene::InputError({scene::Issue{.file = run.string(), .key = {}, .text = text}});
+}
+
+fracture::CrackPath path_in(const Json& header) {
+  fracture::CrackPath path{{}, header.value("tips", 1)};
+  for (const auto& [x, y] : results::path_of(header)) path.point.emplace_back(x, y);
+  return path;
+}
+
+fracture::RateScale scale_in(const Json& header, int lane) {
+  const Json& scale = header.at("rate_scales").at(lane);
+  return {.thickness = header.at("thickness_m"),
+          .g_i0 = scale.at("g_i0_j_m2"),
+          .length = header.at("length_m"),
+          .g_i0_slope = scale.at("g_i0_slope_j_m3"),
+          .tips = header.value("tips", 1)};
+}
+
+template <class Row>
+std::vector<Row> of_lane(const std::vector<Row>& rows, int lane) {
+  std::vector<Row> kept;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept),
+               [&](const Row& row) { return row.lane == lane; });
+  return kept;
+}
+
+/// By the first row of the books whose tip is on the measured way.
+double clock_of(const scene::Scene& scene, const std::vector<results::Sample>& books) {
+  if (scene.crack.history.empty()) return 0.0;
+  const history::SmoothedHistory course = scene::smoothed_history(scene);
+  for (const results::Sample& s : books)
+    if (s.velocity_m_s > 0.0 && s.tip_m > scene.crack.start)
+      return course.first_time + history::time_of_arrival(course.history, s.tip_m) - s.time_s;
+  return 0.0;
+}
+
+/// Why the material's E and nu do not tell the plate's field; empty where they do.
+std::string strange_field(const scene::Scene& scene) {
+  const scene::StiffnessChoice stiffness = scene.material.stiffness;
+  if (stiffness == scene::StiffnessChoice::in_situ || stiffness == scene::StiffnessChoice::calibrated)
+    return {};
+  return "K wants the plate's own E and nu, which material.stiffness = \"bulk\" and \"explicit\" do not give";
+}
+
+ElasticPlate plate_of(const scene::Scene& scene) {
+  return {scene.material.young_modulus, scene.material.poisson_ratio, scene::density(scene),
+          scene.material.plane};
+}
+
+std::vector<Eigen::Vector2d> places_of(const results::Geometry& geometry) {
+  std::vector<Eigen::Vector2d> at;
+  for (const auto& p : geometry.position) at.emplace_back(p[0], p[1]);
+  return at;
+}
+
+std::vector<std::optional<lattice::PlaneMotion>> look(const Camera& camera, const results::Frame& frame) {
+  return camera.see(frame.tip_m, [&](int i) {
+    const auto& u = frame.displacement[i];
+    return Eigen::Vector3d(u[0], u[1], u[2]);
+  });
+}
+
+}  // namespace
+
+Instruments read_instruments(const std::filesystem::path& run, const InstrumentOptions& options,
+                             const std::function<bool(double done)>& progress,
+                             const std::function<void(const Grid&, const SeenField&)>& see) {
+  const scene::Preset preset = simulation::preset_of_run(run);
+  const std::filesystem::path journal = run / results::journal_name;
+  const base::HeldFile held(journal);
+  const results::JournalScan scan = results::scan_journal(journal);
+  const Json header = results::read_json(scan.header_json, journal);
+  if (options.lane < 0 || options.lane >= scan.lanes)
+    refuse(run, fmt::format("has no lane {}: it has {}", options.lane,
+                            scan.lanes == 1 ? "one" : fmt::format("0 to {}", scan.lanes - 1)));
+  const scene::Scene& scene = preset.lanes.empty() ? preset.scene : preset.lanes.at(options.lane);
+  const Eigen::Vector2d size(header.at("length_m"), header.at("height_m"));
+  const double radius = header.at("mean_radius_m");
+  const bool zone = scene.crack.technique == fracture::Technique::progressive;
+  const fracture::RateScale scale = scale_in(header, options.lane);
+  Instruments seen{.grid = grid_over(size.x(), size.y(), options.grid * radius),
+                   .subset = options.subset * radius,
+                   .ring = {.inner = options.inner * radius,
+                            .outer = options.outer * radius,
+                            .beside_faces = options.subset * radius,
+                            .zone = zone ? scene.crack.damage_zone_ratio * radius : 0.0},
+                   .g_i0 = scale.g_i0,
+                   .g_i0_slope = scale.g_i0_slope,
+                   .books = of_lane(scan.samples, options.lane),
+                   .gauges = of_lane(scan.gauges, options.lane),
+                   .intensity = {},
+                   .no_intensity = strange_field(scene),
+                   .grip_moves = scene::grip_moves(scene),
+                   .finished = scan.summary_json.has_value()};
+  seen.clock = clock_of(scene, seen.books);
+  const fracture::CrackPath path = path_in(header);
+  const Camera camera(places_of(*scan.geometry), seen.grid.point, seen.subset, parted_by(path));
+  const IntensityReading reading(path, size, plate_of(scene), seen.ring, seen.books, scale);
+  std::int64_t read = 0;
+  bool any = false;
+  const auto take = [&](const results::Frame& frame) {
+    if (!progress(static_cast<double>(read++) / static_cast<double>(scan.frames)))
+      throw base::Interrupted("the frames were read");
+    if (frame.lane != options.lane || frame.displacement.empty()) return;
+    const SeenField field{frame.time_s, frame.tip_m, look(camera, frame)};
+    if (seen.no_intensity.empty()) seen.intensity.push_back(reading.at(field, seen.grid.point));
+    see(seen.grid, field);
+    any = true;
+  };
+  results::for_each_moment(journal, *scan.geometry, [&](std::span<const results::Frame> moment) {
+    for (const results::Frame& frame : moment) take(frame);
+  });
+  results::check_same_run(held);
+  if (!any) refuse(run, "holds no displacements: output.frames and output.fields ask for them");
+  return seen;
+}
+
+}  // namespace rift::measurement

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/measurement/intensity.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What the instruments of a test would have shown of a run: a camera, gauges, the grip's load cell.
+namespace rift::measurement {
+
+/// Lengths in mean radii.
+struct InstrumentOptions {
+  int lane = 0;
+  double grid = 4.0;                 // between the camera's points
+  double subset = 4.0;               // radius of what each is read over
+  double inner = 8.0, outer = 36.0;  // of the ring around the tip that K is fitted to
+};
+
+struct Instruments {
+  Grid grid;
+  double subset = 0;  // radius [m]
+  Ring ring;
+  double clock = 0;                       // of a measured history: its time less the run's [s]
+  double g_i0 = 0, g_i0_slope = 0;        // G_I0 of the plate [J/m2], and per tip position [J/m3]
+  std::vector<results::Sample> books;     // of the lane
+  std::vector<results::GaugeRow> gauges;  // of the lane
+  std::vector<IntensityPoint> intensity;  // of each moment
+  std::string no_intensity;               // why there are none
+  bool grip_moves = false;                // while the crack runs: G_I0 is that of its start
+  bool finished = false;                  // the run has come to its end
+};
+
+/// Reads a run, unfinished ones too, at the moments of its frames.
+/// @param see  is given each moment's field, in time
+/// @param progress  answers false to stop: Interrupted is thrown
+/// Throws WorldError where there is no run, InputError where it has no such lane or no displacements.
+Instruments read_instruments(const std::filesystem::path& run, const InstrumentOptions& options,
+                             const std::function<bool(double done)>& progress,
+                             const std::function<void(const Grid&, const SeenField&)>& see);
+
+}  // namespace rift::measurement
