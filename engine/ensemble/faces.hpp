@@ -41,14 +41,13 @@ inline bool any(V x) {
 
 /// (1 - s) of what the faces carry, and how far they have slipped: only where they have begun to part.
 template <template <class, int> class Form, class Real, int Width>
-inline void add_contact_forces(const PartView<Real>& p) {
+inline void add_contact_forces(const ViewOf<Form, Real>& p) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
-  const auto* rows = static_cast<const ContactRow<Real, typename F::Row>*>(p.contact);
-  const V touches = load<Width>(p.touches), friction = load<Width>(p.friction);
+  const V in_contact = load<Width>(p.in_contact), friction = load<Width>(p.friction);
   for (int b = 0; b < p.contacts; ++b) {
-    const auto& row = rows[b];
-    const V parted = touches * (Real(1) - load<Width>(p.factor + static_cast<long>(row.k) * Width));
+    const auto& row = p.contact_row[b];
+    const V parted = in_contact * (Real(1) - load<Width>(p.factor + static_cast<long>(row.k) * Width));
     if (!any(parted)) continue;
     const FaceGap<V> face = F::face_gap(F::form(row.form), position_at<Form, Real, Width>(p.q, row.i),
                                         position_at<Form, Real, Width>(p.q, row.j));
@@ -67,10 +66,9 @@ inline void add_contact_forces(const PartView<Real>& p) {
     }
     const Space<V> pull = (parted * face.stiffness) * plus(t.sliding, t.overlap, normal);
     const EndLoads<V> e{pull, cross(face.arm_i, pull), cross(face.arm_j, pull)};
-    if (row.extra_i >= 0)
-      add_to<Width>(p.contact_force + row.extra_i * 6L * Width, [&](V(&to)[6]) { put(to, e); });
+    if (row.extra_i >= 0) add_to<Width>(p.contact + row.extra_i * 6L * Width, [&](V(&to)[6]) { put(to, e); });
     if (row.extra_j >= 0)
-      add_to<Width>(p.contact_force + row.extra_j * 6L * Width, [&](V(&to)[6]) { put_opposite(to, e); });
+      add_to<Width>(p.contact + row.extra_j * 6L * Width, [&](V(&to)[6]) { put_opposite(to, e); });
   }
 }
 

@@ -4,6 +4,10 @@
 
 namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
+/// The part whose beams have this form.
+template <template <class, int> class Form, class Real>
+using ViewOf = BeamView<typename Form<Real, 1>::Row>;
+
 /// A row of `Count` numbers per lane.
 template <int Count, int Width, class Real>
 inline void load_row(const Real* row, Pack<Real, Width> (&to)[Count]) {

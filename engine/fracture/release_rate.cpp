@@ -6,29 +6,6 @@
 
 namespace rift::fracture {
 
-double residual_of(const Ledger& ledger, const LatticeEnergy& energy) {
-  const double lost = ledger.fracture + ledger.damping + ledger.numerical_damping + ledger.contact;
-  const double missing = energy.total() - ledger.energy_start - ledger.work_external + lost;
-  if (missing == 0.0) return 0.0;  // books just opened on an unloaded lattice
-  return missing / ledger.largest;
-}
-
-results::Sample balance(Ledger& ledger, const LatticeEnergy& energy) {
-  ledger.largest = std::max(ledger.largest, energy.total());
-  results::Sample sample;
-  sample.elastic_j = energy.elastic;
-  sample.kinetic_translation_j = energy.kinetic_translation;
-  sample.kinetic_rotation_j = energy.kinetic_rotation;
-  sample.step_correction_j = energy.step_correction;
-  sample.fracture_j = ledger.fracture;
-  sample.damping_j = ledger.damping;
-  sample.numerical_damping_j = ledger.numerical_damping;
-  sample.contact_j = ledger.contact;
-  sample.work_external_j = ledger.work_external;
-  sample.residual = residual_of(ledger, energy);
-  return sample;
-}
-
 namespace {
 
 using results::RatePoint;
@@ -40,8 +17,8 @@ double released(const Sample& s) {
          s.step_correction_j - s.damping_j - s.numerical_damping_j - s.contact_j;
 }
 
-/// The books at a tip position between two rows, each column interpolated.
-Sample books_at(const std::vector<Sample>& lane, double tip) {
+/// The energy balance at a tip position between two rows, each column interpolated.
+Sample row_at(const std::vector<Sample>& lane, double tip) {
   const auto after = std::lower_bound(lane.begin() + 1, lane.end() - 1, tip,
                                       [](const Sample& s, double a) { return s.tip_m < a; });
   const Sample &p = *(after - 1), &q = *after;
@@ -89,7 +66,7 @@ RatePoint rate_around(const std::vector<Sample>& lane, double tip, double width,
             .ratio_release = none,
             .ratio_with_damping = none,
             .ratio_translation_only = none};
-  RatePoint rate = rate_between(books_at(lane, from), books_at(lane, to), scale);
+  RatePoint rate = rate_between(row_at(lane, from), row_at(lane, to), scale);
   rate.tip_m = tip;
   return rate;
 }

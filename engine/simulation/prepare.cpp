@@ -89,7 +89,7 @@ LanePlan plan_lane(const Prepared& p, const scene::Scene& scene) {
   LanePlan lane;
   lane.scene = scene;
   if (scene.material.stiffness == scene::StiffnessChoice::bulk)
-    lane.units = units_of(lattice::bulk_micro_material.young_modulus / p.micro.young_modulus);
+    lane.units = fracture::units_of(lattice::bulk_micro_material.young_modulus / p.micro.young_modulus);
   lane.crack_end = scene::crack_end(scene);
   const double length = scene.specimen.length;
   const auto window = scene::window_over_length(scene);

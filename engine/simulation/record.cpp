@@ -60,9 +60,9 @@ struct Recording {
                    },
                .ended = beside.ended};
     if (beside.steer)
-      o.steer = [&](const Moment& moment) {
+      o.steer = [&](const RunSnapshot& snapshot) {
         writer.flush();  // whoever steers may want to show to others what there is
-        return beside.steer(moment);
+        return beside.steer(snapshot);
       };
     o.checkpoint = [&](const auto& make, CheckpointMoment moment) {
       const bool due = Clock::now() - checked > std::chrono::duration<double>(checkpoint_s);

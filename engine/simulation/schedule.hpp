@@ -11,7 +11,7 @@ namespace rift::simulation {
 /// Which step does what; steps are counted from the start of the run, loading included.
 struct Schedule {
   std::int64_t ramp = 0, hold = 0, fracture = 0;  // steps of each phase
-  std::vector<std::int64_t> samples;  // steps after which the books are read, ascending; 0 is the start
+  std::vector<std::int64_t> samples;  // steps after which the energies are read, ascending; 0 is the start
   std::vector<std::int64_t> frames;   // steps after which the fields are written, ascending
   std::int64_t crack_start() const { return ramp + hold; }
   std::int64_t total() const { return ramp + hold + fracture; }
