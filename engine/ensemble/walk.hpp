@@ -1,78 +1,8 @@
 #pragma once
 
-#include "engine/ensemble/faces.hpp"
+#include "engine/ensemble/loads.hpp"
 
 namespace rift::ensemble::RIFT_INSTRUCTIONS {
-
-/// Adds the forces of the damageable beams, s L + (s - 1) L_base, to the additional loads of their elements:
-/// where L is linear it is of the change since the base state, in which the intact beams balance. Forces [N],
-/// moments [N m].
-template <template <class, int> class Form, class Real, int Width>
-inline void add_damageable_forces(const ViewOf<Form, Real>& p) {
-  using F = Form<Real, Width>;
-  using V = Pack<Real, Width>;
-  for (int b = 0; b < p.damageable_beams; ++b) {
-    const auto& row = p.damageable[b];
-    const V s = load<Width>(p.factor + static_cast<long>(row.k) * Width);
-    const V of_base = s - Real(1);
-    EndLoads<V> e = F::loads(F::form(row.form), position_at<Form, Real, Width>(p.q, row.i),
-                             position_at<Form, Real, Width>(p.q, row.j));
-    const auto reduce = [&](Space<V>& load, const Real* base) {
-      load = {fma(of_base, splat<V>(base[0]), s * load.x), fma(of_base, splat<V>(base[1]), s * load.y),
-              fma(of_base, splat<V>(base[2]), s * load.z)};
-    };
-    reduce(e.force, row.base), reduce(e.moment_i, row.base + 3), reduce(e.moment_j, row.base + 6);
-    if (row.extra_i >= 0) add_to<Width>(p.extra + row.extra_i * 6L * Width, [&](V(&f)[6]) { put(f, e); });
-    if (row.extra_j >= 0)
-      add_to<Width>(p.extra + row.extra_j * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
-  }
-}
-
-/// Adds the damping forces f = 2 alpha sqrt(K M) delta n at the rates (q_n - q_{n-1}) / dt   [paper eq. (8)]
-/// to rows of their own, which the energy balance reads.
-template <class Real, int Width>
-inline void add_damping_forces(const PartView<Real>& p) {
-  using V = Pack<Real, Width>;
-  const Real* rate = p.rate ? p.rate : p.v;
-  for (int b = 0; b < p.damped_beams; ++b) {
-    const DampedRow<Real>& row = p.damped[b];
-    V alpha = load<Width>(row.at_surface ? p.alpha_at_surface : p.alpha_elsewhere);
-    if (row.damageable >= 0)
-      alpha = alpha * load<Width>(p.factor + static_cast<long>(row.damageable) * Width);
-    V at_i[6], at_j[6];
-    load_row<6, Width>(rate + row.i * 6L * Width, at_i);
-    load_row<6, Width>(rate + row.j * 6L * Width, at_j);
-    const Space<V> n{splat<V>(row.nx), splat<V>(row.ny), splat<V>(row.nz)};
-    const Space<V> slide{at_j[0] - at_i[0], at_j[1] - at_i[1], at_j[2] - at_i[2]};
-    const Space<V> turn{at_j[3] - at_i[3], at_j[4] - at_i[4], at_j[5] - at_i[5]};
-    EndLoads<V> e;
-    e.force = (alpha * row.axial * dot(n, slide)) * n;
-    e.moment_i = plus((alpha * row.bend) * turn, alpha * (row.twist - row.bend) * dot(n, turn), n);
-    e.moment_j = Space<V>{} - e.moment_i;
-    if (row.extra_i >= 0) add_to<Width>(p.damping + row.extra_i * 6L * Width, [&](V(&f)[6]) { put(f, e); });
-    if (row.extra_j >= 0)
-      add_to<Width>(p.damping + row.extra_j * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
-  }
-}
-
-template <class Real>
-inline void clear(Real* from, long count) {
-  for (long k = 0; k < count; ++k) from[k] = 0;
-}
-
-/// Evaluates all additional loads, before the walk.
-template <template <class, int> class Form, class Real, int Width>
-inline void add_extra_forces(const ViewOf<Form, Real>& p) {
-  clear(p.extra, 6L * Width * p.extras);
-  add_damageable_forces<Form, Real, Width>(p);
-  if (p.contact) {
-    clear(p.contact, 6L * Width * p.extras);
-    add_contact_forces<Form, Real, Width>(p);
-  }
-  if (!p.damping) return;
-  clear(p.damping, 6L * Width * p.extras);
-  add_damping_forces<Real, Width>(p);
-}
 
 /// Finds the additional loads of elements as the walk comes by.
 template <class Real>
