@@ -69,7 +69,6 @@ void PlainSimulation::predict_damage() {
 /// p(t + dt) = p + dt p' + dt^2/2 p''   [eq. (1)], and the first half of eq. (2).
 void PlainSimulation::move() {
   if (grip_speed != 0.0) add_grip_work();
-  v_before = v;
   for (std::size_t k = 0; k < q.size(); ++k) {
     const double kick = 0.5 * dt * f[k] * per_mass[k];
     rate[k] = v[k] + kick;
@@ -106,17 +105,17 @@ void PlainSimulation::balance_forces() {
     lattice::add_damping_forces(damping, rate.data(), factor.data(), dt, f.data(), viscous_work);
 }
 
-/// p'' = f / m, and the second half of p'(t + dt) = p' + beta dt/2 (p''(t) + p''(t + dt))   [eq. (2)].
-/// What beta < 1 takes is 1/2 M (v^2 at beta = 1 less v^2 at beta); v - v_before = beta (v at beta = 1 -
-/// v_before).
+/// p'' = f / m, and the second half of p'(t + dt) = p' + beta dt/2 (p''(t) + p''(t + dt))   [eq. (2)]. What
+/// beta < 1 takes is 1/2 M (v^2 at beta = 1 less v^2 at beta)   [physics.md §7].
 void PlainSimulation::accelerate() {
-  for (std::size_t k = 0; k < v.size(); ++k) v[k] += beta * 0.5 * dt * f[k] * per_mass[k];
-  if (grip_speed != 0.0) add_grip_work();
-  for (std::size_t k = 0; beta != 1.0 && k < v.size(); ++k) {
-    if (per_mass[k] == 0.0) continue;
-    const double undamped = v_before[k] + (v[k] - v_before[k]) / beta;
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    const double kick = 0.5 * dt * f[k] * per_mass[k];
+    v[k] += beta * kick;
+    if (beta == 1.0 || per_mass[k] == 0.0) continue;
+    const double undamped = rate[k] + kick;
     numerical_work += 0.5 * mass[k] * (undamped * undamped - v[k] * v[k]);
   }
+  if (grip_speed != 0.0) add_grip_work();
 }
 
 void PlainSimulation::add_grip_work() {

@@ -25,7 +25,7 @@ struct PlainSimulation {
   std::vector<lattice::BeamRow> intact;
   std::vector<double> factor, fracture_energy;  // [damageable] of the stiffness; lost by damage so far [J]
   std::vector<double> mass, per_mass;           // of each of 6 N motions; 0 where gripped
-  std::vector<double> q, v, f, rate, v_before;  // 6 N
+  std::vector<double> q, v, f, rate;            // 6 N
   lattice::ViscousDamping damping;
   std::int64_t steps_done = 0, crack_start = 0;
   bool cracking = false;
