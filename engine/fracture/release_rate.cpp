@@ -17,8 +17,8 @@ double released(const Sample& s) {
          s.step_correction_j - s.damping_j - s.numerical_damping_j - s.contact_j;
 }
 
-/// The energy balance at a tip position between two rows, each column interpolated.
-Sample row_at(const std::vector<Sample>& lane, double tip) {
+/// The books at a tip position between two rows, each column interpolated.
+Sample books_at(const std::vector<Sample>& lane, double tip) {
   const auto after = std::lower_bound(lane.begin() + 1, lane.end() - 1, tip,
                                       [](const Sample& s, double a) { return s.tip_m < a; });
   const Sample &p = *(after - 1), &q = *after;
@@ -66,7 +66,7 @@ RatePoint rate_around(const std::vector<Sample>& lane, double tip, double width,
             .ratio_release = none,
             .ratio_with_damping = none,
             .ratio_translation_only = none};
-  RatePoint rate = rate_between(row_at(lane, from), row_at(lane, to), scale);
+  RatePoint rate = rate_between(books_at(lane, from), books_at(lane, to), scale);
   rate.tip_m = tip;
   return rate;
 }

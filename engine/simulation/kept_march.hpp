@@ -29,7 +29,7 @@ struct MarchNotes {
   int next_scenario = 0;
   bool cracking = true;  // false while the ramp is marched
   double wall_prestress_s = 0, wall_fracture_s = 0;
-  std::vector<LaneSlot> slots = {};
+  std::vector<LaneSlot> seats = {};   // of the lanes of the kernel
   std::vector<LaneResult> lane = {};  // without their samples, which the journal holds
 };
 

@@ -183,7 +183,7 @@ results::Checkpoint Run::checkpoint() {
                    .cracking = ensemble_.cracking(),
                    .wall_prestress_s = ensemble_.cracking() ? result_.wall_prestress_s : marching_s(),
                    .wall_fracture_s = ensemble_.cracking() ? marching_s() : 0.0,
-                   .slots = slot_,
+                   .seats = slot_,
                    .lane = result_.lane};
   return {to_json(notes), ensemble_.state(), 0};
 }
@@ -200,7 +200,7 @@ void Run::go_on(const Resumption& from) {
   for (int k = 0; k < static_cast<int>(lane_.size()); ++k)
     for (const scene::Change& change : result_.lane[k].changes)
       (void)change_lane(lane_[k], change, prepared_, change.step);
-  slot_ = notes.slots;
+  slot_ = notes.seats;
   for (const LaneSlot& slot : slot_) {
     if (slot.scenario < 0) continue;
     ensemble_.set_units(index(slot), plan(slot).units);
@@ -226,7 +226,7 @@ void Run::go_on(const Resumption& from) {
 
 void Run::check_fit(const MarchNotes& notes) const {
   const auto refuse = [](const std::string& why) { throw std::invalid_argument("the checkpoint " + why); };
-  if (notes.lane.size() != lane_.size() || notes.slots.size() != slot_.size() ||
+  if (notes.lane.size() != lane_.size() || notes.seats.size() != slot_.size() ||
       notes.lanes != ensemble_.lanes())
     refuse(fmt::format("is of {} scenarios in {} lanes, and this run has {} in {}", notes.lane.size(),
                        notes.lanes, lane_.size(), ensemble_.lanes()));
@@ -234,7 +234,7 @@ void Run::check_fit(const MarchNotes& notes) const {
   const int scenarios = static_cast<int>(lane_.size());
   if (notes.next_scenario < 0 || notes.next_scenario > scenarios)
     refuse("waits for a scenario that is not there");
-  for (const LaneSlot& slot : notes.slots)
+  for (const LaneSlot& slot : notes.seats)
     if (slot.scenario < -1 || slot.scenario >= scenarios) refuse("marches a scenario that is not there");
   if (notes.instructions != result_.instructions)
     refuse(fmt::format("was made with {} and this machine marches with {}: the bits would differ",

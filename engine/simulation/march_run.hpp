@@ -23,7 +23,7 @@ class Run {
   RunResult march(const Resumption* from);
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Clock = base::Clock;
 
   const scene::Scene& scene() const { return prepared_.preset.scene; }
   std::int64_t ramp() const { return prepared_.lane.front().schedule.ramp; }
