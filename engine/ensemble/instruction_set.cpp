@@ -1,6 +1,7 @@
 #include "engine/ensemble/instruction_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdlib>
 
@@ -19,15 +20,8 @@ InstructionSet of_processor() {
 }  // namespace
 
 std::string_view name_of(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::baseline:
-      return "baseline";
-    case InstructionSet::avx2:
-      return "AVX2";
-    case InstructionSet::avx512:
-      return "AVX-512";
-  }
-  return "";
+  constexpr std::array<std::string_view, 3> names{"baseline", "AVX2", "AVX-512"};
+  return names[static_cast<std::size_t>(set)];
 }
 
 InstructionSet instruction_set() {

@@ -61,13 +61,8 @@ struct StepEnergies {
 };
 
 template <int Width>
-inline double* account_of(double* chunk, Account which) {
-  return chunk + which * Width;
-}
-
-template <int Width>
 inline void add_to_account(double* chunk, Account which, Pack<double, Width> amount) {
-  double* at = account_of<Width>(chunk, which);
+  double* at = chunk + which * Width;
   store<Width>(at, load<Width>(at) + amount);
 }
 

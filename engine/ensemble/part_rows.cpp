@@ -53,13 +53,16 @@ class PartOf final : public Part {
 
  public:
   PartOf(const RowSource& s, int begin, int end, int first_row)
-      : Part(s.precision), begin_(begin), end_(end), kernel_(kernel_for<Beam>(s.instructions, s.lanes)) {
+      : Part(s.options.precision),
+        begin_(begin),
+        end_(end),
+        kernel_(kernel_for<Beam>(s.options.instructions, s.lanes)) {
     first_ghost_row = first_row;
     choose_intact(s);
     find_ghosts_and_extras(s);
     make_intact(s);
     make_damageable(s);
-    if (s.contact) make_contacts(s);
+    if (s.options.contact) make_contacts(s);
     if (s.lanes == 1) make_groups(s);
     make_damped(s);
     make_room(s);
@@ -237,7 +240,7 @@ class PartOf final : public Part {
     ring_.assign((mask_ + 2) * row, 0);
     extra_.assign(extras, 0);
     if (!s.damped.empty()) damping_ = extra_, damping_before.resize(extras);
-    if (s.contact) contact_ = extra_, contact_before.resize(extras);
+    if (s.options.contact) contact_ = extra_, contact_before.resize(extras);
     const std::size_t chunks = (end_ - begin_ + chunk_size - 1) / chunk_size;
     account.assign(chunks * accounts * s.lanes, 0.0);
     beams_ = {};
@@ -309,8 +312,8 @@ std::unique_ptr<Part> make_part(const RowSource& source, int begin, int end, int
   const auto make = [&]<class Beam>(Beam) -> std::unique_ptr<Part> {
     return std::make_unique<PartOf<Beam>>(source, begin, end, first_ghost_row);
   };
-  const bool in_double = source.precision == Precision::double_precision;
-  if (source.kinematics == lattice::Kinematics::linear)
+  const bool in_double = source.options.precision == Precision::double_precision;
+  if (source.options.kinematics == lattice::Kinematics::linear)
     return in_double ? make(LinearBeam<double>{}) : make(LinearBeam<float>{});
   return in_double ? make(CorotationalBeam<double>{}) : make(CorotationalBeam<float>{});
 }

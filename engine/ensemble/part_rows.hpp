@@ -30,14 +30,22 @@ struct StateArrays {
   std::vector<std::uint8_t> top;
 };
 
+/// How an ensemble marches; none of it changes what comes out, but for the kinematics, the precision and the
+/// last bits.
+struct EnsembleOptions {
+  lattice::Kinematics kinematics = lattice::Kinematics::linear;
+  Precision precision = Precision::double_precision;
+  int threads = 1;
+  InstructionSet instructions = instruction_set();
+  int lanes = 0;         // of the kernel; 0 for the fewest that hold the scenarios
+  bool contact = false;  // whether any scenario's faces touch, now or later
+};
+
 /// What the rows of all parts are made from.
 struct RowSource {
   const lattice::Lattice& lattice;
-  lattice::Kinematics kinematics;
-  Precision precision;
-  InstructionSet instructions;
+  const EnsembleOptions& options;
   int lanes;                                  // of the kernel
-  bool contact;                               // whether faces may touch
   const std::vector<lattice::Vector6>& base;  // N, the base state
   const std::vector<fracture::DamageableBeam>& damageable;
   const std::vector<lattice::DampedBeam>& damped;

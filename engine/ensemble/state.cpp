@@ -59,15 +59,7 @@ void State::find_beams_at_top() {
 }
 
 void State::build_parts() {
-  const RowSource source{*lattice_,
-                         options_.kinematics,
-                         options_.precision,
-                         options_.instructions,
-                         lanes_,
-                         options_.contact,
-                         base_,
-                         damageable_,
-                         damped_};
+  const RowSource source{*lattice_, options_, lanes_, base_, damageable_, damped_};
   part_.clear();
   std::vector<int> element(base_.size());  // of each row
   for (std::size_t i = 0; i < element.size(); ++i) element[i] = static_cast<int>(i);

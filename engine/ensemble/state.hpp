@@ -9,17 +9,6 @@
 
 namespace rift::ensemble {
 
-/// How an ensemble marches; none of it changes what comes out, but for the kinematics, the precision and the
-/// last bits.
-struct EnsembleOptions {
-  lattice::Kinematics kinematics = lattice::Kinematics::linear;
-  Precision precision = Precision::double_precision;
-  int threads = 1;
-  InstructionSet instructions = instruction_set();
-  int lanes = 0;         // of the kernel; 0 for the fewest that hold the scenarios
-  bool contact = false;  // whether any scenario's faces touch, now or later
-};
-
 /// Where all lanes are: positions, velocities and what is left of the damageable beams' stiffness. They are
 /// stored as changes since the base state (the pre-stress), so that single precision loses nothing against
 /// it, and as [element][component][lane], so that the kernels read every beam once for all lanes. Numbers at

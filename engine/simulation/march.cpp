@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace rift::simulation {
@@ -53,6 +54,59 @@ ensemble::EnsembleOptions ensemble_options(const Prepared& p, const MarchOptions
           .lanes = options.lanes > 0 ? ensemble::lanes_for(solver.precision, options.lanes) : 0,
           .contact = std::any_of(p.lane.begin(), p.lane.end(),
                                  [](const LanePlan& lane) { return lane.scenario.friction.has_value(); })};
+}
+
+/// The motion that a lane's crack has left.
+fracture::Wake wake_of(const Prepared& p, ensemble::Ensemble& ensemble, int lane, double tip) {
+  std::vector<lattice::Vector6> velocity(p.lattice.centre.size());
+  std::vector<double> moved(velocity.size());
+  for (int i = 0; i < static_cast<int>(velocity.size()); ++i) {
+    velocity[i] = ensemble.velocity(i, lane);
+    moved[i] = ensemble.motion(i, lane).z() - p.displacement[i].z();
+  }
+  const packing::Box& box = p.lattice.box;
+  const double middle = 0.5 * fracture::length_of(p.path);
+  const auto x = [&](double arc) { return fracture::point_on(p.path, arc).x(); };
+  const std::array<double, 2> behind = p.path.tips == 2 ? std::array{x(middle - tip), x(middle + tip)}
+                                                        : std::array{x(tip) - 2.0 * box.height, x(tip)};
+  return fracture::wake_of(p.lattice, behind, velocity, moved);
+}
+
+/// Why a sample cannot be of a plate that cracks; empty where it can.
+std::string what_is_wrong(const scene::Scene::Solver& solver, const LaneResult& lane,
+                          const results::Sample& now) {
+  const bool exact = solver.kinematics == lattice::Kinematics::linear &&
+                     solver.precision == ensemble::Precision::double_precision;
+  if (!(std::abs(now.residual) <= (exact ? 1e-6 : 0.1)))
+    return fmt::format("the books are open by {:.3g} of the energy", now.residual);
+  const double held = now.elastic_j + now.kinetic_translation_j + now.kinetic_rotation_j;
+  const double put_in = lane.energy_at_crack_start + std::max(0.0, now.work_external_j);
+  if (held > more_than_there_is * put_in && put_in > 0.0)
+    return fmt::format("the lattice holds {:.3g} times the energy that was put into it", held / put_in);
+  return "";
+}
+
+/// The element that is lost first or fastest and its most strained beam, for the message.
+std::string where_it_diverges(const lattice::Lattice& lattice, ensemble::Ensemble& ensemble, int lane) {
+  int worst = 0;
+  double most = -1.0;
+  for (int i = 0; i < static_cast<int>(lattice.centre.size()) && std::isfinite(most); ++i) {
+    const lattice::Vector6 v = ensemble.velocity(i, lane);
+    const double energy =
+        lattice.mass[i] * v.head<3>().squaredNorm() + lattice.inertia[i] * v.tail<3>().squaredNorm();
+    if (energy > most || !std::isfinite(energy)) most = energy, worst = i;
+  }
+  const bool lost = !std::isfinite(most);
+  most = -1.0;
+  int beam = -1;
+  for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b) {
+    const auto& [i, j] = lattice.ends[b];
+    if (i != worst && j != worst) continue;
+    const double energy = ensemble.beam_energy(b, lane);
+    if (!(energy <= most)) most = energy, beam = b;
+  }
+  return fmt::format(", {} element {}, and of its beams {} is strained most",
+                     lost ? "lost first is" : "fastest is", worst, beam);
 }
 
 std::vector<fracture::DamageableBeam> beams_of(const Prepared& p) {
@@ -171,7 +225,8 @@ void Run::end(LaneSlot& slot) {
   lane.steps = steps(slot);
   lane.wall_s = (marching_s() - slot.since_s) / static_cast<double>(slot_.size());
   result_.wall_fracture_s = marching_s();
-  if (lane.outcome == Outcome::finished) lane.wake = wake(slot);
+  if (lane.outcome == Outcome::finished)
+    lane.wake = wake_of(prepared_, ensemble_, index(slot), tips_->tip(index(slot)));
   tell_end(slot);
   slot.scenario = -1;
 }
@@ -288,24 +343,6 @@ void Run::report_released() {
   }
 }
 
-fracture::Wake Run::wake(const LaneSlot& slot) {
-  const int lane = index(slot);
-  const double tip = tips_->tip(lane);
-  std::vector<lattice::Vector6> velocity(prepared_.lattice.centre.size());
-  std::vector<double> moved(velocity.size());
-  for (int i = 0; i < static_cast<int>(velocity.size()); ++i) {
-    velocity[i] = ensemble_.velocity(i, lane);
-    moved[i] = ensemble_.motion(i, lane).z() - prepared_.displacement[i].z();
-  }
-  const packing::Box& box = prepared_.lattice.box;
-  const double middle = 0.5 * fracture::length_of(prepared_.path);
-  const auto x = [&](double arc) { return fracture::point_on(prepared_.path, arc).x(); };
-  const std::array<double, 2> behind = prepared_.path.tips == 2
-                                           ? std::array{x(middle - tip), x(middle + tip)}
-                                           : std::array{x(tip) - 2.0 * box.height, x(tip)};
-  return fracture::wake_of(prepared_.lattice, behind, velocity, moved);
-}
-
 void Run::watch() {
   for (LaneSlot& slot : slot_) {
     if (slot.scenario < 0 || lane_of(slot).outcome != Outcome::finished) continue;
@@ -316,7 +353,7 @@ void Run::watch() {
 
 void Run::judge(LaneSlot& slot, const results::Sample& now) {
   LaneResult& lane = lane_of(slot);
-  const std::string wrong = what_is_wrong(lane, now);
+  const std::string wrong = what_is_wrong(scene().solver, lane, now);
   if (wrong.empty()) {
     lane.last_good_step = now.step;
     return;
@@ -324,53 +361,12 @@ void Run::judge(LaneSlot& slot, const results::Sample& now) {
   lane.outcome = Outcome::diverged;
   lane.where = fmt::format("step {}{}: {}{}", now.step,
                            lane_.size() > 1 ? fmt::format(", lane {}", slot.scenario) : "", wrong,
-                           where_it_diverges(index(slot)));
-}
-
-std::string Run::what_is_wrong(const LaneResult& lane, const results::Sample& now) {
-  const bool exact = scene().solver.kinematics == lattice::Kinematics::linear &&
-                     scene().solver.precision == ensemble::Precision::double_precision;
-  if (!(std::abs(now.residual) <= (exact ? 1e-6 : 0.1)))
-    return fmt::format("the books are open by {:.3g} of the energy", now.residual);
-  const double held = now.elastic_j + now.kinetic_translation_j + now.kinetic_rotation_j;
-  const double put_in = lane.energy_at_crack_start + std::max(0.0, now.work_external_j);
-  if (held > more_than_there_is * put_in && put_in > 0.0)
-    return fmt::format("the lattice holds {:.3g} times the energy that was put into it", held / put_in);
-  return "";
-}
-
-std::string Run::where_it_diverges(int lane) {
-  int worst = 0;
-  double most = -1.0;
-  for (int i = 0; i < static_cast<int>(prepared_.lattice.centre.size()) && std::isfinite(most); ++i) {
-    const lattice::Vector6 v = ensemble_.velocity(i, lane);
-    const double energy = prepared_.lattice.mass[i] * v.head<3>().squaredNorm() +
-                          prepared_.lattice.inertia[i] * v.tail<3>().squaredNorm();
-    if (energy > most || !std::isfinite(energy)) most = energy, worst = i;
-  }
-  const bool lost = !std::isfinite(most);
-  most = -1.0;
-  int beam = -1;
-  for (int b = 0; b < static_cast<int>(prepared_.lattice.beam.size()); ++b) {
-    const auto& [i, j] = prepared_.lattice.ends[b];
-    if (i != worst && j != worst) continue;
-    const double energy = ensemble_.beam_energy(b, lane);
-    if (!(energy <= most)) most = energy, beam = b;
-  }
-  return fmt::format(", {} element {}, and of its beams {} is strained most",
-                     lost ? "lost first is" : "fastest is", worst, beam);
+                           where_it_diverges(prepared_.lattice, ensemble_, index(slot)));
 }
 
 const char* name_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::finished:
-      return "finished";
-    case Outcome::stopped:
-      return "stopped";
-    case Outcome::diverged:
-      return "diverged";
-  }
-  return "";
+  constexpr std::array names{"finished", "stopped", "diverged"};
+  return names[static_cast<std::size_t>(outcome)];
 }
 
 double ledger_limit(lattice::Kinematics kinematics, ensemble::Precision precision) {

@@ -78,19 +78,13 @@ class Run {
   void read_gauges(const LaneSlot& slot);
   results::Sample sample(const LaneSlot& slot);
   results::Frame frame(const LaneSlot& slot, const std::vector<std::string>& fields);
-  /// What the crack has left.
-  fracture::Wake wake(const LaneSlot& slot);
   void tell_end(const LaneSlot& slot) {
     if (observer_.ended) observer_.ended(slot.scenario, result_);
   }
-  /// Why a sample cannot be of a plate that cracks; empty where it can.
-  std::string what_is_wrong(const LaneResult& lane, const results::Sample& now);
   /// Ends the lane as diverged where something is wrong.
   void judge(LaneSlot& slot, const results::Sample& now);
   /// Judges all lanes: between two samples a divergence is not waited for.
   void watch();
-  /// The element that is lost first or fastest and its most strained beam, for the message.
-  std::string where_it_diverges(int lane);
 
   // The application phase.
   OwnCrack own_crack(const LaneSlot& slot) {

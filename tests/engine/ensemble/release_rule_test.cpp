@@ -39,11 +39,11 @@ class CohesiveBeams : public ReleaseRule {
 // Beams anywhere in the plate break by their own strain, and the energy balance closes as exactly as along a
 // path.
 TEST(ReleaseRule, MayFollowACriterionOfTheBeamsThemselves) {
-  const simulation::Prepared p = simulation::small_plate({"crack.start=0.012"});
+  const simulation::Prepared p = simulation::small_plate({"crack.start=0.008"});
   std::vector<fracture::DamageableBeam> beams;
   for (int b = 0; b < static_cast<int>(p.lattice.beam.size()); ++b) beams.push_back({.beam = b});
   std::vector<char> on_path(beams.size(), 0);
-  for (const fracture::DamageableBeam& d : fracture::damageable_beams(p.path, p.lattice, 0.012))
+  for (const fracture::DamageableBeam& d : fracture::damageable_beams(p.path, p.lattice, 0.008))
     beams[d.beam].absent = d.absent, on_path[d.beam] = 1;
   double longest = 0.0;
   for (int b = 0; b < static_cast<int>(beams.size()); ++b)
