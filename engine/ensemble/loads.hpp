@@ -19,6 +19,8 @@ inline void store_row(Real* row, const Pack<Real, Width> (&from)[Count]) {
   for (int c = 0; c < Count; ++c) store<Width>(row + c * Width, from[c]);
 }
 
+/// The position of an element: [m], and [rad] or a unit quaternion. @param[in] q  of all elements; @param[in]
+/// row  of the element
 template <template <class, int> class Form, class Real, int Width>
 inline typename Form<Real, Width>::Position position_at(const Real* q, long row) {
   using F = Form<Real, Width>;
@@ -27,6 +29,7 @@ inline typename Form<Real, Width>::Position position_at(const Real* q, long row)
   return F::position(c);
 }
 
+/// Adds a beam's loads to its first element, or to its second (put_opposite). @param[in,out] f  [N, N m]
 template <class V>
 inline void put(V (&f)[6], const EndLoads<V>& e) {
   f[0] += e.force.x, f[1] += e.force.y, f[2] += e.force.z;
@@ -47,7 +50,7 @@ inline void add_to(Real* row, const Put& put) {
   store_row<6, Width>(row, f);
 }
 
-/// face_contact() of fracture/face_contact.hpp, pack by pack.
+/// Contact of two faces as by face_contact() of fracture/face_contact.hpp, pack by pack [m].
 template <class V>
 struct Touch {
   V overlap;
@@ -82,7 +85,10 @@ inline bool any(V x) {
   }
 }
 
-/// (1 - s) of what the faces carry, and how far they have slipped: only where they have begun to part.
+/// Adds (1 - s) of the forces of the faces, k (overlap m + sliding), to rows of their own, and notes their
+/// slips: only where beams are damaged   [ADR 0012].
+/// @param[in,out] p  contact [N, N m] of the elements with additional loads; slip_after [m] of the damageable
+/// beams
 template <template <class, int> class Form, class Real, int Width>
 inline void add_contact_forces(const ViewOf<Form, Real>& p) {
   using F = Form<Real, Width>;
@@ -116,8 +122,8 @@ inline void add_contact_forces(const ViewOf<Form, Real>& p) {
 }
 
 /// Adds the forces of the damageable beams, s L + (s - 1) L_base, to the additional loads of their elements:
-/// where L is linear it is of the change since the base state, in which the intact beams balance. Forces [N],
-/// moments [N m].
+/// where L is linear it is of the change since the base state, in which the intact beams balance.
+/// @param[in,out] p  extra [N, N m] of the elements with additional loads
 template <template <class, int> class Form, class Real, int Width>
 inline void add_damageable_forces(const ViewOf<Form, Real>& p) {
   using F = Form<Real, Width>;
@@ -141,6 +147,7 @@ inline void add_damageable_forces(const ViewOf<Form, Real>& p) {
 
 /// Adds the damping forces f = 2 alpha sqrt(K M) delta n at the rates (q_n - q_{n-1}) / dt   [paper eq. (8)]
 /// to rows of their own, which the energy balance reads.
+/// @param[in,out] p  damping [N, N m] of the elements with additional loads
 template <class Real, int Width>
 inline void add_damping_forces(const PartView<Real>& p) {
   using V = Pack<Real, Width>;
