@@ -1,7 +1,8 @@
 #include "engine/ensemble/benchmark.hpp"
 
-#include "engine/lattice/forces.hpp"
+#include "engine/ensemble/ensemble.hpp"
 #include "engine/packing/neighbours.hpp"
+#include "engine/reference/plain_simulation.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -17,46 +18,28 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+constexpr double time_step = 1e-8;  // [s]
+
 /// Arithmetic of one beam and one lane, counted in engine/ensemble/forms.hpp (a fused multiply-add counts
 /// two), and of the integration of an element.
 constexpr double linear_flops = 101, corotational_flops = 306;
 constexpr double linear_drift_flops = 30, corotational_drift_flops = 75;
 
-template <class Real>
+template <class Beam>
 double bytes_of_beam(const BenchCase& c, double beams_per_element) {
-  const bool linear = c.kinematics == lattice::Kinematics::linear;
-  const double row =
-      c.scenarios == 1
-          ? (linear ? sizeof(BeamGroup<Real, 7>) : sizeof(BeamGroup<Real, 10>)) / 4.0
-          : (linear ? sizeof(SoundRow<LinearBeam<Real>>) : sizeof(SoundRow<CorotationalBeam<Real>>));
-  const double numbers = linear ? 12 : 13;  // position and velocity, each read and written
-  return row / c.scenarios + 2.0 * numbers * sizeof(Real) / beams_per_element;
+  const double row = c.scenarios == 1 ? sizeof(BeamGroup<Beam>) / 4.0 : sizeof(IntactRow<Beam>);
+  const double numbers = 6 + Beam::position_numbers;  // velocity and position, each read and written
+  return row / c.scenarios + 2.0 * numbers * sizeof(typename Beam::Number) / beams_per_element;
 }
 
-/// The plain path: forces beam by beam, then the elements; linear, double, one lane, one thread.
-class PlainMarch {
- public:
-  explicit PlainMarch(const lattice::Lattice& lattice)
-      : q_(6 * lattice.mass.size(), 0.0), v_(q_), f_(q_), per_mass_(q_) {
-    for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b)
-      rows_.push_back(lattice::row_of(lattice, b));
-    for (std::size_t k = 0; k < per_mass_.size(); ++k)
-      per_mass_[k] = 1.0 / (k % 6 < 3 ? lattice.mass[k / 6] : lattice.inertia[k / 6]);
-  }
-  void step() {
-    lattice::add_beam_forces(rows_, q_.data(), f_.data());
-    for (std::size_t k = 0; k < q_.size(); ++k) {
-      v_[k] += dt_ * per_mass_[k] * f_[k];
-      q_[k] += dt_ * v_[k];
-      f_[k] = 0.0;
-    }
-  }
-
- private:
-  static constexpr double dt_ = 1e-8;
-  std::vector<double> q_, v_, f_, per_mass_;
-  std::vector<lattice::BeamRow> rows_;
-};
+double bytes_of_beam(const BenchCase& c, double beams_per_element) {
+  const bool single = c.precision == Precision::single_precision;
+  if (c.kinematics == lattice::Kinematics::linear)
+    return single ? bytes_of_beam<LinearBeam<float>>(c, beams_per_element)
+                  : bytes_of_beam<LinearBeam<double>>(c, beams_per_element);
+  return single ? bytes_of_beam<CorotationalBeam<float>>(c, beams_per_element)
+                : bytes_of_beam<CorotationalBeam<double>>(c, beams_per_element);
+}
 
 /// Steps per second in each of the runs, ascending.
 template <class Step>
@@ -90,14 +73,19 @@ std::vector<lattice::Vector6> waves(const lattice::Lattice& lattice) {
   return q;
 }
 
-template <class Real>
+std::vector<fracture::DamageableBeam> beams_in_the_middle(const lattice::Lattice& lattice) {
+  return fracture::damageable_beams(fracture::straight_path(lattice.box.length, 0.5 * lattice.box.height),
+                                    lattice, 0.0);
+}
+
 std::vector<double> ensemble_rates(const BenchCase& c, const lattice::Lattice& lattice, int runs,
                                    double seconds) {
-  fracture::LaneScenario idle;
-  idle.history = history::history_of(-1.0, {{1e-9, 1.0}});
-  const Marching marching{.kinematics = c.kinematics, .threads = c.threads, .instructions = c.instructions};
-  Ensemble<Real> ensemble(lattice, fracture::straight_path(lattice.box.length, 0.5 * lattice.box.height), 0.0,
-                          1e-8, std::vector<fracture::LaneScenario>(c.scenarios, idle), marching);
+  Ensemble ensemble(lattice, beams_in_the_middle(lattice), time_step,
+                    std::vector<fracture::LaneScenario>(c.scenarios),
+                    {.kinematics = c.kinematics,
+                     .precision = c.precision,
+                     .threads = c.threads,
+                     .instructions = c.instructions});
   ensemble.release_from(waves(lattice));
   if (c.beta != 1.0) ensemble.set_beta(c.beta);
   std::vector<lattice::DampedBeam> damped;
@@ -107,9 +95,16 @@ std::vector<double> ensemble_rates(const BenchCase& c, const lattice::Lattice& l
   return rates_of_runs(
       [&] {
         ensemble.step();
-        if (c.weighed) ensemble.energy(0);
+        if (c.balanced) ensemble.balance(0);
       },
       runs, seconds);
+}
+
+/// The readable step; linear, double, one lane, one thread.
+std::vector<double> plain_rates(const lattice::Lattice& lattice, int runs, double seconds) {
+  reference::PlainSimulation plain(lattice, beams_in_the_middle(lattice), time_step, {});
+  plain.start_from(waves(lattice));
+  return rates_of_runs([&] { plain.step(); }, runs, seconds);
 }
 
 }  // namespace
@@ -144,17 +139,17 @@ lattice::Lattice bench_lattice(int elements) {
 }
 
 MachinePeaks machine_peaks(InstructionSet instructions, int threads) {
-  base::ThreadPool crew(threads, threads);
+  base::ThreadPool pool(threads, threads);
   MachinePeaks peaks;
   const std::size_t share = (std::size_t{1} << 24);  // doubles a thread and array: 128 MB
   std::vector<std::vector<double>> a(threads), b(threads), c(threads);
-  crew.run(threads,
+  pool.run(threads,
            [&](int t) { a[t].assign(share, 0.0), b[t].assign(share, 1.0), c[t].assign(share, 2.0); });
   const auto best_of = [&](const auto& work) {  // seconds
     double best = 1e9;
     for (int n = 0; n < 5; ++n) {
       const auto start = Clock::now();
-      crew.run(threads, work);
+      pool.run(threads, work);
       best = std::min(best, seconds_since(start));
     }
     return best;
@@ -175,25 +170,18 @@ MachinePeaks machine_peaks(InstructionSet instructions, int threads) {
 
 BenchResult time_case(const BenchCase& bench, int runs, double seconds) {
   const lattice::Lattice lattice = bench_lattice(bench.elements);
-  const bool single = bench.precision == Precision::single_precision;
   BenchResult result;
   result.of = bench;
   result.beams = lattice.beam.size();
-  if (bench.plain) {
-    PlainMarch march(lattice);
-    result.beam_steps_per_s = rates_of_runs([&] { march.step(); }, runs, seconds);
-  } else {
-    result.beam_steps_per_s = single ? ensemble_rates<float>(bench, lattice, runs, seconds)
-                                     : ensemble_rates<double>(bench, lattice, runs, seconds);
-  }
+  result.beam_steps_per_s =
+      bench.plain ? plain_rates(lattice, runs, seconds) : ensemble_rates(bench, lattice, runs, seconds);
   const double lanes = bench.scenarios, beams = static_cast<double>(result.beams);
   result.step_s = 1.0 / result.median();
   result.element_steps_per_s = result.median() * lanes * static_cast<double>(lattice.mass.size());
   for (double& rate : result.beam_steps_per_s) rate *= beams * lanes;
   const double per_element = beams / static_cast<double>(lattice.mass.size());
   const bool linear = bench.kinematics == lattice::Kinematics::linear;
-  result.bytes_per_beam =
-      single ? bytes_of_beam<float>(bench, per_element) : bytes_of_beam<double>(bench, per_element);
+  result.bytes_per_beam = bytes_of_beam(bench, per_element);
   result.flops_per_beam = (linear ? linear_flops : corotational_flops) +
                           (linear ? linear_drift_flops : corotational_drift_flops) / per_element;
   return result;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/ensemble/ensemble.hpp"
+#include "engine/ensemble/instruction_set.hpp"
+#include "engine/lattice/lattice.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,10 +28,10 @@ struct BenchCase {
   Precision precision = Precision::double_precision;
   int scenarios = 1, threads = 1, elements = 20000;
   InstructionSet instructions = InstructionSet::baseline;
-  bool plain = false;  // beam by beam, without the kernels: what the others are measured against
+  bool plain = false;  // the readable step (reference::PlainSimulation): what the others are measured against
   double damped = 0;   // share of the beams that are damped
   double beta = 1;
-  bool weighed = false;  // with the energies of every step
+  bool balanced = false;  // with the energy balance of every step
 };
 
 /// How fast it went: whole steps with integration.

@@ -27,7 +27,7 @@ template <class Real, int Width>
 struct Linear {
   using V = Pack<Real, Width>;
   using Row = LinearBeam<Real>;
-  static constexpr int numbers = 6;  // of an element's position
+  static constexpr int numbers = Row::position_numbers;
 
   /// Displacement and rotation of an element, from the base state.
   struct Position {
@@ -97,7 +97,7 @@ template <class Real, int Width>
 struct Corotational {
   using V = Pack<Real, Width>;
   using Row = CorotationalBeam<Real>;
-  static constexpr int numbers = 7;
+  static constexpr int numbers = Row::position_numbers;
 
   /// Displacement from the base state; rotation from the unloaded one, as a unit quaternion.
   struct Position {

@@ -1,6 +1,7 @@
 #include "engine/ensemble/instruction_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdlib>
 
@@ -19,15 +20,8 @@ InstructionSet of_processor() {
 }  // namespace
 
 std::string_view name_of(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::baseline:
-      return "baseline";
-    case InstructionSet::avx2:
-      return "AVX2";
-    case InstructionSet::avx512:
-      return "AVX-512";
-  }
-  return "";
+  constexpr std::array<std::string_view, 3> names{"baseline", "AVX2", "AVX-512"};
+  return names[static_cast<std::size_t>(set)];
 }
 
 InstructionSet instruction_set() {
@@ -39,58 +33,39 @@ InstructionSet instruction_set() {
   return best;
 }
 
-template <class Real>
-int lanes_in_register(InstructionSet set) {
+int lanes_in_register(Precision precision, InstructionSet set) {
   const int bytes = set == InstructionSet::baseline ? 16 : set == InstructionSet::avx2 ? 32 : 64;
-  return bytes / static_cast<int>(sizeof(Real));
+  return bytes / (precision == Precision::double_precision ? 8 : 4);
 }
 
-template <class Real>
-int lanes_for(int scenarios) {
-  int lanes = most_lanes<Real>;
+int lanes_for(Precision precision, int scenarios) {
+  const int most = most_lanes(precision);
+  int lanes = most;
   while (lanes > 1 && scenarios <= lanes / 2) lanes /= 2;
-  return scenarios > 1 ? std::max(lanes, most_lanes<Real> / 4) : 1;
+  return scenarios > 1 ? std::max(lanes, most / 4) : 1;
 }
 
-template <class Real>
-Kernel<Real> kernel_for(InstructionSet set, lattice::Kinematics kinematics, int lanes) {
-  const bool turning = kinematics == lattice::Kinematics::corotational;
-  Kernel<Real> found;
-  switch (set) {
-    case InstructionSet::baseline:
-      found = baseline::find_kernel(Real{}, lanes, turning);
-      break;
-    case InstructionSet::avx2:
-      found = avx2::find_kernel(Real{}, lanes, turning);
-      break;
-    case InstructionSet::avx512:
-      found = avx512::find_kernel(Real{}, lanes, turning);
-      break;
-  }
+template <class Beam>
+Kernel<Beam> kernel_for(InstructionSet set, int lanes) {
+  const Kernel<Beam> found = set == InstructionSet::baseline ? baseline::find_kernel<Beam>(lanes)
+                             : set == InstructionSet::avx2   ? avx2::find_kernel<Beam>(lanes)
+                                                             : avx512::find_kernel<Beam>(lanes);
   assert(found.advance);
   return found;
 }
 
 template <class Real>
 double multiply_and_add(InstructionSet set, long rounds) {
-  switch (set) {
-    case InstructionSet::baseline:
-      return baseline::multiply_and_add(Real{}, rounds);
-    case InstructionSet::avx2:
-      return avx2::multiply_and_add(Real{}, rounds);
-    case InstructionSet::avx512:
-      return avx512::multiply_and_add(Real{}, rounds);
-  }
-  return 0.0;
+  return set == InstructionSet::baseline ? baseline::multiply_and_add<Real>(rounds)
+         : set == InstructionSet::avx2   ? avx2::multiply_and_add<Real>(rounds)
+                                         : avx512::multiply_and_add<Real>(rounds);
 }
 
+template Kernel<LinearBeam<double>> kernel_for(InstructionSet, int);
+template Kernel<LinearBeam<float>> kernel_for(InstructionSet, int);
+template Kernel<CorotationalBeam<double>> kernel_for(InstructionSet, int);
+template Kernel<CorotationalBeam<float>> kernel_for(InstructionSet, int);
 template double multiply_and_add<double>(InstructionSet, long);
 template double multiply_and_add<float>(InstructionSet, long);
-template int lanes_in_register<double>(InstructionSet);
-template int lanes_in_register<float>(InstructionSet);
-template int lanes_for<double>(int);
-template int lanes_for<float>(int);
-template Kernel<double> kernel_for<double>(InstructionSet, lattice::Kinematics, int);
-template Kernel<float> kernel_for<float>(InstructionSet, lattice::Kinematics, int);
 
 }  // namespace rift::ensemble

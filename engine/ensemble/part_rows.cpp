@@ -5,20 +5,22 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <type_traits>
+#include <utility>
 
 namespace rift::ensemble {
 namespace {
 
-/// Beams that the path does not cross, by their first element, then by their second.
-std::vector<int> sound_beams(const RowSource& s) {
-  std::vector<char> crossed(s.lattice.beam.size(), 0);
-  for (const fracture::Crossing& c : s.met) crossed[c.beam] = 1;
-  std::vector<int> sound;
-  for (int b = 0; b < static_cast<int>(crossed.size()); ++b)
-    if (!crossed[b]) sound.push_back(b);
-  std::stable_sort(sound.begin(), sound.end(),
+/// Beams that nothing damages, by their first element, then by their second.
+std::vector<int> intact_beams(const RowSource& s) {
+  std::vector<char> damageable(s.lattice.beam.size(), 0);
+  for (const fracture::DamageableBeam& d : s.damageable) damageable[d.beam] = 1;
+  std::vector<int> intact;
+  for (int b = 0; b < static_cast<int>(damageable.size()); ++b)
+    if (!damageable[b]) intact.push_back(b);
+  std::stable_sort(intact.begin(), intact.end(),
                    [&](int a, int b) { return s.lattice.ends[a] < s.lattice.ends[b]; });
-  return sound;
+  return intact;
 }
 
 template <class Real>
@@ -43,212 +45,244 @@ void set_form(CorotationalBeam<Real>& form, const RowSource& s, int beam) {
           static_cast<Real>(base.z()),   stiffness_of_row<Real>(b)};
 }
 
-/// Makes the rows of one part, which owns [begin, end).
-template <class Real>
-class Maker {
+/// The rows of one part, which owns [begin, end), and their kernels.
+template <class Beam>
+class PartOf final : public Part {
+  using Real = typename Beam::Number;
+  static constexpr bool linear = std::is_same_v<Beam, LinearBeam<Real>>;
+
  public:
-  Maker(const RowSource& source, int begin, int end, int first_ghost_row, int lanes)
-      : s_(source), begin_(begin), end_(end), lanes_(lanes) {
-    rows_.first_ghost_row = first_ghost_row;
+  PartOf(const RowSource& s, int begin, int end, int first_row)
+      : Part(s.options.precision),
+        begin_(begin),
+        end_(end),
+        kernel_(kernel_for<Beam>(s.options.instructions, s.lanes)) {
+    first_ghost_row = first_row;
+    choose_intact(s);
+    find_ghosts_and_extras(s);
+    make_intact(s);
+    make_damageable(s);
+    if (s.options.contact) make_contacts(s);
+    if (s.lanes == 1) make_groups(s);
+    make_damped(s);
+    make_room(s);
   }
 
-  PartRows<Real> make() {
-    choose_sound();
-    find_ghosts_and_specials();
-    if (s_.kinematics == lattice::Kinematics::linear) {
-      make_rows(rows_.linear, rows_.linear_crossing);
-      make_contacts(rows_.linear_contact);
-      if (lanes_ == 1) make_groups(rows_.linear, rows_.linear_group);
-    } else {
-      make_rows(rows_.corotational, rows_.corotational_crossing);
-      make_contacts(rows_.corotational_contact);
-      if (lanes_ == 1) make_groups(rows_.corotational, rows_.corotational_group);
-    }
-    make_damped();
-    make_room();
-    return std::move(rows_);
+  void advance(StateArrays& state, const StepConstants& constants, bool balanced) override {
+    (balanced ? kernel_.advance_with_balance : kernel_.advance)(view_of(state), constants);
+  }
+
+  void evaluate_energies(StateArrays& state, const StepConstants& constants, double* velocities) override {
+    BeamView<Beam> view = view_of(state);
+    view.velocity = velocities;
+    view.slip_after = nullptr;
+    kernel_.evaluate_energies(view, constants);
   }
 
  private:
   bool owns(int element) const { return element >= begin_ && element < end_; }
-  const std::array<int, 2>& ends(int beam) const { return s_.lattice.ends[beam]; }
 
   /// Halo beams first, then the part's own.
-  void choose_sound() {
-    for (const int b : sound_beams(s_)) {
-      const auto& [i, j] = ends(b);
-      if (owns(i) || owns(j)) (owns(i) ? own_ : halo_).push_back(b);
+  void choose_intact(const RowSource& s) {
+    std::vector<int> own;
+    for (const int b : intact_beams(s)) {
+      const auto& [i, j] = s.lattice.ends[b];
+      if (owns(i) || owns(j)) (owns(i) ? own : beams_).push_back(b);
     }
-    rows_.view.mask =
-        static_cast<std::int32_t>(std::bit_ceil(static_cast<unsigned>(longest_reach()) + 1U)) - 1;
+    halo_ = beams_.size();
+    beams_.insert(beams_.end(), own.begin(), own.end());
+    mask_ = static_cast<std::int32_t>(std::bit_ceil(static_cast<unsigned>(longest_reach(s)) + 1U)) - 1;
   }
 
   /// How far beyond the first element that still lacks forces the walk reaches: no two of those may share a
   /// slot.
-  int longest_reach() const {
-    std::vector<int> beams(halo_);
-    beams.insert(beams.end(), own_.begin(), own_.end());
-    const std::size_t at_once = lanes_ == 1 ? group_size : 1;
+  int longest_reach(const RowSource& s) const {
+    const std::size_t at_once = s.lanes == 1 ? group_size : 1;
     int reach = 0;
-    for (std::size_t b = 0; b < beams.size(); b += at_once) {
-      const int lacking = std::max(begin_, ends(beams[b])[0]);
-      for (std::size_t k = b; k < std::min(b + at_once, beams.size()); ++k)
-        for (const int element : ends(beams[k]))
+    for (std::size_t b = 0; b < beams_.size(); b += at_once) {
+      const int lacking = std::max(begin_, s.lattice.ends[beams_[b]][0]);
+      for (std::size_t k = b; k < std::min(b + at_once, beams_.size()); ++k)
+        for (const int element : s.lattice.ends[beams_[k]])
           if (owns(element)) reach = std::max(reach, element - lacking);
     }
     return reach;
   }
 
-  void find_ghosts_and_specials() {
-    std::vector<int> ghost, special;
-    const auto see = [&](int beam, bool extra) {
-      const auto& e = ends(beam);
-      if (!owns(e[0]) && !owns(e[1])) return;
-      for (const int element : e) {
-        if (!owns(element))
-          ghost.push_back(element);
-        else if (extra)
-          special.push_back(element);
-      }
-    };
-    for (const int b : halo_) see(b, false);
-    for (const int b : own_) see(b, false);
-    for (const fracture::Crossing& c : s_.met) see(c.beam, true);
-    for (const lattice::DampedBeam& d : s_.damped)
-      for (const auto& [element, other] : {std::pair{d.i, d.j}, std::pair{d.j, d.i}}) {
-        if (owns(element))
-          special.push_back(element);
-        else if (owns(other))
+  void find_ghosts_and_extras(const RowSource& s) {
+    std::vector<int> extra;
+    const auto see = [&](int i, int j, bool loads) {
+      for (const auto& [element, other] : {std::pair{i, j}, std::pair{j, i}}) {
+        if (owns(element) && loads)
+          extra.push_back(element);
+        else if (!owns(element) && owns(other))
           ghost.push_back(element);
       }
-    const auto sort_unique = [](std::vector<int>& v) {
-      std::sort(v.begin(), v.end());
-      v.erase(std::unique(v.begin(), v.end()), v.end());
     };
-    sort_unique(ghost), sort_unique(special);
-    rows_.ghost = ghost;
-    rows_.special.assign(special.begin(), special.end());
+    for (const int b : beams_) see(s.lattice.ends[b][0], s.lattice.ends[b][1], false);
+    for (const fracture::DamageableBeam& d : s.damageable)
+      see(s.lattice.ends[d.beam][0], s.lattice.ends[d.beam][1], true);
+    for (const lattice::DampedBeam& d : s.damped) see(d.i, d.j, true);
+    for (std::vector<int>* list : {&ghost, &extra}) {
+      std::sort(list->begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+    extra_element.assign(extra.begin(), extra.end());
   }
 
   std::int32_t row(int element) const {
     if (owns(element)) return element;
-    const auto at = std::lower_bound(rows_.ghost.begin(), rows_.ghost.end(), element);
-    return rows_.first_ghost_row + static_cast<std::int32_t>(at - rows_.ghost.begin());
+    const auto at = std::lower_bound(ghost.begin(), ghost.end(), element);
+    return first_ghost_row + static_cast<std::int32_t>(at - ghost.begin());
   }
 
   std::int32_t extra(int element) const {
     if (!owns(element)) return -1;
-    const auto at = std::lower_bound(rows_.special.begin(), rows_.special.end(), element);
-    return static_cast<std::int32_t>(at - rows_.special.begin());
+    const auto at = std::lower_bound(extra_element.begin(), extra_element.end(), element);
+    return static_cast<std::int32_t>(at - extra_element.begin());
   }
 
   /// One past the ring is for forces on others' elements: nobody looks there.
-  std::int32_t slot(int element) const {
-    return owns(element) ? element & rows_.view.mask : rows_.view.mask + 1;
+  std::int32_t slot(int element) const { return owns(element) ? element & mask_ : mask_ + 1; }
+
+  void make_intact(const RowSource& s) {
+    first_.assign(end_ - begin_ + 1, 0);
+    for (std::size_t b = 0; b < beams_.size(); ++b) {
+      const auto& [i, j] = s.lattice.ends[beams_[b]];
+      if (b < halo_)
+        halo_i_.push_back(row(i));
+      else
+        ++first_[i - begin_ + 1];
+      intact_.push_back({row(j), slot(j), {}});
+      set_form(intact_.back().form, s, beams_[b]);
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
-  template <class Row, class CrossingRows>
-  void make_rows(std::vector<Row>& rows, CrossingRows& crossing) {
-    const auto add = [&](int b) {
-      Row r{row(ends(b)[1]), slot(ends(b)[1]), {}};
-      set_form(r.form, s_, b);
-      rows.push_back(r);
-    };
-    for (const int b : halo_) rows_.halo_i.push_back(row(ends(b)[0])), add(b);
-    rows_.first.assign(end_ - begin_ + 1, 0);
-    for (const int b : own_) ++rows_.first[ends(b)[0] - begin_ + 1], add(b);
-    std::partial_sum(rows_.first.begin(), rows_.first.end(), rows_.first.begin());
-    for (int k = 0; k < static_cast<int>(s_.met.size()); ++k) {
-      const auto& [i, j] = ends(s_.met[k].beam);
-      if (!owns(i) && !owns(j)) continue;
-      auto& c = crossing.emplace_back();
-      c.k = k, c.i = row(i), c.j = row(j), c.extra_i = extra(i), c.extra_j = extra(j);
-      set_form(c.form, s_, s_.met[k].beam);
-      if (s_.notched[k] || s_.kinematics == lattice::Kinematics::corotational) continue;
-      const lattice::BeamLoads base =
-          lattice::loads_of(s_.lattice.beam[s_.met[k].beam], s_.base[i], s_.base[j]);
+  /// Appends the row of a damageable beam whose element is the part's; none where neither is.
+  template <class Row>
+  Row* add_row(std::vector<Row>& rows, const RowSource& s, int k) const {
+    const auto& [i, j] = s.lattice.ends[s.damageable[k].beam];
+    if (!owns(i) && !owns(j)) return nullptr;
+    Row& r = rows.emplace_back();
+    r.k = k, r.i = row(i), r.j = row(j), r.extra_i = extra(i), r.extra_j = extra(j);
+    set_form(r.form, s, s.damageable[k].beam);
+    return &r;
+  }
+
+  void make_damageable(const RowSource& s) {
+    for (int k = 0; k < static_cast<int>(s.damageable.size()); ++k) {
+      DamageableRow<Beam>* r = add_row(damageable_, s, k);
+      if (!r || s.damageable[k].absent || !linear) continue;
+      const int beam = s.damageable[k].beam;
+      const auto& [i, j] = s.lattice.ends[beam];
+      const lattice::BeamLoads base = lattice::loads_of(s.lattice.beam[beam], s.base[i], s.base[j]);
       for (int a = 0; a < 3; ++a) {
-        c.base[a] = static_cast<Real>(base.force_i[a]);
-        c.base[3 + a] = static_cast<Real>(base.moment_i[a]);
-        c.base[6 + a] = static_cast<Real>(base.moment_j[a]);
+        r->base[a] = static_cast<Real>(base.force_i[a]);
+        r->base[3 + a] = static_cast<Real>(base.moment_i[a]);
+        r->base[6 + a] = static_cast<Real>(base.moment_j[a]);
       }
     }
   }
 
   /// A notch is a cut of some width: its faces do not touch.
-  template <class ContactRows>
-  void make_contacts(ContactRows& contacts) {
-    for (int k = 0; k < static_cast<int>(s_.normal.size()); ++k) {
-      const int beam = s_.met[k].beam;
-      const auto& [i, j] = ends(beam);
-      if (s_.notched[k] || (!owns(i) && !owns(j))) continue;
-      auto& c = contacts.emplace_back();
-      c.k = k, c.i = row(i), c.j = row(j), c.extra_i = extra(i), c.extra_j = extra(j);
-      set_form(c.form, s_, beam);
-      for (int a = 0; a < 2; ++a) c.normal[a] = static_cast<Real>(s_.normal[k][a]);
-      if (s_.kinematics == lattice::Kinematics::corotational) continue;
-      const Eigen::Vector3d base = fracture::face_gap(s_.lattice.beam[beam], s_.base[i], s_.base[j]);
-      for (int a = 0; a < 3; ++a) c.gap[a] = static_cast<Real>(base[a]);
+  void make_contacts(const RowSource& s) {
+    for (int k = 0; k < static_cast<int>(s.damageable.size()); ++k) {
+      if (s.damageable[k].absent) continue;
+      ContactRow<Beam>* r = add_row(contact_row_, s, k);
+      if (!r) continue;
+      for (int a = 0; a < 2; ++a) r->normal[a] = static_cast<Real>(s.damageable[k].normal[a]);
+      if (!linear) continue;
+      const int beam = s.damageable[k].beam;
+      const auto& [i, j] = s.lattice.ends[beam];
+      const Eigen::Vector3d base = fracture::face_gap(s.lattice.beam[beam], s.base[i], s.base[j]);
+      for (int a = 0; a < 3; ++a) r->gap[a] = static_cast<Real>(base[a]);
     }
   }
 
-  template <class Rows, class Groups>
-  void make_groups(const Rows& rows, Groups& groups) {
-    using Group = typename Groups::value_type;
-    constexpr int numbers = sizeof(Group::number) / sizeof(Group::number[0]);
-    std::vector<int> beams(halo_);
-    beams.insert(beams.end(), own_.begin(), own_.end());
-    for (std::size_t b = 0; b < beams.size(); b += group_size) {
-      Group g{};
+  void make_groups(const RowSource& s) {
+    constexpr int numbers = beam_numbers<Beam>;
+    for (std::size_t b = 0; b < beams_.size(); b += group_size) {
+      BeamGroup<Beam> g{};
       for (std::size_t k = 0; k < group_size; ++k) {
         // What is missing of the last four is the last beam again, without stiffness.
-        const std::size_t at = std::min(b + k, beams.size() - 1);
-        const bool missing = b + k >= beams.size();
-        const auto& [i, j] = ends(beams[at]);
+        const std::size_t at = std::min(b + k, beams_.size() - 1);
+        const bool missing = b + k >= beams_.size();
+        const auto& [i, j] = s.lattice.ends[beams_[at]];
         g.i[k] = row(i), g.j[k] = row(j);
-        g.slot_i[k] = missing ? rows_.view.mask + 1 : slot(i),
-        g.slot_j[k] = missing ? rows_.view.mask + 1 : slot(j);
-        const Real* number = reinterpret_cast<const Real*>(&rows[at].form);
+        g.slot_i[k] = missing ? mask_ + 1 : slot(i), g.slot_j[k] = missing ? mask_ + 1 : slot(j);
+        const Real* number = reinterpret_cast<const Real*>(&intact_[at].form);
         for (int a = 0; a < numbers; ++a) g.number[a][k] = missing && a >= numbers - 3 ? Real(0) : number[a];
       }
       const std::size_t next = b + group_size;
-      g.complete = next < beams.size() ? std::max(begin_, std::min(end_, ends(beams[next])[0])) : end_;
-      groups.push_back(g);
+      g.complete = next < beams_.size() ? std::clamp(s.lattice.ends[beams_[next]][0], begin_, end_) : end_;
+      group_.push_back(g);
     }
-    if (groups.empty()) {  // elements without sound beams still move
-      Group g{};
-      for (int k = 0; k < group_size; ++k)
-        g.i[k] = g.j[k] = begin_, g.slot_i[k] = g.slot_j[k] = rows_.view.mask + 1,
-        g.number[0][k] = g.number[3][k] = 1;
-      g.complete = end_;
-      groups.push_back(g);
-    }
+    if (!group_.empty()) return;
+    BeamGroup<Beam> g{};  // elements without intact beams still move
+    for (int k = 0; k < group_size; ++k)
+      g.i[k] = g.j[k] = begin_, g.slot_i[k] = g.slot_j[k] = mask_ + 1, g.number[0][k] = g.number[3][k] = 1;
+    g.complete = end_;
+    group_.push_back(g);
   }
 
-  void make_damped() {
-    for (const lattice::DampedBeam& d : s_.damped) {
+  void make_damped(const RowSource& s) {
+    for (const lattice::DampedBeam& d : s.damped) {
       if (!owns(d.i) && !owns(d.j)) continue;
-      rows_.damped.push_back({row(d.i), row(d.j), extra(d.i), extra(d.j), d.crossing, d.at_surface ? 1 : 0,
-                              static_cast<Real>(d.axis.x()), static_cast<Real>(d.axis.y()),
-                              static_cast<Real>(d.axis.z()), static_cast<Real>(d.axial),
-                              static_cast<Real>(d.twist), static_cast<Real>(d.bend)});
+      damped_.push_back({row(d.i), row(d.j), extra(d.i), extra(d.j), d.crossing, d.at_surface ? 1 : 0,
+                         static_cast<Real>(d.axis.x()), static_cast<Real>(d.axis.y()),
+                         static_cast<Real>(d.axis.z()), static_cast<Real>(d.axial),
+                         static_cast<Real>(d.twist), static_cast<Real>(d.bend)});
     }
   }
 
-  void make_room() {
-    const std::size_t row = 6UL * lanes_, specials = rows_.special.size();
-    rows_.ring.assign((rows_.view.mask + 2) * row, 0);
-    rows_.extra.assign(specials * row, 0);
-    if (!s_.damped.empty()) rows_.damping = rows_.damping_before = rows_.extra;
-    if (!s_.normal.empty()) rows_.contact = rows_.contact_before = rows_.extra;
+  void make_room(const RowSource& s) {
+    const std::size_t row = 6UL * s.lanes, extras = extra_element.size() * row;
+    ring_.assign((mask_ + 2) * row, 0);
+    extra_.assign(extras, 0);
+    if (!s.damped.empty()) damping_ = extra_, damping_before.resize(extras);
+    if (s.options.contact) contact_ = extra_, contact_before.resize(extras);
     const std::size_t chunks = (end_ - begin_ + chunk_size - 1) / chunk_size;
-    rows_.account.assign(chunks * accounts * lanes_, 0.0);
+    account.assign(chunks * accounts * s.lanes, 0.0);
+    beams_ = {};
   }
 
-  const RowSource& s_;
-  const int begin_, end_, lanes_;
-  std::vector<int> halo_, own_;  // sound beams
-  PartRows<Real> rows_;
+  BeamView<Beam> view_of(StateArrays& state) {
+    const auto count = [](const auto& rows) { return static_cast<std::int32_t>(rows.size()); };
+    BeamView<Beam> w{};
+    w.begin = begin_, w.end = end_;
+    w.q = state.q.data<Real>(), w.v = state.v.data<Real>(), w.rate = state.rate.data<Real>();
+    w.ring = ring_.data(), w.mask = mask_;
+    w.per_mass = state.per_mass.data<Real>(), w.mass = state.mass.data();
+    w.top = state.top.data(), w.base = state.base.data();
+    w.extras = count(extra_element), w.extra_element = extra_element.data(), w.extra = extra_.data();
+    w.damping = damping_.data(), w.damping_before = damping_before.data<Real>();
+    w.contact = contact_.data(), w.contact_before = contact_before.data<Real>();
+    w.factor = state.factor.data<Real>();
+    w.slip = state.slip.data<Real>(), w.slip_after = state.slip_after.data<Real>();
+    w.in_contact = state.in_contact.data<Real>(), w.friction = state.friction.data<Real>();
+    w.damped_beams = count(damped_), w.damped = damped_.data();
+    w.alpha_at_surface = state.alpha_at_surface.data<Real>();
+    w.alpha_elsewhere = state.alpha_elsewhere.data<Real>();
+    w.account = account.data();
+    w.halo = count(halo_i_), w.halo_i = halo_i_.data(), w.first = first_.data(), w.intact = intact_.data();
+    w.groups = count(group_), w.group = group_.data();
+    w.damageable_beams = count(damageable_), w.damageable = damageable_.data();
+    w.contacts = count(contact_row_), w.contact_row = contact_row_.data();
+    return w;
+  }
+
+  const int begin_, end_;
+  const Kernel<Beam> kernel_;
+  std::vector<int> beams_;  // intact ones, while the rows are made
+  std::size_t halo_ = 0;    // of them
+  std::int32_t mask_ = 0;
+  std::vector<std::int32_t> halo_i_, first_;
+  std::vector<IntactRow<Beam>> intact_;
+  AlignedVector<BeamGroup<Beam>> group_;
+  std::vector<DamageableRow<Beam>> damageable_;
+  std::vector<ContactRow<Beam>> contact_row_;
+  std::vector<DampedRow<Real>> damped_;
+  AlignedVector<Real> ring_, extra_, damping_, contact_;  // null where empty
 };
 
 }  // namespace
@@ -274,12 +308,14 @@ std::vector<int> cut_evenly(const lattice::Lattice& lattice, int parts) {
   return begin;
 }
 
-template <class Real>
-PartRows<Real> rows_of_part(const RowSource& source, int begin, int end, int first_ghost_row, int lanes) {
-  return Maker<Real>(source, begin, end, first_ghost_row, lanes).make();
+std::unique_ptr<Part> make_part(const RowSource& source, int begin, int end, int first_ghost_row) {
+  const auto make = [&]<class Beam>(Beam) -> std::unique_ptr<Part> {
+    return std::make_unique<PartOf<Beam>>(source, begin, end, first_ghost_row);
+  };
+  const bool in_double = source.options.precision == Precision::double_precision;
+  if (source.options.kinematics == lattice::Kinematics::linear)
+    return in_double ? make(LinearBeam<double>{}) : make(LinearBeam<float>{});
+  return in_double ? make(CorotationalBeam<double>{}) : make(CorotationalBeam<float>{});
 }
-
-template PartRows<double> rows_of_part<double>(const RowSource&, int, int, int, int);
-template PartRows<float> rows_of_part<float>(const RowSource&, int, int, int, int);
 
 }  // namespace rift::ensemble

@@ -1,70 +1,80 @@
 #pragma once
 
+#include "engine/ensemble/numbers.hpp"
 #include "engine/ensemble/part.hpp"
 #include "engine/fracture/crack_path.hpp"
-#include "engine/lattice/beam.hpp"
 #include "engine/lattice/forces.hpp"
 
-#include <cstddef>
-#include <new>
+#include <memory>
 #include <vector>
 
 namespace rift::ensemble {
 
-/// Memory that begins on a cache line, so that no register straddles two.
-template <class T>
-struct OnCacheLine {
-  using value_type = T;
-  OnCacheLine() = default;
-  template <class U>
-  OnCacheLine(const OnCacheLine<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(64))); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t(64)); }
-  bool operator==(const OnCacheLine&) const { return true; }
+/// Arrays of all lanes, [row][component][lane], that the kernels of every part work on.
+struct StateArrays {
+  explicit StateArrays(Precision p)
+      : q(p),
+        v(p),
+        rate(p),
+        per_mass(p),
+        factor(p),
+        alpha_at_surface(p),
+        alpha_elsewhere(p),
+        in_contact(p),
+        friction(p),
+        slip(p),
+        slip_after(p) {}
+  Numbers q, v, rate;  // as of PartView
+  Numbers per_mass, factor, alpha_at_surface, alpha_elsewhere, in_contact, friction, slip, slip_after;
+  AlignedVector<double> mass, base;
+  std::vector<std::uint8_t> top;
 };
 
-template <class T>
-using AlignedVector = std::vector<T, OnCacheLine<T>>;
+/// How an ensemble marches; none of it changes what comes out, but for the kinematics, the precision and the
+/// last bits.
+struct EnsembleOptions {
+  lattice::Kinematics kinematics = lattice::Kinematics::linear;
+  Precision precision = Precision::double_precision;
+  int threads = 1;
+  InstructionSet instructions = instruction_set();
+  int lanes = 0;         // of the kernel; 0 for the fewest that hold the scenarios
+  bool contact = false;  // whether any scenario's faces touch, now or later
+};
 
 /// What the rows of all parts are made from.
 struct RowSource {
   const lattice::Lattice& lattice;
-  lattice::Kinematics kinematics;
+  const EnsembleOptions& options;
+  int lanes;                                  // of the kernel
   const std::vector<lattice::Vector6>& base;  // N, the base state
-  const std::vector<fracture::Crossing>& met;
-  const std::vector<char>& notched;  // [crossing] absent from the base state on
+  const std::vector<fracture::DamageableBeam>& damageable;
   const std::vector<lattice::DampedBeam>& damped;
-  const std::vector<Eigen::Vector2d>& normal;  // [crossing] of the faces, from i to j; empty without contact
 };
 
 /// First elements of `parts` ranges with about equally many beams, and N; all but the last multiples of
 /// chunk_size, so that sums by chunks do not depend on them. Fewer parts where there are fewer chunks.
 std::vector<int> cut_evenly(const lattice::Lattice& lattice, int parts);
 
-/// The rows that one thread works on, and copies of elements of other parts that they refer to.
-template <class Real>
-struct PartRows {
-  std::vector<int> ghost;  // elements, in the order of their rows
+/// The rows that one thread works on, with the kernels that walk them, whatever the form of the beam and the
+/// precision.
+struct Part {
+  explicit Part(Precision p) : damping_before(p), contact_before(p) {}
+  Part(const Part&) = delete;
+  virtual ~Part() = default;
+  /// @param[in] balanced  with the energy balance of this step
+  virtual void advance(StateArrays& state, const StepConstants& constants, bool balanced) = 0;
+  /// @param[out] velocities  of this moment, [element][6][lane], may be null
+  virtual void evaluate_energies(StateArrays& state, const StepConstants& constants, double* velocities) = 0;
+
+  std::vector<int> ghost;  // elements of other parts that it refers to, in the order of their copies' rows
   int first_ghost_row = 0;
-  std::vector<std::int32_t> halo_i, first, special;
-  std::vector<SoundRow<LinearBeam<Real>>> linear;
-  std::vector<SoundRow<CorotationalBeam<Real>>> corotational;
-  AlignedVector<BeamGroup<Real, 7>> linear_group;
-  AlignedVector<BeamGroup<Real, 10>> corotational_group;
-  std::vector<CrossingRow<Real, LinearBeam<Real>>> linear_crossing;
-  std::vector<CrossingRow<Real, CorotationalBeam<Real>>> corotational_crossing;
-  std::vector<ContactRow<Real, LinearBeam<Real>>> linear_contact;
-  std::vector<ContactRow<Real, CorotationalBeam<Real>>> corotational_contact;
-  std::vector<DampedRow<Real>> damped;
-  AlignedVector<Real> ring, extra, damping, damping_before, contact, contact_before;
+  std::vector<std::int32_t> extra_element;
+  Numbers damping_before, contact_before;
   AlignedVector<double> account;
-  PartView<Real> view{};  // of the vectors above; state and lanes' arrays are the ensemble's
 };
 
-/// @param[in] begin, end       the part's elements
+/// The part that owns the elements [begin, end).
 /// @param[in] first_ghost_row  where its copies of others begin
-/// @param[in] lanes            of the kernel
-template <class Real>
-PartRows<Real> rows_of_part(const RowSource& source, int begin, int end, int first_ghost_row, int lanes);
+std::unique_ptr<Part> make_part(const RowSource& source, int begin, int end, int first_ghost_row);
 
 }  // namespace rift::ensemble

@@ -1,100 +1,36 @@
 #pragma once
 
-#include "engine/ensemble/faces.hpp"
+#include "engine/ensemble/loads.hpp"
 
 namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
-/// The forces of the crossing beams, s L + (s - 1) L_base: where L is linear it is of the change since the
-/// base state, in which the intact beams balance.
-template <template <class, int> class Form, class Real, int Width>
-inline void add_crossing_forces(const PartView<Real>& p) {
-  using F = Form<Real, Width>;
-  using V = Pack<Real, Width>;
-  const auto* rows = static_cast<const CrossingRow<Real, typename F::Row>*>(p.crossing);
-  for (int b = 0; b < p.crossings; ++b) {
-    const auto& row = rows[b];
-    const V s = load<Width>(p.factor + static_cast<long>(row.k) * Width);
-    const V of_base = s - Real(1);
-    EndLoads<V> e = F::loads(F::form(row.form), position_at<Form, Real, Width>(p.q, row.i),
-                             position_at<Form, Real, Width>(p.q, row.j));
-    const auto reduce = [&](Space<V>& load, const Real* base) {
-      load = {fma(of_base, splat<V>(base[0]), s * load.x), fma(of_base, splat<V>(base[1]), s * load.y),
-              fma(of_base, splat<V>(base[2]), s * load.z)};
-    };
-    reduce(e.force, row.base), reduce(e.moment_i, row.base + 3), reduce(e.moment_j, row.base + 6);
-    if (row.extra_i >= 0) add_to<Width>(p.extra + row.extra_i * 6L * Width, [&](V(&f)[6]) { put(f, e); });
-    if (row.extra_j >= 0)
-      add_to<Width>(p.extra + row.extra_j * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
-  }
-}
-
-/// f = 2 alpha sqrt(K M) delta n at the rates (q_n - q_{n-1}) / dt   [eq. (8)], kept apart for the books.
-template <class Real, int Width>
-inline void add_damping_forces(const PartView<Real>& p) {
-  using V = Pack<Real, Width>;
-  const Real* rate = p.rate ? p.rate : p.v;
-  for (int b = 0; b < p.damped; ++b) {
-    const DampedRow<Real>& row = p.damped_row[b];
-    V alpha = load<Width>(row.at_surface ? p.alpha_at_surface : p.alpha_elsewhere);
-    if (row.crossing >= 0) alpha = alpha * load<Width>(p.factor + static_cast<long>(row.crossing) * Width);
-    V at_i[6], at_j[6];
-    load_row<6, Width>(rate + row.i * 6L * Width, at_i);
-    load_row<6, Width>(rate + row.j * 6L * Width, at_j);
-    const Space<V> n{splat<V>(row.nx), splat<V>(row.ny), splat<V>(row.nz)};
-    const Space<V> slide{at_j[0] - at_i[0], at_j[1] - at_i[1], at_j[2] - at_i[2]};
-    const Space<V> turn{at_j[3] - at_i[3], at_j[4] - at_i[4], at_j[5] - at_i[5]};
-    EndLoads<V> e;
-    e.force = (alpha * row.axial * dot(n, slide)) * n;
-    e.moment_i = plus((alpha * row.bend) * turn, alpha * (row.twist - row.bend) * dot(n, turn), n);
-    e.moment_j = Space<V>{} - e.moment_i;
-    if (row.extra_i >= 0) add_to<Width>(p.damping + row.extra_i * 6L * Width, [&](V(&f)[6]) { put(f, e); });
-    if (row.extra_j >= 0)
-      add_to<Width>(p.damping + row.extra_j * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
-  }
-}
-
+/// Finds the additional loads of elements as the walk comes by.
 template <class Real>
-inline void clear(Real* from, long count) {
-  for (long k = 0; k < count; ++k) from[k] = 0;
-}
-
-/// All that acts on special elements before the walk.
-template <template <class, int> class Form, class Real, int Width>
-inline void add_special_forces(const PartView<Real>& p) {
-  clear(p.extra, 6L * Width * p.specials);
-  add_crossing_forces<Form, Real, Width>(p);
-  if (p.contact_force) {
-    clear(p.contact_force, 6L * Width * p.specials);
-    add_contact_forces<Form, Real, Width>(p);
-  }
-  if (!p.damping) return;
-  clear(p.damping, 6L * Width * p.specials);
-  add_damping_forces<Real, Width>(p);
-}
-
-/// Hands out the extra forces as the walk comes by.
-template <class Real, int Width>
-struct Specials {
+struct ExtraIndex {
   const PartView<Real>& p;
   int next = 0;
-  /// The place of element i among the specials, or -1; i ascends.
-  int place(int i) { return next < p.specials && p.special[next] == i ? next++ : -1; }
+  /// The index of element i among those with additional loads, or -1; i ascends.
+  int of(int i) { return next < p.extras && p.extra_element[next] == i ? next++ : -1; }
 };
 
-/// Elements in their order: each gets the forces of its beams to later ones, of earlier ones' beams to it (in
-/// the ring), and the extra forces; then nothing is missing and finish(i, forces, place among the specials)
-/// may move it on, since no later beam asks for it. Every element sums in one order, whoever walks.
+/// Walks over the elements in their order: each gets the forces of its beams to later ones, of earlier ones'
+/// beams to it (in the ring), and its additional loads; then nothing is missing and `finish` may move it on,
+/// since no later beam asks for it. Every element sums in one order, whoever walks. Cost O(beams x lanes);
+/// allocates nothing.
+/// @param[in] finish  called with the element, its forces [N] and moments [N m], and its index among those
+/// with
+///                    additional loads, or -1
 template <template <class, int> class Form, class Real, int Width, class Finish>
-inline void walk_lanes(const PartView<Real>& p, const Finish& finish) {
+inline void walk_lanes(const ViewOf<Form, Real>& p, const Finish& finish) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
-  const auto* beam = static_cast<const SoundRow<typename F::Row>*>(p.beam);
+  const auto* beam = p.intact;
   for (int h = 0; h < p.halo; ++h, ++beam) {
     const EndLoads<V> e = F::loads(F::form(beam->form), position_at<Form, Real, Width>(p.q, p.halo_i[h]),
                                    position_at<Form, Real, Width>(p.q, beam->j));
     add_to<Width>(p.ring + beam->slot * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
   }
-  Specials<Real, Width> specials{p};
+  ExtraIndex<Real> extra_index{p};
   for (int i = p.begin; i < p.end; ++i) {
     const auto qi = position_at<Form, Real, Width>(p.q, i);
     Real* own = p.ring + (i & p.mask) * 6L * Width;
@@ -105,7 +41,7 @@ inline void walk_lanes(const PartView<Real>& p, const Finish& finish) {
       put(f, e);
       add_to<Width>(p.ring + beam->slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
     }
-    finish(i, f, specials.place(i));
+    finish(i, f, extra_index.of(i));
     clear(own, 6L * Width);
   }
 }
@@ -132,14 +68,14 @@ inline typename Form<Real, 4>::Position four_positions(const Real* q, const std:
   return Form<Real, 4>::position(c);
 }
 
-/// One scenario alone: four beams at once, else as above.
+/// The same walk for one scenario alone, four beams at once.
 template <template <class, int> class Form, class Real, class Finish>
-inline void walk_groups(const PartView<Real>& p, const Finish& finish) {
+inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
   using F = Form<Real, 4>;
   using V = Pack<Real, 4>;
-  constexpr int numbers = sizeof(typename F::Row) / sizeof(Real);
-  const auto* group = static_cast<const BeamGroup<Real, numbers>*>(p.group);
-  Specials<Real, 1> specials{p};
+  constexpr int numbers = beam_numbers<typename Form<Real, 1>::Row>;
+  const auto* group = p.group;
+  ExtraIndex<Real> extra_index{p};
   int i = p.begin;
   for (int g = 0; g < p.groups; ++g, ++group) {
     V number[numbers];
@@ -168,15 +104,15 @@ inline void walk_groups(const PartView<Real>& p, const Finish& finish) {
       Real* own = p.ring + (i & p.mask) * 6L;
       Real f[6];
       load_row<6, 1>(own, f);
-      finish(i, f, specials.place(i));
+      finish(i, f, extra_index.of(i));
       clear(own, 6);
     }
   }
 }
 
 template <template <class, int> class Form, class Real, int Width, class Finish>
-inline void walk(const PartView<Real>& p, const Finish& finish) {
-  add_special_forces<Form, Real, Width>(p);
+inline void walk(const ViewOf<Form, Real>& p, const Finish& finish) {
+  add_extra_forces<Form, Real, Width>(p);
   if constexpr (Width == 1)
     walk_groups<Form, Real>(p, finish);
   else

@@ -90,4 +90,15 @@ std::vector<Crossing> crossings(const CrackPath& path, const lattice::Lattice& l
   return found;
 }
 
+std::vector<DamageableBeam> damageable_beams(const CrackPath& path, const lattice::Lattice& lattice,
+                                             double notch_end) {
+  std::vector<DamageableBeam> beams;
+  for (const Crossing& c : crossings(path, lattice)) {
+    const auto& [i, j] = lattice.ends[c.beam];
+    beams.push_back({c.beam, c.position, in_notch(c, notch_end),
+                     normal_between(path, lattice.centre[i].head<2>(), lattice.centre[j].head<2>())});
+  }
+  return beams;
+}
+
 }  // namespace rift::fracture

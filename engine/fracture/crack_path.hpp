@@ -45,6 +45,19 @@ struct Crossing {
 /// The beams whose x-y segment the path crosses, in the order the crack meets them   [physics.md §6].
 std::vector<Crossing> crossings(const CrackPath& path, const lattice::Lattice& lattice);
 
+/// A beam whose stiffness may fall while the lattice moves.
+struct DamageableBeam {
+  int beam = 0;
+  double position = 0;  // where a release rule is about a path: that of Crossing [m]
+  bool absent = false;  // from the base state on, cut by a notch
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();  // of its faces, from its first element to its second
+};
+
+/// The beams that a crack along the path may damage, in the order it meets them; those that a notch up to
+/// `notch_end` [m] cuts are absent.
+std::vector<DamageableBeam> damageable_beams(const CrackPath& path, const lattice::Lattice& lattice,
+                                             double notch_end);
+
 /// Whether a notch that ends at `notch_end` [m] has cut a beam from the beginning: one that is crossed at its
 /// end, too. A notch without length cuts nothing; a beam that is crossed at exactly 0 is the crack's then.
 inline bool in_notch(const Crossing& crossing, double notch_end) {

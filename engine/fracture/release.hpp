@@ -2,6 +2,7 @@
 
 #include "engine/history/crack_history.hpp"
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,16 @@ struct LaneScenario {
   double alpha_at_surface = 0, alpha_elsewhere = 0;  // fractions of critical damping
   std::optional<double> friction = {};               // mu of the faces; without it they do not touch
 };
+
+/// Units of a lane: all stiffnesses of a lattice go with E_mu, so that another E_mu changes nothing but time
+/// and energy. One lattice serves scenarios of any E_mu; a factor turns what the lattice shows into what the
+/// scenario does [physics.md §5].
+struct LaneUnits {
+  double time = 1, energy = 1;
+};
+
+/// Units of a scenario whose E_mu is `stiffer` times that of the lattice.
+inline LaneUnits units_of(double stiffer) { return {1.0 / std::sqrt(stiffer), stiffer}; }
 
 /// The law of the beams that cross the path at `position`.
 const ReleaseLaw& law_at(const LaneScenario& scenario, double position);

@@ -7,34 +7,6 @@
 
 namespace rift::fracture {
 
-/// What one lane has gained and lost so far, each booked on its own, none as the remainder [J]   [physics.md
-/// §7].
-struct Ledger {
-  double energy_start = 0;       // lattice energy K + U - C when the books were opened
-  double fracture = 0;           // taken by softening and breaking beams
-  double damping = 0;            // by viscous damping
-  double numerical_damping = 0;  // by beta < 1
-  double contact = 0;            // by the friction of the faces, and as they meet and part between two steps
-  double work_external = 0;      // done by the grips on the lattice
-  double largest = 0;            // largest lattice energy so far
-};
-
-/// The energies a lattice holds at one moment [J].
-struct LatticeEnergy {
-  double elastic = 0;              // U, what the faces of the crack hold included
-  double kinetic_translation = 0;  // of the elements not gripped
-  double kinetic_rotation = 0;
-  double step_correction = 0;  // C = dt^2/8 sum F^2/m, which velocity Verlet conserves together with K + U
-  double total() const { return elastic + kinetic_translation + kinetic_rotation - step_correction; }
-};
-
-/// (K + U - C) - start - W_ext + fracture + damping + numerical damping + contact, over the largest lattice
-/// energy so far.
-double residual_of(const Ledger& ledger, const LatticeEnergy& energy);
-
-/// One row of the books. Notes the largest lattice energy.
-results::Sample balance(Ledger& ledger, const LatticeEnergy& energy);
-
 /// What a release rate is measured against: G_I0(a) = g_i0 + g_i0_slope a at each tip, for tip positions
 /// a >= 0. A strip has no slope; a central crack has nothing else, and a is its half length   [physics.md
 /// §7].
@@ -49,7 +21,7 @@ struct RateScale {
 /// Mean of G_I0 over tip positions from one to another [J/m2].
 double mean_g_i0(const RateScale& scale, double from, double to);
 
-/// Release rates over G_I0 between two rows of the books   [physics.md §7; paper eq. (7)]:
+/// Release rates over G_I0 between two rows of the energy balance   [physics.md §7; paper eq. (7)]:
 ///   ratio = (dW_ext - dW_elas - dK + dC - dW_damping - dW_numerical - dW_contact) / (b da G_I0),
 ///     K with rotation
 ///   ratio_release = fracture energy / (b da G_I0);  with damping: ratio + damping;  translation only: K
@@ -64,7 +36,7 @@ results::RatePoint rate_between(const results::Sample& from, const results::Samp
 results::RatePoint rate_around(const std::vector<results::Sample>& lane, double tip, double width,
                                const RateScale& scale);
 
-/// Release rate against tip position: centred difference over 0.01 L around each row of the books, between
+/// Release rate against tip position: centred difference over 0.01 L around each row of the balance, between
 /// neighbouring rows interpolated; none where that reaches beyond the first or the last row, or, with a
 /// slope, before a = 0, where there is no crack to refer to.
 /// @param[in] lane  rows of one lane in the fracture phase, in time

@@ -3,7 +3,6 @@
 #include "engine/base/interrupted.hpp"
 #include "engine/base/process_limits.hpp"
 #include "engine/ensemble/ensemble.hpp"
-#include "engine/fracture/crack_path.hpp"
 
 #include <Eigen/Dense>
 
@@ -136,13 +135,11 @@ std::vector<Swing> watch(const lattice::Lattice& plate, double dt, double durati
                          std::span<const Throw> throws, int threads,
                          const std::function<bool(double)>& go_on) {
   constexpr int stride = 4;
-  const fracture::CrackPath below = fracture::straight_path(plate.box.length, -plate.box.height);  // no crack
-  ensemble::Ensemble<double> ensemble(plate, below, -1.0, dt,
-                                      std::vector<fracture::LaneScenario>(throws.size()),
-                                      {.threads = base::threads_or_all_cpus(threads)});
+  ensemble::Ensemble ensemble(plate, {}, dt, std::vector<fracture::LaneScenario>(throws.size()),
+                              {.threads = base::threads_or_all_cpus(threads)});
   ensemble.start_from(std::vector<lattice::Vector6>(plate.centre.size(), lattice::Vector6::Zero()));
   for (std::size_t k = 0; k < throws.size(); ++k)
-    ensemble.throw_lane(static_cast<int>(k), throws[k].velocity);
+    ensemble.set_velocities(static_cast<int>(k), throws[k].velocity);
   std::vector<int> middle;
   for (int i = 0; i < static_cast<int>(plate.centre.size()); ++i)
     if (std::abs(plate.centre[i].x() / plate.box.length - 0.5) < watched) middle.push_back(i);

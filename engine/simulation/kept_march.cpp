@@ -1,227 +1,73 @@
 #include "engine/simulation/kept_march.hpp"
 
+#include "engine/base/clock.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/series.hpp"
-#include "engine/simulation/march_run.hpp"
-#include "engine/simulation/steering.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
 
+// The words of a checkpoint. A number that is none stands as null: JSON has no NaN.
+
+namespace rift::scene {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Change, lane, step, axis, value)
+}
+namespace rift::fracture {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Wake, cell_m, kinetic_j, rotation_j, out_of_plane_m)
+}
+
 namespace rift::simulation {
-namespace {
 
-using Json = nlohmann::ordered_json;
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rest, since, driving, reference, sum, looks, restarted_m)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(LaneSlot, scenario, next_sample, next_frame, framed_at, rest,
+                                                since_s)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LaneResult, outcome, steps, where, worst_residual, prestress_kinetic,
+                                   energy_at_crack_start, wall_s, arrested_m, changes, wake)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(MarchNotes, lanes, instructions, dt, marched, lane_steps,
+                                                next_scenario, cracking, wall_prestress_s, wall_fracture_s,
+                                                seats, lane)
 
-Json json_of(const scene::Change& c) {
-  return {{"lane", c.lane}, {"step", c.step}, {"axis", c.axis}, {"value", c.value}};
-}
-
-Json json_of(const LaneResult& r) {
-  Json changes = Json::array();
-  for (const scene::Change& c : r.changes) changes.push_back(json_of(c));
-  return {{"outcome", static_cast<int>(r.outcome)},
-          {"steps", r.steps},
-          {"where", r.where},
-          {"worst_residual", r.worst_residual},  // null where it is no number
-          {"prestress_kinetic", r.prestress_kinetic},
-          {"energy_at_crack_start", r.energy_at_crack_start},
-          {"wall_s", r.wall_s},
-          {"arrested_m", r.arrested_m},  // null where it is no number
-          {"changes", changes},
-          {"wake",
-           {{"cell_m", r.wake.cell_m},
-            {"kinetic_j", r.wake.kinetic_j},
-            {"rotation_j", r.wake.rotation_j},
-            {"out_of_plane_m", r.wake.out_of_plane_m}}}};
-}
-
-LaneResult lane_of(const Json& j) {
-  LaneResult r;
-  const int outcome = j.at("outcome");
-  if (outcome < 0 || outcome > static_cast<int>(Outcome::diverged))
-    throw std::invalid_argument("its notes tell of an outcome that there is not");
-  r.outcome = static_cast<Outcome>(outcome);
-  r.steps = j.at("steps");
-  r.where = j.at("where");
-  const Json& worst = j.at("worst_residual");
-  r.worst_residual = worst.is_null() ? std::numeric_limits<double>::quiet_NaN() : worst.get<double>();
-  r.prestress_kinetic = j.at("prestress_kinetic");
-  r.energy_at_crack_start = j.at("energy_at_crack_start");
-  r.wall_s = j.at("wall_s");
-  if (const Json& arrested = j.at("arrested_m"); !arrested.is_null()) r.arrested_m = arrested;
-  for (const Json& c : j.at("changes"))
-    r.changes.push_back({c.at("lane"), c.at("step"), c.at("axis"), c.at("value")});
-  const Json& wake = j.at("wake");
-  r.wake = {wake.at("cell_m"), wake.at("kinetic_j"), wake.at("rotation_j"), wake.at("out_of_plane_m")};
-  return r;
-}
-
-Json json_of(const Rest& r) {
-  return {{"since", r.since}, {"driving", r.driving}, {"reference", r.reference},
-          {"sum", r.sum},     {"looks", r.looks},     {"restarted_m", r.restarted_m}};
-}
-
-Rest rest_of(const Json& j) {
-  return {.since = j.at("since"),
-          .driving = j.at("driving"),
-          .reference = j.at("reference"),
-          .sum = j.at("sum"),
-          .looks = j.at("looks"),
-          .restarted_m = j.at("restarted_m")};
-}
-
-}  // namespace
-
-std::string to_json(const MarchNotes& n) {
-  Json seats = Json::array(), lanes = Json::array();
-  for (const MarchNotes::Seat& s : n.seats)
-    seats.push_back({{"scenario", s.scenario},
-                     {"next_sample", s.next_sample},
-                     {"next_frame", s.next_frame},
-                     {"framed_at", s.framed_at},
-                     {"rest", json_of(s.rest)},
-                     {"since_s", s.since_s}});
-  for (const LaneResult& r : n.lane) lanes.push_back(json_of(r));
-  return base::json_text(Json{{"lanes", n.lanes},
-                              {"instructions", n.instructions},
-                              {"dt", n.dt},
-                              {"marched", n.marched},
-                              {"lane_steps", n.lane_steps},
-                              {"next_scenario", n.next_scenario},
-                              {"cracking", n.cracking},
-                              {"wall_prestress_s", n.wall_prestress_s},
-                              {"wall_fracture_s", n.wall_fracture_s},
-                              {"seats", seats},
-                              {"lane", lanes}});
-}
+std::string to_json(const MarchNotes& notes) { return base::json_text(nlohmann::json(notes)); }
 
 MarchNotes march_notes(const std::string& text) try {
-  const Json j = results::json_or_discarded(text);
-  MarchNotes n;
-  n.lanes = j.at("lanes");
-  n.instructions = j.at("instructions");
-  n.dt = j.at("dt");
-  n.marched = j.at("marched");
-  n.lane_steps = j.at("lane_steps");
-  n.next_scenario = j.at("next_scenario");
-  n.cracking = j.value("cracking", true);
-  n.wall_prestress_s = j.at("wall_prestress_s");
-  n.wall_fracture_s = j.at("wall_fracture_s");
-  for (const Json& s : j.at("seats"))
-    n.seats.push_back({s.at("scenario"), s.at("next_sample"), s.at("next_frame"), s.at("framed_at"),
-                       s.contains("rest") ? rest_of(s.at("rest")) : Rest{}, s.value("since_s", 0.0)});
-  for (const Json& r : j.at("lane")) n.lane.push_back(lane_of(r));
-  return n;
-} catch (const Json::exception& error) {
+  nlohmann::json json = results::json_or_discarded(text);
+  for (nlohmann::json& lane : json.at("lane"))
+    for (const char* name : {"worst_residual", "arrested_m"})
+      if (lane.at(name).is_null()) lane[name] = std::numeric_limits<double>::quiet_NaN();
+  const MarchNotes notes = json;
+  for (const LaneResult& lane : notes.lane)
+    if (lane.outcome < Outcome::finished || lane.outcome > Outcome::diverged)
+      throw std::invalid_argument("its notes tell of an outcome that there is not");
+  return notes;
+} catch (const nlohmann::json::exception& error) {
   throw std::invalid_argument(std::string("its notes are not of a checkpoint: ") + error.what());
 }
 
 void set_taken_s(results::Checkpoint& checkpoint, double seconds) {
-  Json notes = results::json_or_discarded(checkpoint.notes);
+  nlohmann::json notes = results::json_or_discarded(checkpoint.notes);
   notes["taken_s"] = seconds;
   checkpoint.notes = base::json_text(notes);
 }
 
 double taken_s(const results::Checkpoint& checkpoint) {
-  const Json notes = results::json_or_discarded(checkpoint.notes);
+  const nlohmann::json notes = results::json_or_discarded(checkpoint.notes);
   return notes.is_object() && notes.contains("taken_s") && notes["taken_s"].is_number()
              ? notes["taken_s"].get<double>()
              : 0.0;
 }
 
-template <class Real>
-results::Checkpoint Run<Real>::checkpoint() {
-  MarchNotes notes{.lanes = ensemble_.lanes(),
-                   .instructions = result_.instructions,
-                   .dt = prepared_.step.dt,
-                   .marched = marched_,
-                   .lane_steps = result_.lane_steps,
-                   .next_scenario = next_scenario_,
-                   .cracking = ensemble_.cracking(),
-                   .wall_prestress_s = ensemble_.cracking() ? result_.wall_prestress_s : marching_s(),
-                   .wall_fracture_s = ensemble_.cracking() ? marching_s() : 0.0};
-  for (const Seat& seat : seat_)
-    notes.seats.push_back(
-        {seat.scenario, seat.next_sample, seat.next_frame, seat.framed_at, seat.rest, seat.since_s});
-  notes.lane = result_.lane;
-  return {to_json(notes), ensemble_.state(), 0};
-}
-
-template <class Real>
-void Run<Real>::go_on(const Resumption& from) {
-  MarchNotes notes = march_notes(from.checkpoint.notes);
-  check_fit(notes);
-  result_.lane = std::move(notes.lane);
-  for (const results::Sample& row : from.books) {
-    if (row.lane >= static_cast<int>(result_.lane.size()))
-      throw std::invalid_argument("the journal holds rows of a lane that this run does not have");
-    result_.lane[row.lane].books.push_back(row);
-  }
-  for (int k = 0; k < static_cast<int>(lane_.size()); ++k)
-    for (const scene::Change& change : result_.lane[k].changes)
-      (void)change_lane(lane_[k], change, prepared_, change.step);
-  for (std::size_t k = 0; k < seat_.size(); ++k) {
-    const MarchNotes::Seat& s = notes.seats[k];
-    seat_[k] = {s.scenario, s.next_sample, s.next_frame, s.framed_at, s.rest, s.since_s};
-    if (s.scenario >= 0) ensemble_.steer(static_cast<int>(k), lane_[s.scenario].scenario);
-  }
-  if (notes.cracking) {
-    const std::vector<lattice::DampedBeam> damped = damped_beams(prepared_, lane_);
-    damped_ = damped.size();
-    ensemble_.set_beta(scene().solver.beta);
-    ensemble_.start_crack(damped);
-  }
-  ensemble_.restore(from.checkpoint.state);
-  marched_ = notes.marched, result_.lane_steps = notes.lane_steps, next_scenario_ = notes.next_scenario;
-  total_ = 0;
-  for (const LanePlan& lane : lane_) total_ += lane.schedule.total();
-  start_clock(notes.cracking ? notes.wall_fracture_s : notes.wall_prestress_s);
-  if (notes.cracking) {
-    result_.wall_prestress_s = notes.wall_prestress_s;
-  } else {
-    pull();
-    start_cracks();
-  }
-}
-
-template <class Real>
-void Run<Real>::check_fit(const MarchNotes& notes) const {
-  const auto refuse = [](const std::string& why) { throw std::invalid_argument("the checkpoint " + why); };
-  if (notes.lane.size() != lane_.size() || notes.seats.size() != seat_.size() ||
-      notes.lanes != ensemble_.lanes())
-    refuse(fmt::format("is of {} scenarios in {} lanes, and this run has {} in {}", notes.lane.size(),
-                       notes.lanes, lane_.size(), ensemble_.lanes()));
-  if (notes.dt != prepared_.step.dt) refuse("is of another time step");
-  const int scenarios = static_cast<int>(lane_.size());
-  if (notes.next_scenario < 0 || notes.next_scenario > scenarios)
-    refuse("waits for a scenario that is not there");
-  for (const MarchNotes::Seat& seat : notes.seats)
-    if (seat.scenario < -1 || seat.scenario >= scenarios) refuse("marches a scenario that is not there");
-  if (notes.instructions != result_.instructions)
-    refuse(fmt::format("was made with {} and this machine marches with {}: the bits would differ",
-                       notes.instructions, result_.instructions));
-}
-
-template results::Checkpoint Run<double>::checkpoint();
-template results::Checkpoint Run<float>::checkpoint();
-template void Run<double>::go_on(const Resumption&);
-template void Run<float>::go_on(const Resumption&);
-
 namespace {
 
 namespace fs = std::filesystem;
 using results::Sample;
-using KeepingClock = std::chrono::steady_clock;
 
 constexpr const char* rows_name = "rows";
 constexpr std::size_t numbers_of_row = 4 + results::sample_columns.size();
@@ -254,8 +100,8 @@ Sample row_from(const double* numbers) {
 /// beside it.
 results::Checkpoint wrapped(results::Checkpoint checkpoint, const std::string& identity,
                             const std::vector<Sample>& rows) {
-  checkpoint.notes =
-      base::json_text(Json{{"identity", identity}, {"march", results::json_or_discarded(checkpoint.notes)}});
+  checkpoint.notes = base::json_text(
+      nlohmann::json{{"identity", identity}, {"march", results::json_or_discarded(checkpoint.notes)}});
   std::vector<double>& numbers = checkpoint.state[rows_name];
   numbers.reserve(rows.size() * numbers_of_row);
   for (const Sample& row : rows) append_row(numbers, row);
@@ -311,7 +157,7 @@ class Keeper {
   void offer(const std::function<results::Checkpoint()>& make, CheckpointMoment moment) {
     switch (moment) {
       case CheckpointMoment::on_the_way:
-        if (KeepingClock::now() - kept_ > std::chrono::duration<double>(options_.checkpoint_s)) keep(make());
+        if (base::seconds_since(kept_) > options_.checkpoint_s) keep(make());
         return;
       case CheckpointMoment::before_stop:
         return keep(make());
@@ -321,11 +167,10 @@ class Keeper {
   }
 
   void keep(results::Checkpoint checkpoint) {
-    set_taken_s(checkpoint, keeping_.taken_before_s +
-                                std::chrono::duration<double>(KeepingClock::now() - began_).count());
+    set_taken_s(checkpoint, keeping_.taken_before_s + base::seconds_since(began_));
     make_folder_for_march(keeping_.folder);
     results::write_checkpoint(keeping_.folder, wrapped(std::move(checkpoint), keeping_.identity, rows_));
-    kept_ = KeepingClock::now();
+    kept_ = base::Clock::now();
   }
 
   const Observer& beside_;
@@ -333,7 +178,7 @@ class Keeper {
   const MarchKeeping& keeping_;
   std::vector<Sample> rows_;
   bool went_on_ = false;  // in this call
-  KeepingClock::time_point began_ = KeepingClock::now(), kept_ = began_;
+  base::Clock::time_point began_ = base::Clock::now(), kept_ = began_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/simulation/application_phase.hpp"
 #include "engine/simulation/march.hpp"
 
 #include <cstdint>
@@ -10,14 +11,13 @@
 
 namespace rift::simulation {
 
-/// A tip that runs by itself and has come to rest, or the last place where it did.
-struct Rest {
-  std::int64_t since = -1;  // the step at which it stopped; -1 while it runs
-  double driving = 0;       // G* then [J/m2]
-  double reference = 0;     // strain energy ahead of it once its field has spread; 0: not yet known
-  double sum = 0;           // of that energy over the looks since the last comparison
-  std::int64_t looks = 0;
-  double restarted_m = 0;  // tip position of the last restart; 0: none
+/// A lane and the scenario in it.
+struct LaneSlot {
+  int scenario = -1;  // none: the lane is idle
+  std::size_t next_sample = 0, next_frame = 0;
+  std::int64_t framed_at = -1;  // the step of the last frame
+  Rest rest = {};
+  double since_s = 0;  // of the time that cracks have run for, when its own began
 };
 
 /// Where a march was, beside the state of its ensemble: the words of a checkpoint.
@@ -29,15 +29,8 @@ struct MarchNotes {
   int next_scenario = 0;
   bool cracking = true;  // false while the ramp is marched
   double wall_prestress_s = 0, wall_fracture_s = 0;
-  struct Seat {
-    int scenario = -1;
-    std::size_t next_sample = 0, next_frame = 0;
-    std::int64_t framed_at = -1;
-    Rest rest = {};
-    double since_s = 0;
-  };
-  std::vector<Seat> seats = {};
-  std::vector<LaneResult> lane = {};  // without their books, which the journal holds
+  std::vector<LaneSlot> seats = {};   // of the lanes of the kernel
+  std::vector<LaneResult> lane = {};  // without their samples, which the journal holds
 };
 
 std::string to_json(const MarchNotes& notes);

@@ -33,6 +33,20 @@ LaneHistory measured_history(const scene::Scene& scene, double zone, const LaneU
   return lane;
 }
 
+std::array<float, 3> narrow(const lattice::Vector6& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+std::vector<float> damage_by_beam(const ensemble::Ensemble& ensemble, int lane) {
+  std::vector<std::pair<int, float>> by_beam;
+  for (int k = 0; k < static_cast<int>(ensemble.damageable().size()); ++k)
+    by_beam.emplace_back(ensemble.damageable()[k].beam, static_cast<float>(ensemble.factor(k, lane)));
+  std::sort(by_beam.begin(), by_beam.end());
+  std::vector<float> damage;
+  for (const auto& [beam, factor] : by_beam) damage.push_back(factor);
+  return damage;
+}
+
 }  // namespace
 
 LaneHistory lane_history(const scene::Scene& scene, double zone, double rayleigh_speed,
@@ -45,64 +59,38 @@ LaneHistory lane_history(const scene::Scene& scene, double zone, double rayleigh
   return {history::history_of(scene.crack.start - zone, pieces)};
 }
 
-namespace {
-
-std::array<float, 3> narrow(const lattice::Vector6& v) {
-  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+results::Sample sample_of(const fracture::EnergyBalance& balance) {
+  results::Sample sample;
+  sample.elastic_j = balance.elastic;
+  sample.kinetic_translation_j = balance.kinetic_translation;
+  sample.kinetic_rotation_j = balance.kinetic_rotation;
+  sample.step_correction_j = balance.step_correction;
+  sample.fracture_j = balance.fracture;
+  sample.damping_j = balance.damping;
+  sample.numerical_damping_j = balance.numerical_damping;
+  sample.contact_j = balance.contact;
+  sample.work_external_j = balance.work_external;
+  sample.residual = balance.error;
+  return sample;
 }
 
-template <class Real>
-std::vector<float> elastic_by_element(const ensemble::Ensemble<Real>& ensemble, int lane,
-                                      double energy_unit) {
-  const lattice::Lattice& lattice = ensemble.lattice();
-  std::vector<double> factor(lattice.ends.size(), 1.0);
-  for (int k = 0; k < static_cast<int>(ensemble.met().size()); ++k)
-    factor[ensemble.met()[k].beam] = ensemble.factor(k, lane);
-  std::vector<double> energy(lattice.centre.size(), 0.0);
-  for (int b = 0; b < static_cast<int>(factor.size()); ++b) {
-    if (factor[b] == 0.0) continue;
-    const double half = 0.5 * factor[b] * ensemble.beam_energy(b, lane) * energy_unit;
-    for (const int i : lattice.ends[b]) energy[i] += half;
-  }
-  return {energy.begin(), energy.end()};
-}
-
-template <class Real>
-std::vector<float> damage_by_beam(const ensemble::Ensemble<Real>& ensemble, int lane) {
-  std::vector<std::pair<int, float>> by_beam;
-  for (int k = 0; k < static_cast<int>(ensemble.met().size()); ++k)
-    by_beam.emplace_back(ensemble.met()[k].beam, static_cast<float>(ensemble.factor(k, lane)));
-  std::sort(by_beam.begin(), by_beam.end());
-  std::vector<float> damage;
-  for (const auto& [beam, factor] : by_beam) damage.push_back(factor);
-  return damage;
-}
-
-}  // namespace
-
-template <class Real>
-results::Frame frame_of(ensemble::Ensemble<Real>& ensemble, int lane, std::span<const std::string> fields,
-                        const LaneUnits& units) {
+results::Frame frame_of(ensemble::Ensemble& ensemble, int lane, std::span<const std::string> fields) {
   const int n = static_cast<int>(ensemble.lattice().centre.size());
   results::Frame frame;
   frame.step = ensemble.steps_done(lane);
-  frame.time_s = ensemble.time(lane) * units.time;
-  frame.tip_m =
-      ensemble.cracking() ? ensemble.tip(lane) : ensemble.scenario(lane).history.stretch.front().position;
+  frame.time_s = ensemble.time(lane);
   for (const std::string& field : fields) {
     if (field == "displacement")
       for (int i = 0; i < n; ++i) frame.displacement.push_back(narrow(ensemble.motion(i, lane)));
     if (field == "velocity")
-      for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(ensemble.velocity(i, lane) / units.time));
+      for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(ensemble.velocity(i, lane)));
     if (field == "damage") frame.damage_factor = damage_by_beam(ensemble, lane);
-    if (field == "energy") frame.elastic_energy = elastic_by_element(ensemble, lane, units.energy);
+    if (field == "energy") {
+      const std::vector<double> energy = ensemble.elastic_by_element(lane);
+      frame.elastic_energy.assign(energy.begin(), energy.end());
+    }
   }
   return frame;
 }
-
-template results::Frame frame_of(ensemble::Ensemble<double>&, int, std::span<const std::string>,
-                                 const LaneUnits&);
-template results::Frame frame_of(ensemble::Ensemble<float>&, int, std::span<const std::string>,
-                                 const LaneUnits&);
 
 }  // namespace rift::simulation

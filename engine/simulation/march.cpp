@@ -4,10 +4,11 @@
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/march_run.hpp"
-#include "engine/simulation/schedule.hpp"
+#include "engine/simulation/steering.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace rift::simulation {
@@ -17,8 +18,12 @@ constexpr double largest_residual_inertia = 0.01;  // of the ramp: kinetic over 
 /// Steps from one moment at which idle lanes may be filled to the next: lanes that begin a power of two of
 /// steps apart are looked at in the same steps, which costs one look.
 constexpr std::int64_t between_refills = 64;
-/// Steps from one look at the books to the next where no sample is due. A look costs about two steps.
+/// Steps from one look at the energies to the next where no sample is due. A look costs about two steps.
 constexpr std::int64_t between_watches = 128;
+
+/// No lattice can hold so many times the energy that was put into it. A stable step shows more than there is
+/// by C, at most 1 / (1 - (dt / dt_c)^2) times of it, and only where all of it is in the highest mode.
+constexpr double more_than_there_is = 1000.0;
 
 /// Whether the grip, which all lanes have, moves as they march: they must start together then.
 bool moves_one_grip(const Prepared& p) {
@@ -27,17 +32,109 @@ bool moves_one_grip(const Prepared& p) {
 
 /// Scenarios side by side: as many as fill a register, beyond which a lane is slower and waits better. Those
 /// that share a moving grip cannot wait.
-template <class Real>
 int most_side_by_side(const Prepared& p, int wished) {
   if (wished > 0) return wished;
-  return moves_one_grip(p) ? ensemble::most_lanes<Real>
-                           : ensemble::lanes_in_register<Real>(ensemble::instruction_set());
+  const ensemble::Precision precision = p.preset.scene.solver.precision;
+  return moves_one_grip(p) ? ensemble::most_lanes(precision)
+                           : ensemble::lanes_in_register(precision, ensemble::instruction_set());
+}
+
+std::vector<fracture::LaneScenario> first_scenarios(const Prepared& p, int side_by_side) {
+  std::vector<fracture::LaneScenario> first;
+  for (const LanePlan& lane : p.lane)
+    if (static_cast<int>(first.size()) < most_side_by_side(p, side_by_side)) first.push_back(lane.scenario);
+  return first;
+}
+
+ensemble::EnsembleOptions ensemble_options(const Prepared& p, const MarchOptions& options) {
+  const scene::Scene::Solver& solver = p.preset.scene.solver;
+  return {.kinematics = solver.kinematics,
+          .precision = solver.precision,
+          .threads = base::threads_or_all_cpus(options.threads),
+          .lanes = options.lanes > 0 ? ensemble::lanes_for(solver.precision, options.lanes) : 0,
+          .contact = std::any_of(p.lane.begin(), p.lane.end(),
+                                 [](const LanePlan& lane) { return lane.scenario.friction.has_value(); })};
+}
+
+/// The motion that a lane's crack has left.
+fracture::Wake wake_of(const Prepared& p, ensemble::Ensemble& ensemble, int lane, double tip) {
+  std::vector<lattice::Vector6> velocity(p.lattice.centre.size());
+  std::vector<double> moved(velocity.size());
+  for (int i = 0; i < static_cast<int>(velocity.size()); ++i) {
+    velocity[i] = ensemble.velocity(i, lane);
+    moved[i] = ensemble.motion(i, lane).z() - p.displacement[i].z();
+  }
+  const packing::Box& box = p.lattice.box;
+  const double middle = 0.5 * fracture::length_of(p.path);
+  const auto x = [&](double arc) { return fracture::point_on(p.path, arc).x(); };
+  const std::array<double, 2> behind = p.path.tips == 2 ? std::array{x(middle - tip), x(middle + tip)}
+                                                        : std::array{x(tip) - 2.0 * box.height, x(tip)};
+  return fracture::wake_of(p.lattice, behind, velocity, moved);
+}
+
+/// Why a sample cannot be of a plate that cracks; empty where it can.
+std::string what_is_wrong(const scene::Scene::Solver& solver, const LaneResult& lane,
+                          const results::Sample& now) {
+  const bool exact = solver.kinematics == lattice::Kinematics::linear &&
+                     solver.precision == ensemble::Precision::double_precision;
+  if (!(std::abs(now.residual) <= (exact ? 1e-6 : 0.1)))
+    return fmt::format("the books are open by {:.3g} of the energy", now.residual);
+  const double held = now.elastic_j + now.kinetic_translation_j + now.kinetic_rotation_j;
+  const double put_in = lane.energy_at_crack_start + std::max(0.0, now.work_external_j);
+  if (held > more_than_there_is * put_in && put_in > 0.0)
+    return fmt::format("the lattice holds {:.3g} times the energy that was put into it", held / put_in);
+  return "";
+}
+
+/// The element that is lost first or fastest and its most strained beam, for the message.
+std::string where_it_diverges(const lattice::Lattice& lattice, ensemble::Ensemble& ensemble, int lane) {
+  int worst = 0;
+  double most = -1.0;
+  for (int i = 0; i < static_cast<int>(lattice.centre.size()) && std::isfinite(most); ++i) {
+    const lattice::Vector6 v = ensemble.velocity(i, lane);
+    const double energy =
+        lattice.mass[i] * v.head<3>().squaredNorm() + lattice.inertia[i] * v.tail<3>().squaredNorm();
+    if (energy > most || !std::isfinite(energy)) most = energy, worst = i;
+  }
+  const bool lost = !std::isfinite(most);
+  most = -1.0;
+  int beam = -1;
+  for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b) {
+    const auto& [i, j] = lattice.ends[b];
+    if (i != worst && j != worst) continue;
+    const double energy = ensemble.beam_energy(b, lane);
+    if (!(energy <= most)) most = energy, beam = b;
+  }
+  return fmt::format(", {} element {}, and of its beams {} is strained most",
+                     lost ? "lost first is" : "fastest is", worst, beam);
+}
+
+std::vector<fracture::DamageableBeam> beams_of(const Prepared& p) {
+  return fracture::damageable_beams(p.path, p.lattice, p.preset.scene.crack.start);
 }
 
 }  // namespace
 
-template <class Real>
-RunResult Run<Real>::march(const Resumption* from) {
+Run::Run(const Prepared& prepared, const Observer& observer, const MarchOptions& options)
+    : prepared_(prepared),
+      observer_(observer),
+      lane_(prepared.lane),
+      tips_(std::make_shared<ensemble::PrescribedTips>(beams_of(prepared), prepared.step.dt)),
+      ensemble_(prepared.lattice, beams_of(prepared), prepared.step.dt,
+                first_scenarios(prepared, options.lanes), ensemble_options(prepared, options), tips_),
+      slot_(ensemble_.scenarios()) {
+  result_.lane.resize(prepared.lane.size());
+  for (LaneSlot& slot : slot_) {
+    slot.scenario = next_scenario_++;
+    ensemble_.set_units(index(slot), plan(slot).units);
+  }
+  count_steps();
+  for (int k = 0; k < static_cast<int>(lane_.size()); ++k) check_steering(prepared_, lane_, k, 0);
+  result_.lanes = ensemble_.scenarios();
+  result_.instructions = ensemble::name_of(ensemble::instruction_set());
+}
+
+RunResult Run::march(const Resumption* from) {
   ensemble_.start_from(prepared_.displacement);
   result_.threads = ensemble_.threads();
   if (from)
@@ -49,8 +146,8 @@ RunResult Run<Real>::march(const Resumption* from) {
     if (!prepared_.preset.steering.empty()) repeat_changes();
     if (scene::grip_moves(scene())) follow_load();
     step();
-    for (Seat& seat : seat_)
-      if (seat.scenario >= 0 && ended(seat)) end(seat);
+    for (LaneSlot& slot : slot_)
+      if (slot.scenario >= 0 && ended(slot)) end(slot);
   }
   result_.wall_fracture_s = marching_s();
   if (observer_.checkpoint && !stopped_)
@@ -62,37 +159,92 @@ RunResult Run<Real>::march(const Resumption* from) {
   return std::move(result_);
 }
 
-template <class Real>
-ensemble::Ensemble<Real> Run<Real>::make_ensemble(const Prepared& p, const MarchOptions& options) {
-  const int most = most_side_by_side<Real>(p, options.lanes);
-  std::vector<fracture::LaneScenario> first;
-  for (const LanePlan& lane : p.lane)
-    if (static_cast<int>(first.size()) < most) first.push_back(lane.scenario);
-  const bool touching = std::any_of(p.lane.begin(), p.lane.end(),
-                                    [](const LanePlan& lane) { return lane.scenario.friction.has_value(); });
-  return ensemble::Ensemble<Real>(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt, first,
-                                  {.kinematics = p.preset.scene.solver.kinematics,
-                                   .threads = base::threads_or_all_cpus(options.threads),
-                                   .lanes = options.lanes > 0 ? ensemble::lanes_for<Real>(options.lanes) : 0,
-                                   .contact = touching});
+void Run::begin() {
+  if (ramp() > 0) {
+    ensemble_.set_beta(scene().loading.ramp_beta);
+    ensemble_.set_grip_speed(prepared_.pulled / (static_cast<double>(ramp()) * ensemble_.dt()));
+    for (LaneSlot& slot : slot_) observe(slot);
+    pull();
+  }
+  start_cracks();
 }
 
-template <class Real>
-void Run<Real>::step() {
+void Run::pull() {
+  while (marched_ < crack_start() && !stopped_ &&
+         any_lane([&](const LaneSlot& slot) { return lane_of(slot).outcome == Outcome::finished; })) {
+    if (marched_ == ramp()) ensemble_.set_grip_speed(0.0);
+    step();
+  }
+  ensemble_.set_grip_speed(0.0);
+  result_.wall_prestress_s = marching_s();
+  for (LaneSlot& slot : slot_) judge_rest(slot);
+}
+
+void Run::judge_rest(LaneSlot& slot) {
+  LaneResult& lane = lane_of(slot);
+  const fracture::EnergyBalance now = ensemble_.balance(index(slot));
+  lane.prestress_kinetic = (now.kinetic_translation + now.kinetic_rotation) / now.total();
+  if (lane.outcome == Outcome::finished && !(lane.prestress_kinetic <= largest_residual_inertia)) {
+    lane.outcome = Outcome::diverged;
+    lane.where = fmt::format(
+        "after the ramp {:.2g} of the energy is kinetic (limit {:g}): not quasi-static; "
+        "raise loading.ramp_steps or loading.hold_steps",
+        lane.prestress_kinetic, largest_residual_inertia);
+  }
+  lane.steps = steps(slot);
+  if (lane.outcome == Outcome::finished) return;
+  tell_end(slot);
+  slot.scenario = -1;
+}
+
+void Run::start_cracks() {
+  start_clock(0.0);
+  damped_ = prepared_.damped.size();
+  ensemble_.set_beta(scene().solver.beta);
+  ensemble_.start_crack(prepared_.damped);
+  for (LaneSlot& slot : slot_) {
+    if (slot.scenario < 0) continue;
+    lane_of(slot).energy_at_crack_start = ensemble_.balance(index(slot)).elastic;
+    if (ramp() == 0) observe(slot);
+  }
+}
+
+void Run::refill() {
+  for (LaneSlot& slot : slot_) {
+    if (slot.scenario >= 0 || !waiting()) continue;
+    slot = {.scenario = next_scenario_++, .since_s = marching_s()};
+    ensemble_.set_units(index(slot), plan(slot).units);
+    ensemble_.refill(index(slot), plan(slot).scenario);
+    lane_of(slot).energy_at_crack_start = ensemble_.balance(index(slot)).elastic;
+    observe(slot);
+  }
+}
+
+void Run::end(LaneSlot& slot) {
+  LaneResult& lane = lane_of(slot);
+  lane.steps = steps(slot);
+  lane.wall_s = (marching_s() - slot.since_s) / static_cast<double>(slot_.size());
+  result_.wall_fracture_s = marching_s();
+  if (lane.outcome == Outcome::finished)
+    lane.wake = wake_of(prepared_, ensemble_, index(slot), tips_->tip(index(slot)));
+  tell_end(slot);
+  slot.scenario = -1;
+}
+
+void Run::step() {
   ensemble_.step();
   ++marched_;
-  for (Seat& seat : seat_)
-    if (seat.scenario >= 0) ++result_.lane_steps;
+  for (LaneSlot& slot : slot_)
+    if (slot.scenario >= 0) ++result_.lane_steps;
   report_released();
-  for (Seat& seat : seat_)
-    if (seat.scenario >= 0) observe(seat), find_velocity(seat);
+  for (LaneSlot& slot : slot_)
+    if (slot.scenario >= 0) observe(slot), find_velocity(slot);
   if (marched_ % between_watches == 0) watch();
   ask();
 }
 
 /// A load curve moves the one grip that all lanes have, by a clock that all lanes have (check_grip).
-template <class Real>
-void Run<Real>::follow_load() {
+void Run::follow_load() {
   const LanePlan& first = prepared_.lane.front();
   const auto displacement = [&](std::int64_t steps) {  // the clock stands until the crack starts
     const double since = static_cast<double>(steps) * ensemble_.dt() * first.units.time - first.lead;
@@ -101,82 +253,68 @@ void Run<Real>::follow_load() {
   ensemble_.set_grip_speed((displacement(marched_ + 1) - displacement(marched_)) / ensemble_.dt());
 }
 
-template <class Real>
-void Run<Real>::begin() {
-  if (ramp() > 0) {
-    ensemble_.set_beta(scene().loading.ramp_beta);
-    ensemble_.set_grip_speed(prepared_.pulled / (static_cast<double>(ramp()) * ensemble_.dt()));
-    for (Seat& seat : seat_) observe(seat);
-    pull();
+void Run::observe(LaneSlot& slot) {
+  const Schedule& schedule = plan(slot).schedule;
+  const std::int64_t n = steps(slot);
+  if (slot.next_sample < schedule.samples.size() && n == schedule.samples[slot.next_sample]) {
+    ++slot.next_sample;
+    add_sample(slot);
+    read_gauges(slot);
   }
-  start_cracks();
-}
-
-template <class Real>
-void Run<Real>::start_cracks() {
-  start_clock(0.0);
-  damped_ = prepared_.damped.size();
-  ensemble_.set_beta(scene().solver.beta);
-  ensemble_.start_crack(prepared_.damped);
-  for (Seat& seat : seat_) {
-    if (seat.scenario < 0) continue;
-    lane_of(seat).energy_at_crack_start = elastic_energy(seat);
-    if (ramp() == 0) observe(seat);
+  if (slot.next_frame < schedule.frames.size() && n == schedule.frames[slot.next_frame]) {
+    ++slot.next_frame;
+    tell_frame(slot);
   }
 }
 
-template <class Real>
-void Run<Real>::end(Seat& seat) {
-  LaneResult& lane = lane_of(seat);
-  lane.steps = steps(seat);
-  lane.wall_s = (marching_s() - seat.since_s) / static_cast<double>(seat_.size());
-  result_.wall_fracture_s = marching_s();
-  if (lane.outcome == Outcome::finished) lane.wake = wake(seat);
-  tell_end(seat);
-  seat.scenario = -1;
+void Run::tell_frame(LaneSlot& slot) {
+  if (slot.framed_at == steps(slot)) return;  // as often as it is asked for, once
+  slot.framed_at = steps(slot);
+  if (observer_.frame) observer_.frame(frame(slot, scene().output.fields));
 }
 
-template <class Real>
-void Run<Real>::refill() {
-  for (Seat& seat : seat_) {
-    if (seat.scenario >= 0 || !waiting()) continue;
-    seat = {.scenario = next_scenario_++, .since_s = marching_s()};
-    ensemble_.refill(index(seat), plan(seat).scenario);
-    lane_of(seat).energy_at_crack_start = elastic_energy(seat);
-    observe(seat);
-  }
+results::Frame Run::frame(const LaneSlot& slot, const std::vector<std::string>& fields) {
+  results::Frame frame = frame_of(ensemble_, index(slot), fields);
+  frame.lane = slot.scenario;
+  frame.tip_m = tips_->tip(index(slot));
+  return frame;
 }
 
-template <class Real>
-void Run<Real>::observe(Seat& seat) {
-  const Schedule& schedule = plan(seat).schedule;
-  const std::int64_t n = steps(seat);
-  if (seat.next_sample < schedule.samples.size() && n == schedule.samples[seat.next_sample]) {
-    ++seat.next_sample;
-    read_books(seat);
-    read_gauges(seat);
-  }
-  if (seat.next_frame < schedule.frames.size() && n == schedule.frames[seat.next_frame]) {
-    ++seat.next_frame;
-    tell_frame(seat);
-  }
+results::Sample Run::sample(const LaneSlot& slot) {
+  const int lane = index(slot);
+  results::Sample sample = sample_of(ensemble_.balance(lane));
+  sample.step = steps(slot);
+  sample.time_s = ensemble_.time(lane);
+  sample.phase = phase_at(sample.step);
+  sample.lane = slot.scenario;
+  sample.grip_force_n = ensemble_.grip_force(lane);
+  sample.tip_m = tips_->tip(lane);
+  if (ensemble_.cracking()) sample.velocity_m_s = tips_->speed(lane) / plan(slot).units.time;
+  return sample;
 }
 
-template <class Real>
-void Run<Real>::read_gauges(const Seat& seat) {
+void Run::add_sample(LaneSlot& slot) {
+  LaneResult& lane = lane_of(slot);
+  const results::Sample now = sample(slot);
+  lane.books.push_back(now);
+  if (observer_.sample) observer_.sample(now);
+  const double residual = std::abs(now.residual);
+  if (!(residual <= lane.worst_residual)) lane.worst_residual = residual;
+  judge(slot, now);
+}
+
+void Run::read_gauges(const LaneSlot& slot) {
   if (!observer_.gauge) return;
-  const int lane = index(seat);
-  const LaneUnits& units = plan(seat).units;
+  const int lane = index(slot);
   for (std::size_t g = 0; g < prepared_.gauge.size(); ++g) {
     const auto& [point, plane] = prepared_.gauge[g];
     const lattice::PlaneMotion moved = lattice::motion_in(
-        plane, [&](int i) -> Eigen::Vector3d { return ensemble_.motion(i, lane).template head<3>(); });
-    const lattice::PlaneMotion rate = lattice::motion_in(plane, [&](int i) -> Eigen::Vector3d {
-      return ensemble_.velocity(i, lane).template head<3>() / units.time;
-    });
-    observer_.gauge({.step = steps(seat),
-                     .time_s = ensemble_.time(lane) * units.time,
-                     .lane = seat.scenario,
+        plane, [&](int i) -> Eigen::Vector3d { return ensemble_.motion(i, lane).head<3>(); });
+    const lattice::PlaneMotion rate = lattice::motion_in(
+        plane, [&](int i) -> Eigen::Vector3d { return ensemble_.velocity(i, lane).head<3>(); });
+    observer_.gauge({.step = steps(slot),
+                     .time_s = ensemble_.time(lane),
+                     .lane = slot.scenario,
                      .gauge = static_cast<std::int32_t>(g),
                      .x_m = point[0],
                      .y_m = point[1],
@@ -192,103 +330,43 @@ void Run<Real>::read_gauges(const Seat& seat) {
   }
 }
 
-template <class Real>
-void Run<Real>::tell_frame(Seat& seat) {
-  if (seat.framed_at == steps(seat)) return;  // as often as it is asked for, once
-  seat.framed_at = steps(seat);
-  if (observer_.frame) observer_.frame(frame(seat, scene().output.fields));
-}
-
-template <class Real>
-results::Sample Run<Real>::books(const Seat& seat) {
-  results::Sample row = plan(seat).units.of_lane(ensemble_.sample(index(seat), phase_at(steps(seat))));
-  row.lane = seat.scenario;
-  return row;
-}
-
-template <class Real>
-results::Frame Run<Real>::frame(const Seat& seat, const std::vector<std::string>& fields) {
-  results::Frame frame = frame_of(ensemble_, index(seat), fields, plan(seat).units);
-  frame.lane = seat.scenario;
-  return frame;
-}
-
-template <class Real>
-fracture::Wake Run<Real>::wake(const Seat& seat) {
-  const int lane = index(seat);
-  const LaneUnits& units = plan(seat).units;
-  const double tip = ensemble_.tip(lane);
-  std::vector<lattice::Vector6> velocity(prepared_.lattice.centre.size());
-  std::vector<double> moved(velocity.size());
-  for (int i = 0; i < static_cast<int>(velocity.size()); ++i) {
-    velocity[i] = ensemble_.velocity(i, lane) / units.time;
-    moved[i] = ensemble_.motion(i, lane).z() - prepared_.displacement[i].z();
-  }
-  const packing::Box& box = prepared_.lattice.box;
-  const double middle = 0.5 * fracture::length_of(prepared_.path);
-  const auto x = [&](double arc) { return fracture::point_on(prepared_.path, arc).x(); };
-  const std::array<double, 2> behind = prepared_.path.tips == 2
-                                           ? std::array{x(middle - tip), x(middle + tip)}
-                                           : std::array{x(tip) - 2.0 * box.height, x(tip)};
-  return fracture::wake_of(prepared_.lattice, behind, velocity, moved);
-}
-
-template <class Real>
-void Run<Real>::report_released() {
+void Run::report_released() {
   if (!observer_.event) return;
-  for (const ensemble::Softening& c : ensemble_.softening()) {
-    if (c.after != 0.0 || seat_[c.lane].scenario < 0) continue;
-    const LaneUnits& units = plan(seat_[c.lane]).units;
-    observer_.event({.beam = ensemble_.met()[c.crossing].beam,
-                     .lane = seat_[c.lane].scenario,
-                     .time_s = ensemble_.time(c.lane) * units.time,
-                     .position_m = ensemble_.met()[c.crossing].position,
-                     .energy_j = ensemble_.booked(c.crossing, c.lane) * units.energy});
+  for (const ensemble::DamageIncrement& d : ensemble_.damage()) {
+    if (d.after != 0.0 || slot_[d.lane].scenario < 0) continue;
+    const fracture::DamageableBeam& beam = ensemble_.damageable()[d.k];
+    observer_.event({.beam = beam.beam,
+                     .lane = slot_[d.lane].scenario,
+                     .time_s = ensemble_.time(d.lane),
+                     .position_m = beam.position,
+                     .energy_j = ensemble_.fracture_energy(d.k, d.lane)});
   }
 }
 
-template <class Real>
-void Run<Real>::pull() {
-  while (marched_ < crack_start() && !stopped_ && any_sound()) {
-    if (marched_ == ramp()) ensemble_.set_grip_speed(0.0);
-    step();
+void Run::watch() {
+  for (LaneSlot& slot : slot_) {
+    if (slot.scenario < 0 || lane_of(slot).outcome != Outcome::finished) continue;
+    if (const results::Sample now = sample(slot); now.step != lane_of(slot).last_good_step) judge(slot, now);
+    if (lane_of(slot).outcome == Outcome::diverged) add_sample(slot);  // the last row tells why
   }
-  ensemble_.set_grip_speed(0.0);
-  result_.wall_prestress_s = marching_s();
-  for (Seat& seat : seat_) judge_rest(seat);
 }
 
-template <class Real>
-void Run<Real>::judge_rest(Seat& seat) {
-  LaneResult& lane = lane_of(seat);
-  const fracture::LatticeEnergy e = ensemble_.energy(index(seat));
-  lane.prestress_kinetic = (e.kinetic_translation + e.kinetic_rotation) / e.total();
-  if (lane.outcome == Outcome::finished && !(lane.prestress_kinetic <= largest_residual_inertia)) {
-    lane.outcome = Outcome::diverged;
-    lane.where = fmt::format(
-        "after the ramp {:.2g} of the energy is kinetic (limit {:g}): not quasi-static; "
-        "raise loading.ramp_steps or loading.hold_steps",
-        lane.prestress_kinetic, largest_residual_inertia);
+void Run::judge(LaneSlot& slot, const results::Sample& now) {
+  LaneResult& lane = lane_of(slot);
+  const std::string wrong = what_is_wrong(scene().solver, lane, now);
+  if (wrong.empty()) {
+    lane.last_good_step = now.step;
+    return;
   }
-  lane.steps = steps(seat);
-  if (lane.outcome == Outcome::finished) return;
-  tell_end(seat);
-  seat.scenario = -1;
+  lane.outcome = Outcome::diverged;
+  lane.where = fmt::format("step {}{}: {}{}", now.step,
+                           lane_.size() > 1 ? fmt::format(", lane {}", slot.scenario) : "", wrong,
+                           where_it_diverges(prepared_.lattice, ensemble_, index(slot)));
 }
-// What is defined here; the other files of Run see to theirs.
-template class Run<double>;
-template class Run<float>;
 
 const char* name_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::finished:
-      return "finished";
-    case Outcome::stopped:
-      return "stopped";
-    case Outcome::diverged:
-      return "diverged";
-  }
-  return "";
+  constexpr std::array names{"finished", "stopped", "diverged"};
+  return names[static_cast<std::size_t>(outcome)];
 }
 
 double ledger_limit(lattice::Kinematics kinematics, ensemble::Precision precision) {
@@ -303,9 +381,7 @@ void check_grip(const Prepared& p, int side_by_side) {
     throw scene::InputError({scene::issue_at(p.preset, ramp ? "loading.method" : "loading.curve",
                                              "moves the grip of all lanes at once: " + why)});
   };
-  const bool in_double = p.preset.scene.solver.precision == ensemble::Precision::double_precision;
-  const int most =
-      in_double ? most_side_by_side<double>(p, side_by_side) : most_side_by_side<float>(p, side_by_side);
+  const int most = most_side_by_side(p, side_by_side);
   if (static_cast<int>(p.lane.size()) > most)
     refuse(fmt::format("at most {} go side by side, not {}", most, p.lane.size()));
   if (ramp) return;
@@ -319,9 +395,7 @@ void check_grip(const Prepared& p, int side_by_side) {
 RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options,
                 const Resumption* from) {
   check_grip(prepared, options.lanes);
-  if (prepared.preset.scene.solver.precision == ensemble::Precision::single_precision)
-    return Run<float>(prepared, observer, options).march(from);
-  return Run<double>(prepared, observer, options).march(from);
+  return Run(prepared, observer, options).march(from);
 }
 
 }  // namespace rift::simulation

@@ -23,16 +23,17 @@ struct Progress {
 struct RunResult;
 
 /// A run as whoever steers it finds it between two steps.
-struct Moment {
+struct RunSnapshot {
   Progress progress;
-  /// The books and the displacements of a scenario now, with velocities where they are wanted; nothing where
-  /// it does not march. Cost: a copy; of books and velocities two looks at every beam for all lanes.
-  std::function<std::optional<results::Sample>(int scenario)> books;
+  /// The energies and the displacements of a scenario now, with velocities where they are wanted; nothing
+  /// where it does not march. Cost: a copy; of energies and velocities two looks at every beam for all lanes.
+  std::function<std::optional<results::Sample>(int scenario)> sample;
   std::function<std::optional<results::Frame>(int scenario, bool velocity)> frame;
 };
 
-/// What a run is to do next. Whoever wants it to wait answers late; waiting is not counted as marching.
-struct Orders {
+/// The commands of whoever steers a run. Whoever wants it to wait answers late; waiting is not counted as
+/// marching.
+struct SteeringCommands {
   bool stop = false;
   std::vector<scene::Change> changes = {};  // made now: their steps are filled in
   std::vector<int> frames = {};             // scenarios whose fields are to be written now
@@ -52,7 +53,7 @@ struct Observer {
   std::function<bool(const Progress&)> go_on = {};  // asked a few times a second; false stops the run
   /// A scenario has come to its end, or a stop; the result holds it and, so far, the times of the run.
   std::function<void(int scenario, const RunResult& so_far)> ended = {};
-  std::function<Orders(const Moment&)> steer = {};
+  std::function<SteeringCommands(const RunSnapshot&)> steer = {};
   /// Offered a few times a second, before a stop, and at the end where every scenario has come to its own:
   /// makes a checkpoint for who wants one (its journal_bytes are the caller's). Cost of making one: a copy of
   /// the state.
@@ -72,9 +73,9 @@ struct LaneResult {
   Outcome outcome = Outcome::finished;
   std::int64_t steps = 0;
   std::string where;                   // of a divergence or a stop, for people
-  std::vector<results::Sample> books;  // all rows, in time
-  double worst_residual = 0;           // largest |residual| of all rows
-  std::int64_t sound_at = -1;          // the last step at which the books were looked at and not hopeless
+  std::vector<results::Sample> books;  // all samples, in time
+  double worst_residual = 0;           // largest |residual| of all samples
+  std::int64_t last_good_step = -1;    // at which the energy balance was looked at and not hopeless
   double prestress_kinetic = 0;        // kinetic over total energy when the crack started (ramp)
   double energy_at_crack_start = 0;    // elastic [J]
   fracture::Wake wake;                 // when it finished, of two heights behind the tip, or between two tips
@@ -98,7 +99,7 @@ struct RunResult {
 /// Where a march goes on.
 struct Resumption {
   results::Checkpoint checkpoint;
-  std::vector<results::Sample> books;  // of all lanes up to there, in time
+  std::vector<results::Sample> books;  // the samples of all lanes up to there, in time
 };
 
 /// How to march; of no influence on the results, but for the last bits by the instruction set.
@@ -108,7 +109,7 @@ struct MarchOptions {
   double checkpoint_s = 30;  // between two checkpoints of a recorded run
 };
 
-/// The books are said not to close above this residual   [physics.md §7].
+/// The energy balance is said not to close above this error   [physics.md §7].
 double ledger_limit(lattice::Kinematics kinematics, ensemble::Precision precision);
 
 /// Throws InputError where the grip moves in the march's time and the lanes cannot share it: they are more
@@ -119,8 +120,9 @@ void check_grip(const Prepared& prepared, int side_by_side = 0);
 /// Marches a prepared scene's lanes to their ends: the ramp if there is one, then their cracks. Where there
 /// are more scenarios than lanes side by side, a lane that has come to its end takes up the next (but not
 /// where the grip, which all share, moves: check_grip). A lane
-/// stops as diverged at its first sample that is not finite or whose books are hopelessly open; the others go
-/// on. The preset's [[steering]] is made where it says; a change that cannot be made then throws InputError.
+/// stops as diverged at its first sample that is not finite or whose energy balance is hopelessly open; the
+/// others go on. The preset's [[steering]] is made where it says; a change that cannot be made then throws
+/// InputError.
 /// @param[in] from  where the same run was stopped or killed; null to begin at the beginning
 RunResult march(const Prepared& prepared, const Observer& observer, const MarchOptions& options = {},
                 const Resumption* from = nullptr);

@@ -6,14 +6,11 @@
 #include "engine/lattice/statics.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/simulation/prestress.hpp"
-#include "engine/simulation/schedule.hpp"
 #include "engine/simulation/steering.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
@@ -24,11 +21,9 @@
 namespace rift::simulation {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 void build_specimen(Prepared& p, base::Cache& cache, const StageProgress& progress) {
   const scene::Scene& scene = p.preset.scene;
-  const auto start = Clock::now();
+  const auto start = base::Clock::now();
   const packing::PackingRequest request = scene::request_of(scene);
   const auto refuse = [&](const char* key, const packing::PackingError& error) {
     return scene::InputError({scene::issue_at(p.preset, key, error.what())});
@@ -89,7 +84,7 @@ LanePlan plan_lane(const Prepared& p, const scene::Scene& scene) {
   LanePlan lane;
   lane.scene = scene;
   if (scene.material.stiffness == scene::StiffnessChoice::bulk)
-    lane.units = units_of(lattice::bulk_micro_material.young_modulus / p.micro.young_modulus);
+    lane.units = fracture::units_of(lattice::bulk_micro_material.young_modulus / p.micro.young_modulus);
   lane.crack_end = scene::crack_end(scene);
   const double length = scene.specimen.length;
   const auto window = scene::window_over_length(scene);
@@ -232,7 +227,7 @@ Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& l
   p.path = path_of(scene);
   build_specimen(p, cache, progress);
   try {
-    const auto start = Clock::now();
+    const auto start = base::Clock::now();
     build_prestress(p, cache, progress);
     p.wall_prestress_s = base::seconds_since(start);
     base::tell_or_stop(stage(progress, "pre-stress"), 1.0, "solving the pre-stress");

@@ -9,7 +9,6 @@
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/lane.hpp"
 #include "engine/simulation/schedule.hpp"
-#include "engine/simulation/time_step.hpp"
 
 #include <functional>
 #include <span>
@@ -79,6 +78,17 @@ Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& l
 /// and schedules are theirs again. Cheap: the step that each asks for is in its plan. Throws InputError where
 /// that takes too many steps.
 void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
+
+// The pre-stress (prestress.cpp).
+
+/// Micro modulus, pre-stress and G_I0. The modulus and G_I0 belong to the strip without its notch; the
+/// modulus is that of small strains with either kinematics.
+/// Asks for the specimen, the density and the path. Throws InputError where no beams fit the material,
+/// StaticsError.
+void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progress);
+
+/// What the clamped strip of a continuum with the preset's E and nu would show [Pa].
+double continuum_strip_modulus(const scene::Scene& scene);
 
 /// Beams whose damping can matter to any of the lanes: none, those near the path, or all.
 std::vector<lattice::DampedBeam> damped_beams(const Prepared& prepared, std::span<const LanePlan> lanes);

@@ -1,5 +1,3 @@
-#include "engine/simulation/prestress.hpp"
-
 #include "engine/base/interrupted.hpp"
 #include "engine/calibration/calibrate.hpp"
 #include "engine/fracture/crack_path.hpp"

@@ -1,5 +1,6 @@
 #include "engine/simulation/record.hpp"
 
+#include "engine/base/clock.hpp"
 #include "engine/base/files.hpp"
 #include "engine/base/ownership.hpp"
 #include "engine/base/world_error.hpp"
@@ -16,14 +17,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
 namespace rift::simulation {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// What a run does to its writer, then to whoever looks on.
 struct Recording {
@@ -33,43 +31,37 @@ struct Recording {
   double checkpoint_s;
   scene::Preset steered;      // with the changes so far, and those that are to come
   double taken_before_s = 0;  // by the run, in its earlier calls and in the preparation of this one
-  Clock::time_point began = Clock::now();
-  Clock::time_point checked = Clock::now();
+  base::Clock::time_point began = base::Clock::now();
+  base::Clock::time_point checked = base::Clock::now();
 
   Observer observer() {
-    Observer o{.sample =
-                   [&](const results::Sample& s) {
-                     writer.sample(s);
-                     if (beside.sample) beside.sample(s);
-                   },
-               .frame =
-                   [&](const results::Frame& f) {
-                     writer.frame(f);
-                     if (beside.frame) beside.frame(f);
-                   },
-               .event =
-                   [&](const results::ReleaseEvent& e) {
-                     writer.event(e);
-                     if (beside.event) beside.event(e);
-                   },
-               .gauge = [&](const results::GaugeRow& row) { writer.gauge(row); },
-               .go_on =
-                   [&](const Progress& p) {
-                     writer.flush();
-                     return !beside.go_on || beside.go_on(p);
-                   },
-               .ended = beside.ended};
-    if (beside.steer)
-      o.steer = [&](const Moment& moment) {
-        writer.flush();  // whoever steers may want to show to others what there is
-        return beside.steer(moment);
+    Observer o;
+    const auto written = [this](auto write, const auto& to_beside) {
+      return [this, write, &to_beside](const auto& record) {
+        (writer.*write)(record);
+        if (to_beside) to_beside(record);
       };
-    o.checkpoint = [&](const auto& make, CheckpointMoment moment) {
-      const bool due = Clock::now() - checked > std::chrono::duration<double>(checkpoint_s);
+    };
+    o.sample = written(&results::RunWriter::sample, beside.sample);
+    o.frame = written(&results::RunWriter::frame, beside.frame);
+    o.event = written(&results::RunWriter::event, beside.event);
+    o.gauge = [this](const results::GaugeRow& row) { writer.gauge(row); };
+    o.ended = beside.ended;
+    o.go_on = [this](const Progress& p) {
+      writer.flush();
+      return !beside.go_on || beside.go_on(p);
+    };
+    if (beside.steer)
+      o.steer = [this](const RunSnapshot& snapshot) {
+        writer.flush();  // whoever steers may want to show to others what there is
+        return beside.steer(snapshot);
+      };
+    o.checkpoint = [this](const auto& make, CheckpointMoment moment) {
+      const bool due = base::seconds_since(checked) > checkpoint_s;
       if (moment == CheckpointMoment::before_stop || (moment == CheckpointMoment::on_the_way && due))
         keep_checkpoint(make());
     };
-    o.changed = [&](const scene::Change& change, const std::string& refused) {
+    o.changed = [this](const scene::Change& change, const std::string& refused) {
       if (refused.empty()) keep(change);
       if (beside.changed) beside.changed(change, refused);
     };
@@ -77,16 +69,14 @@ struct Recording {
   }
 
   /// What the run has taken so far, in all its calls [s].
-  double so_far_s() const {
-    return taken_before_s + std::chrono::duration<double>(Clock::now() - began).count();
-  }
+  double so_far_s() const { return taken_before_s + base::seconds_since(began); }
 
   void keep_checkpoint(results::Checkpoint checkpoint) {
     writer.flush();
     checkpoint.journal_bytes = writer.journal_bytes();
     set_taken_s(checkpoint, so_far_s());
     results::write_checkpoint(folder, checkpoint);
-    checked = Clock::now();
+    checked = base::Clock::now();
   }
 
   /// At once, so that a kill does not lose it.

@@ -66,7 +66,7 @@ Seen seen_of(const simulation::Prepared& p, const simulation::RunResult& result,
   seen.wall_s = r.wall_s;
   if (r.outcome == simulation::Outcome::diverged) {
     seen.ending = Ending::diverges;
-    seen.caught_within = r.steps - std::max<std::int64_t>(r.sound_at, 0);
+    seen.caught_within = r.steps - std::max<std::int64_t>(r.last_good_step, 0);
     seen.said = r.where;
     return seen;
   }

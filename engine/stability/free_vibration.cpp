@@ -11,7 +11,6 @@
 #include <complex>
 #include <numbers>
 #include <random>
-#include <type_traits>
 #include <vector>
 
 namespace rift::stability {
@@ -87,21 +86,13 @@ std::vector<lattice::Vector6> by_element(const VectorXd& q) {
   return motion;
 }
 
-/// An ensemble of one lane that no crack ever reaches, at rest and moved out of its equilibrium.
-template <class Real>
-ensemble::Ensemble<Real> released(const lattice::Lattice& lattice, const VectorXd& from, double dt,
-                                  double beta) {
-  fracture::LaneScenario idle;
-  idle.history = history::history_of(0.0, {{1.0, 1.0}});
-  const double beside = 10.0 * (lattice.box.length + lattice.box.height);
-  ensemble::Ensemble<Real> s(lattice, fracture::straight_path(lattice.box.length, beside), 0.0, dt, {idle});
+/// An ensemble of one lane that nothing damages, at rest and moved out of its equilibrium.
+ensemble::Ensemble released(const lattice::Lattice& lattice, const VectorXd& from, double dt, double beta,
+                            ensemble::Precision precision) {
+  ensemble::Ensemble s(lattice, {}, dt, {fracture::LaneScenario{}}, {.precision = precision});
   s.release_from(by_element(from));
   s.set_beta(beta);
   return s;
-}
-
-double residual_now(auto& ensemble) {
-  return std::abs(ensemble.sample(0, results::Phase::fracture).residual);
 }
 
 double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
@@ -111,7 +102,7 @@ struct ModalState {
   const lattice::Lattice& lattice;
   const HighestMode& mode;
 
-  Eigen::Vector2d of(auto& s) const {
+  Eigen::Vector2d of(ensemble::Ensemble& s) const {
     Eigen::Vector2d state = Eigen::Vector2d::Zero();
     for (int i = 0; i < static_cast<int>(lattice.mass.size()); ++i) {
       lattice::Vector6 weight = mode.shape.segment<6>(6L * i);
@@ -130,11 +121,10 @@ double largest_turn(const Eigen::Matrix2d& a) {
   return a.eigenvalues().unaryExpr([](std::complex<double> x) { return std::abs(std::arg(x)); }).maxCoeff();
 }
 
-template <class Real>
 Seen vibrate_in(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
-                std::int64_t steps) {
-  ensemble::Ensemble<Real> s =
-      released<Real>(lattice, mode.shape * (1e-6 / mode.shape.cwiseAbs().maxCoeff()), dt, beta);
+                std::int64_t steps, ensemble::Precision precision) {
+  ensemble::Ensemble s =
+      released(lattice, mode.shape * (1e-6 / mode.shape.cwiseAbs().maxCoeff()), dt, beta, precision);
   const ModalState modal{lattice, mode};
   Eigen::Vector2d before = modal.of(s);
   const double start = before.norm();
@@ -147,11 +137,11 @@ Seen vibrate_in(const lattice::Lattice& lattice, const HighestMode& mode, double
     products += after * before.transpose() / before.squaredNorm();
     squares += before * before.transpose() / before.squaredNorm();
     before = after;
-    if (seen.steps % 16 == 0) seen.residual = larger(seen.residual, residual_now(s));
+    if (seen.steps % 16 == 0) seen.residual = larger(seen.residual, std::abs(s.balance(0).error));
   }
   const Eigen::Matrix2d step = products * squares.inverse();
   seen.growth = log_spectral_radius(step);
-  constexpr bool single = std::is_same_v<Real, float>;
+  const bool single = precision == ensemble::Precision::single_precision;
   seen.claims.push_back(claim_near("turn of the mode in a step [rad]", largest_turn(step),
                                    turn_of_mode(mode.omega * dt, beta), single ? 1e-3 : 1e-6));
   return seen;
@@ -190,9 +180,7 @@ double turn_of_mode(double omega_dt, double beta) {
 
 Seen vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
              std::int64_t steps, ensemble::Precision precision) {
-  Seen seen = precision == ensemble::Precision::double_precision
-                  ? vibrate_in<double>(lattice, mode, dt, beta, steps)
-                  : vibrate_in<float>(lattice, mode, dt, beta, steps);
+  Seen seen = vibrate_in(lattice, mode, dt, beta, steps, precision);
   seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
   const double rounding =
       growth_tolerance * (precision == ensemble::Precision::double_precision ? 1.0 : 10.0);
@@ -212,25 +200,20 @@ Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t ste
   q *= 1e-6 / q.cwiseAbs().maxCoeff();
   Seen seen;
   seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
-  const auto march = [&](auto s) {
-    seen.residual = 0.0;
-    double kinetic = 0.0;
-    int looks = 0;
-    for (; seen.steps < steps; ++seen.steps) {
-      s.step();
-      if (seen.steps % std::max<std::int64_t>(steps / 100, 1) != 0) continue;
-      const results::Sample now = s.sample(0, results::Phase::fracture);
-      seen.residual = larger(seen.residual, std::abs(now.residual));
-      const double moving = now.kinetic_translation_j + now.kinetic_rotation_j;
-      kinetic += moving / (moving + now.elastic_j - now.step_correction_j), ++looks;
-    }
-    // A hundred looks at cos^2 of one mode's phase, the fewest there can be, are known to 0.035.
-    seen.claims.push_back(claim_near("kinetic share of K + U - C in the mean", kinetic / looks, 0.5, 0.1));
-  };
-  if (precision == ensemble::Precision::double_precision)
-    march(released<double>(lattice, q, dt, 1.0));
-  else
-    march(released<float>(lattice, q, dt, 1.0));
+  ensemble::Ensemble s = released(lattice, q, dt, 1.0, precision);
+  seen.residual = 0.0;
+  double kinetic = 0.0;
+  int looks = 0;
+  for (; seen.steps < steps; ++seen.steps) {
+    s.step();
+    if (seen.steps % std::max<std::int64_t>(steps / 100, 1) != 0) continue;
+    const fracture::EnergyBalance now = s.balance(0);
+    seen.residual = larger(seen.residual, std::abs(now.error));
+    const double moving = now.kinetic_translation + now.kinetic_rotation;
+    kinetic += moving / (moving + now.elastic - now.step_correction), ++looks;
+  }
+  // A hundred looks at cos^2 of one mode's phase, the fewest there can be, are known to 0.035.
+  seen.claims.push_back(claim_near("kinetic share of K + U - C in the mean", kinetic / looks, 0.5, 0.1));
   seen.ending = seen.residual <= seen.limit ? Ending::closes : Ending::open;
   return seen;
 }

@@ -36,12 +36,12 @@ double turn_of_mode(double omega_dt, double beta);
 
 /// Marches the lattice from rest in its highest mode, nothing cracked, and measures what a step does to it:
 /// the spectral radius of the matrix that fits all steps best. It diverges where that is above 1; where it is
-/// not the books must close, and the mode must turn as turn_of_mode() says.
+/// not the energy balance must close, and the mode must turn as turn_of_mode() says.
 /// @param[in] steps  at most; it ends earlier where the amplitude has grown or shrunk 1e6-fold
 Seen vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
              std::int64_t steps, ensemble::Precision precision);
 
-/// Marches the lattice from rest in a mixture of all motions and looks at the books a hundred times: half of
+/// Marches the lattice from rest in a mixture of all motions and looks at the energies a hundred times: half of
 /// K + U - C is kinetic in the mean (the virial theorem, as velocity Verlet keeps it).
 Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
                     ensemble::Precision precision);

@@ -401,7 +401,7 @@ void add_velocities(Cases& cases, const SuiteOptions& options) {
 }
 
 /// Linear kinematics knows no strain: the ratio is that of every other. Turning beams come to it as the
-/// strain vanishes, and their ratio grows with it: by 0.076 at 5 % strain and 5,000 elements. Books of
+/// strain vanishes, and their ratio grows with it: by 0.076 at 5 % strain and 5,000 elements. Balances of
 /// turning beams close as the square of the step does.
 void add_strains(Cases& cases) {
   const char* family = "pre-strain";

@@ -16,7 +16,7 @@ namespace rift::stability {
 
 // The suite of stiff and extreme cases: what each must come to, and what it came to.
 
-/// What a case comes to: its books close; they do not, though nothing blew up; it is refused before its first
+/// What a case comes to: its energy balance closes; it does not, though nothing blew up; it is refused before its first
 /// step; it diverges and is caught.
 enum class Ending { closes, open, refused, diverges };
 const char* name_of(Ending ending);
@@ -41,7 +41,7 @@ struct Seen {
   double ratio =
       std::numeric_limits<double>::quiet_NaN();  // G_ID / G_I0 with damping, where there is a plateau
   std::int64_t steps = 0;
-  std::int64_t caught_within = -1;  // steps from the last sound look to the divergence; -1 where none
+  std::int64_t caught_within = -1;  // steps from the last good look to the divergence; -1 where none
   std::string said;                 // the refusal, or where it diverged
   double stored = std::numeric_limits<double>::quiet_NaN();  // elastic energy as the crack starts [J]
   double damped = std::numeric_limits<double>::quiet_NaN();  // share of it that viscous damping has taken
@@ -87,7 +87,7 @@ inline constexpr std::int64_t caught_at_most = 200;
 /// Growth rates seen are those of theory within this, in double; ten times it in single precision.
 inline constexpr double growth_tolerance = 1e-4;
 
-/// The ratio in single precision is that in double within this: its books may be open by 1e-5 of the energy
+/// The ratio in single precision is that in double within this: its balance may be open by 1e-5 of the energy
 /// (measured; 1e-3 is their limit), and the window releases a tenth of it or more.
 inline constexpr double single_ratio_tolerance = 1e-3;
 

@@ -6,7 +6,6 @@
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/scenarios.hpp"
 #include "engine/simulation/schedule.hpp"
-#include "engine/simulation/time_step.hpp"
 
 #include <fmt/format.h>
 

@@ -96,27 +96,13 @@ struct Width {
   double step;
 };
 
-template <class Real>
-std::vector<Width> widths() {
-  std::vector<Width> usable{{ensemble::most_lanes<Real>, 0.7}};
+std::vector<Width> widths(ensemble::Precision precision) {
+  const int most = ensemble::most_lanes(precision);
+  std::vector<Width> usable{{most, 0.7}};
   for (const Width& width : {Width{4, 1.1}, Width{2, 1.0}, Width{1, 2.1}})
-    if (ensemble::most_lanes<Real> / width.part <=
-        ensemble::lanes_in_register<Real>(ensemble::instruction_set()))
+    if (most / width.part <= ensemble::lanes_in_register(precision, ensemble::instruction_set()))
       usable.push_back(width);
   return usable;
-}
-
-template <class Real>
-Queue soonest_in(const std::vector<std::int64_t>& steps) {
-  const auto longest = static_cast<double>(*std::max_element(steps.begin(), steps.end()));
-  const auto all = static_cast<double>(std::accumulate(steps.begin(), steps.end(), std::int64_t{0}));
-  Queue best;
-  for (const Width& width : widths<Real>()) {
-    const int lanes = ensemble::most_lanes<Real> / width.part;
-    const double time = width.step * std::max(longest, all / lanes);
-    if (best.time == 0.0 || time < best.time) best = {lanes, time};
-  }
-  return best;
 }
 
 }  // namespace
@@ -154,8 +140,15 @@ std::vector<std::vector<std::size_t>> passes_of(const std::vector<simulation::La
 }
 
 Queue soonest(const std::vector<std::int64_t>& steps, ensemble::Precision precision) {
-  return precision == ensemble::Precision::single_precision ? soonest_in<float>(steps)
-                                                            : soonest_in<double>(steps);
+  const auto longest = static_cast<double>(*std::max_element(steps.begin(), steps.end()));
+  const auto all = static_cast<double>(std::accumulate(steps.begin(), steps.end(), std::int64_t{0}));
+  Queue best;
+  for (const Width& width : widths(precision)) {
+    const int lanes = ensemble::most_lanes(precision) / width.part;
+    const double time = width.step * std::max(longest, all / lanes);
+    if (best.time == 0.0 || time < best.time) best = {lanes, time};
+  }
+  return best;
 }
 
 int lanes_of_many(ensemble::Precision precision) {

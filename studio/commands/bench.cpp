@@ -85,7 +85,7 @@ Cases needs_cases(const BenchOptions& options, int threads) {
     add("damping, 5 % of the beams", [](ensemble::BenchCase& c) { c.damped = 0.05; });
     add("damping, all beams", [](ensemble::BenchCase& c) { c.damped = 1.0; });
     add("numerical damping", [](ensemble::BenchCase& c) { c.beta = 0.9; });
-    add("energies every step", [](ensemble::BenchCase& c) { c.weighed = true; });
+    add("energies every step", [](ensemble::BenchCase& c) { c.balanced = true; });
     add("corotational beams",
         [](ensemble::BenchCase& c) { c.kinematics = lattice::Kinematics::corotational; });
   }

@@ -83,7 +83,7 @@ void LiveRun::run() {
     const std::lock_guard lock(mutex_);
     ++lanes_ended_;
   };
-  beside.steer = [this](const simulation::Moment& moment) { return steer(moment); };
+  beside.steer = [this](const simulation::RunSnapshot& moment) { return steer(moment); };
   beside.changed = [this](const scene::Change& change, const std::string& refused) {
     take_changed(change, refused);
   };
@@ -97,7 +97,7 @@ void LiveRun::run() {
 }
 
 /// On the run's thread, between two steps.
-simulation::Orders LiveRun::steer(const simulation::Moment& moment) {
+simulation::SteeringCommands LiveRun::steer(const simulation::RunSnapshot& moment) {
   std::unique_lock lock(mutex_);
   progress_ = moment.progress;
   frame_stored_ = frame_stored_ || std::exchange(frame_ordered_, false);
@@ -112,7 +112,7 @@ simulation::Orders LiveRun::steer(const simulation::Moment& moment) {
     if (!at_rest() || stop_ || !changes_wanted_.empty() || frames_wanted_ > 0) break;
     news_.wait_for(lock, std::chrono::milliseconds(50));
   }
-  simulation::Orders orders;
+  simulation::SteeringCommands orders;
   orders.stop = stop_;
   orders.changes = std::exchange(changes_wanted_, {});
   const bool due = storing_ && progress_.step >= next_stored_;
@@ -134,7 +134,7 @@ simulation::Orders LiveRun::steer(const simulation::Moment& moment) {
 }
 
 /// What the panel wants to see of this moment, once for each look.
-void LiveRun::show_plates(const simulation::Moment& moment) {
+void LiveRun::show_plates(const simulation::RunSnapshot& moment) {
   std::vector<int> wanted;
   bool slow = false, velocity = false;
   {
@@ -145,7 +145,7 @@ void LiveRun::show_plates(const simulation::Moment& moment) {
   }
   for (const int k : wanted) {
     auto frame = moment.frame(k, velocity);
-    auto books = slow ? moment.books(k) : std::nullopt;
+    auto books = slow ? moment.sample(k) : std::nullopt;
     const std::lock_guard lock(mutex_);
     if (frame) plate_[k] = std::move(frame);
     if (books) now_[k] = books;

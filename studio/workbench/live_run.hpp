@@ -76,9 +76,9 @@ class LiveRun {
   using Clock = std::chrono::steady_clock;
   void work();
   void run();
-  simulation::Orders steer(const simulation::Moment& moment);
+  simulation::SteeringCommands steer(const simulation::RunSnapshot& moment);
   void take_changed(const scene::Change& change, const std::string& refused);
-  void show_plates(const simulation::Moment& moment);
+  void show_plates(const simulation::RunSnapshot& moment);
   [[nodiscard]] bool at_rest() const { return paused_ && steps_wanted_ == 0; }
   [[nodiscard]] std::string state() const;
 

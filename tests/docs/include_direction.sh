@@ -13,7 +13,8 @@ engine/results:      base
 engine/packing:      base
 engine/lattice:      base packing
 engine/fracture:     base history results packing lattice
-engine/ensemble:     base results packing lattice fracture history
+engine/reference:    history packing lattice fracture
+engine/ensemble:     base results packing lattice fracture history reference
 engine/scene:        base history theory packing lattice fracture ensemble
 engine/calibration:  base theory packing lattice fracture ensemble scene
 engine/simulation:   base history theory results packing lattice fracture ensemble scene calibration

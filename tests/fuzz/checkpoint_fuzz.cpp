@@ -59,8 +59,9 @@ void as_a_state(fuzz::Bytes input) {
   fracture::LaneScenario scenario;
   scenario.history = history::history_of(0.0, {{100.0, 1.0}});
   scenario.law = {fracture::Technique::progressive, 1.0, 1e-3};
-  ensemble::Ensemble<double> ensemble(lattice, fracture::straight_path(3e-3, 1.6e-3), 0.0, 1e-9,
-                                      {scenario, scenario});
+  const auto beams = fracture::damageable_beams(fracture::straight_path(3e-3, 1.6e-3), lattice, 0.0);
+  ensemble::Ensemble ensemble(lattice, beams, 1e-9, {scenario, scenario}, {},
+                              std::make_shared<ensemble::PrescribedTips>(beams, 1e-9));
   ensemble.start_from(std::vector<lattice::Vector6>(3, lattice::Vector6::Zero()));
   ensemble.start_crack({});
   ensemble::NamedNumbers state = ensemble.state();

@@ -1,3 +1,4 @@
+#include "engine/fracture/face_contact.hpp"
 #include "tests/engine/lattice/dense.hpp"
 #include "tests/engine/lattice/hand_made.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
@@ -27,16 +28,16 @@ lattice::Lattice pair() {
 }
 
 /// The pair thrown, its beam gone after the first step.
-Ensemble<double> thrown(const lattice::Lattice& lattice, std::optional<double> friction,
-                        const std::vector<lattice::Vector6>& velocity, double dt,
-                        lattice::Kinematics kinematics) {
+CrackedEnsemble thrown(const lattice::Lattice& lattice, std::optional<double> friction,
+                       const std::vector<lattice::Vector6>& velocity, double dt,
+                       lattice::Kinematics kinematics) {
   const fracture::LaneScenario lane{.history = history::history_of(1.0, {{1e-3, infinity}}),
                                     .law = {fracture::Technique::simple, 1.0, 0.0},
                                     .friction = friction};
-  Ensemble<double> s(lattice, fracture::straight_path(2.0, 1.0), -1.0, dt, {lane},
-                     {.kinematics = kinematics, .contact = friction.has_value()});
+  CrackedEnsemble s(lattice, fracture::straight_path(2.0, 1.0), -1.0, dt, {lane},
+                    {.kinematics = kinematics, .contact = friction.has_value()});
   s.start_from(std::vector<lattice::Vector6>(2, lattice::Vector6::Zero()));
-  s.throw_lane(0, velocity);
+  s.set_velocities(0, velocity);
   s.start_crack({});
   return s;
 }
@@ -52,7 +53,7 @@ TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
   for (const lattice::Kinematics kinematics :
        {lattice::Kinematics::linear, lattice::Kinematics::corotational}) {
     constexpr int steps = 2000;
-    Ensemble<double> s = thrown(lattice, 0.0, velocity, duration / steps, kinematics);
+    CrackedEnsemble s = thrown(lattice, 0.0, velocity, duration / steps, kinematics);
     const auto apart = [&] { return s.velocity(1, 0)[1] - s.velocity(0, 0)[1]; };
     for (int n = 0; n < steps / 2; ++n) s.step();
     EXPECT_NEAR(apart(), 0.0, 1e-3 * speed);
@@ -60,10 +61,10 @@ TEST(FaceContact, IsAnElasticImpactOfTheExactDuration) {
     for (int n = 0; n < steps; ++n) s.step();
     EXPECT_NEAR(apart(), speed, 1e-5 * speed);
     EXPECT_NEAR(s.velocity(0, 0)[1], speed * (1.0 - 2.0 / 1.5), 1e-5 * speed);  // 1 : 2, by momentum
-    const results::Sample books = s.sample(0, results::Phase::fracture);
-    EXPECT_LT(std::abs(books.residual), kinematics == lattice::Kinematics::linear ? 1e-13 : 1e-6);
-    EXPECT_LT(std::abs(books.contact_j), 1e-5 * s.largest_energy(0));  // as they part between two steps
-    EXPECT_LT(books.elastic_j, 1e-20);
+    const fracture::EnergyBalance now = s.balance(0);
+    EXPECT_LT(std::abs(now.error), kinematics == lattice::Kinematics::linear ? 1e-13 : 1e-6);
+    EXPECT_LT(std::abs(now.contact), 1e-5 * s.balance(0).largest);  // as they part between two steps
+    EXPECT_LT(now.elastic, 1e-20);
   }
 }
 
@@ -90,7 +91,7 @@ TEST(FaceContact, LetsFacesPassThroughEachOtherWithoutIt) {
   const lattice::Lattice lattice = pair();
   std::vector<lattice::Vector6> velocity(2, lattice::Vector6::Zero());
   velocity[0][1] = 1e-3;
-  Ensemble<double> s = thrown(lattice, std::nullopt, velocity, 0.01, lattice::Kinematics::linear);
+  CrackedEnsemble s = thrown(lattice, std::nullopt, velocity, 0.01, lattice::Kinematics::linear);
   for (int n = 0; n < 1000; ++n) s.step();
   EXPECT_NEAR(s.velocity(0, 0)[1], 1e-3, 1e-5);
   EXPECT_GT(s.motion(0, 0)[1], 5e-3);
@@ -104,7 +105,7 @@ TEST(FaceContact, SlidesByCoulombsLaw) {
   velocity[0][1] = 1e-4;
   velocity[0][0] = 1e-1;  // far faster than it can be held
   constexpr double mu = 0.4;
-  Ensemble<double> s = thrown(lattice, mu, velocity, 0.002, lattice::Kinematics::linear);
+  CrackedEnsemble s = thrown(lattice, mu, velocity, 0.002, lattice::Kinematics::linear);
   for (int n = 0; n < 10000; ++n) s.step();
   const lattice::Vector6 a = s.velocity(0, 0), b = s.velocity(1, 0);
   const double across = b[0] * 2.0, along = b[1] * 2.0;  // impulses on the second, of mass 2
@@ -113,12 +114,12 @@ TEST(FaceContact, SlidesByCoulombsLaw) {
   EXPECT_NEAR(a[0] + 2.0 * b[0], 1e-1, 1e-12);
   EXPECT_NEAR(0.1 * a[5], 0.5 * across, 1e-3 * across);  // lever: half the beam
   EXPECT_NEAR(0.2 * b[5], 0.5 * across, 1e-3 * across);
-  const results::Sample books = s.sample(0, results::Phase::fracture);
-  EXPECT_LT(std::abs(books.residual), 1e-13);
+  const fracture::EnergyBalance now = s.balance(0);
+  EXPECT_LT(std::abs(now.error), 1e-13);
   // What friction took is the kinetic energy that is missing; the beam's own share went as it broke.
-  EXPECT_NEAR(books.contact_j + books.fracture_j,
-              0.5e-2 + 0.5e-8 - books.kinetic_translation_j - books.kinetic_rotation_j, 1e-9 * 0.5e-2);
-  EXPECT_GT(books.contact_j, 0.9 * mu * along * 0.1 * 0.95);
+  EXPECT_NEAR(now.contact + now.fracture, 0.5e-2 + 0.5e-8 - now.kinetic_translation - now.kinetic_rotation,
+              1e-9 * 0.5e-2);
+  EXPECT_GT(now.contact, 0.9 * mu * along * 0.1 * 0.95);
 }
 
 /// Pressed together and sheared: friction holds some of the faces and lets others slide.
@@ -143,20 +144,20 @@ TEST(FaceContact, ClosesTheBooks) {
                                              {"damping.alpha=0.01", "damping.region=all"}})
     for (const double beta : {1.0, 0.9}) {
       const simulation::Prepared p = simulation::small_plate(with(pressed, damping));
-      Ensemble<double> s = simulation::ready(p, four_frictions(p), p.step.dt, {.contact = true});
+      CrackedEnsemble s = simulation::ready(p, four_frictions(p), p.step.dt, {.contact = true});
       s.set_beta(beta);
       if (beta < 1.0) s.set_grip_speed(-2.0);
       std::vector<double> worst(4, 0.0);
       for (int n = 0; s.tip(0) < p.lane[0].crack_end; ++n) {
         s.step();
         for (int lane = 0; lane < 4 && n % 20 == 0; ++lane)
-          worst[lane] = std::max(worst[lane], std::abs(s.sample(lane, results::Phase::fracture).residual));
+          worst[lane] = std::max(worst[lane], std::abs(s.balance(lane).error));
       }
       for (int lane = 0; lane < 4; ++lane)
         EXPECT_LT(worst[lane], 1e-13) << lane << ' ' << beta << ' ' << damping.size();
-      const double most = s.largest_energy(0);
-      EXPECT_GT(s.sample(0, results::Phase::fracture).contact_j, 1e-3 * most);
-      EXPECT_EQ(s.sample(3, results::Phase::fracture).contact_j, 0.0);
+      const double most = s.balance(0).largest;
+      EXPECT_GT(s.balance(0).contact, 1e-3 * most);
+      EXPECT_EQ(s.balance(3).contact, 0.0);
     }
 }
 
@@ -165,18 +166,18 @@ TEST(FaceContact, ClosesTheBooks) {
 TEST(FaceContact, ClosesTheBooksOfCorotationalBeams) {
   const simulation::Prepared p = simulation::small_plate(
       with(pressed, {"solver.kinematics=corotational", "loading.displacement=-0.06 mm"}));
-  Ensemble<double> s = simulation::ready(p, four_frictions(p), p.step.dt,
-                                         {.kinematics = lattice::Kinematics::corotational, .contact = true});
+  CrackedEnsemble s = simulation::ready(p, four_frictions(p), p.step.dt,
+                                        {.kinematics = lattice::Kinematics::corotational, .contact = true});
   std::vector<double> worst(4, 0.0);
   for (int n = 0; s.tip(0) < p.lane[0].crack_end; ++n) {
     s.step();
     for (int lane = 0; lane < 4 && n % 20 == 0; ++lane)
-      worst[lane] = std::max(worst[lane], std::abs(s.sample(lane, results::Phase::fracture).residual));
+      worst[lane] = std::max(worst[lane], std::abs(s.balance(lane).error));
   }
   for (int lane = 0; lane < 4; ++lane) EXPECT_LT(worst[lane], 1e-4) << lane;
-  const double taken = s.sample(0, results::Phase::fracture).contact_j;
-  EXPECT_GT(taken, 1e-3 * s.largest_energy(0));
-  EXPECT_LT(std::abs(s.sample(1, results::Phase::fracture).contact_j), 0.05 * taken);
+  const double taken = s.balance(0).contact;
+  EXPECT_GT(taken, 1e-3 * s.balance(0).largest);
+  EXPECT_LT(std::abs(s.balance(1).contact), 0.05 * taken);
 }
 
 // Coulomb's law on every pair of faces, and what the books say friction took against the slip times the
@@ -184,10 +185,10 @@ TEST(FaceContact, ClosesTheBooksOfCorotationalBeams) {
 TEST(FaceContact, BooksTheWorkOfFriction) {
   const simulation::Prepared p = simulation::small_plate(with(pressed, {"crack.technique=simple"}));
   constexpr double mu = 0.3;
-  Ensemble<double> s = simulation::ready(p, {p.lane[0].scenario}, p.step.dt, {.contact = true});
-  const int count = static_cast<int>(s.met().size());
+  CrackedEnsemble s = simulation::ready(p, {p.lane[0].scenario}, p.step.dt, {.contact = true});
+  const int count = static_cast<int>(s.damageable().size());
   std::vector<Eigen::Vector3d> slip(count, Eigen::Vector3d::Zero()), held = slip;
-  double taken = 0.0, before = s.sample(0, results::Phase::fracture).contact_j, booked = 0.0;
+  double taken = 0.0, before = s.balance(0).contact, booked = 0.0;
   int sliding = 0, sticking = 0;
   for (int n = 0; n < 600; ++n) {
     std::vector<Eigen::Vector3d> at;
@@ -196,7 +197,8 @@ TEST(FaceContact, BooksTheWorkOfFriction) {
     s.step();  // the slips are those at the strains above now
     for (int k = 0; k < count; ++k) {
       const Eigen::Vector3d m = s.normal(k);
-      const double open = m.dot(at[k]), stiffness = fracture::face_stiffness(p.lattice.beam[s.met()[k].beam]);
+      const double open = m.dot(at[k]),
+                   stiffness = fracture::face_stiffness(p.lattice.beam[s.damageable()[k].beam]);
       const Eigen::Vector3d along_face = at[k] - open * m;
       if (!parted[k]) {  // what the beam held beyond mu N slips as it breaks
         slip[k] = along_face - fracture::face_contact(at[k], m, Eigen::Vector3d::Zero(), mu).sliding;
@@ -210,7 +212,7 @@ TEST(FaceContact, BooksTheWorkOfFriction) {
       slip[k] = s.slip(k, 0), held[k] = e;
     }
   }
-  booked = s.sample(0, results::Phase::fracture).contact_j - before;
+  booked = s.balance(0).contact - before;
   EXPECT_GT(sliding, 1000);
   EXPECT_GT(sticking, 1000);
   EXPECT_GT(booked, 0.0);
@@ -223,13 +225,13 @@ TEST(FaceContact, CarriesAPressedPlate) {
       simulation::small_plate({"loading.displacement=-0.6 mm", "crack.friction=0"});
   std::vector<fracture::LaneScenario> lanes(3, p.lane[0].scenario);
   lanes[1].friction = 5.0, lanes[2].friction = {};
-  Ensemble<double> s = simulation::ready(p, lanes, p.step.dt, {.contact = true});
+  CrackedEnsemble s = simulation::ready(p, lanes, p.step.dt, {.contact = true});
   const double start = s.grip_force(0);
   while (s.tip(0) < p.lane[0].crack_end) s.step();
   const auto mean_gap = [&](int lane) {
     double sum = 0.0;
     int count = 0;
-    for (int k = 0; k < static_cast<int>(s.met().size()); ++k)
+    for (int k = 0; k < static_cast<int>(s.damageable().size()); ++k)
       if (s.factor(k, lane) == 0.0) sum += s.normal(k).dot(s.gap(k, lane)), ++count;
     return sum / count;
   };
@@ -244,14 +246,14 @@ TEST(FaceContact, CarriesAPressedPlate) {
 TEST(FaceContact, IsTheSameBesideOthersAndForAnyThreads) {
   const simulation::Prepared p = simulation::small_plate(pressed);
   const std::vector<fracture::LaneScenario> lanes = four_frictions(p);
-  Ensemble<double> together = simulation::ready(p, lanes, p.step.dt, {.threads = 1, .contact = true});
-  Ensemble<double> threaded = simulation::ready(p, lanes, p.step.dt, {.threads = 3, .contact = true});
+  CrackedEnsemble together = simulation::ready(p, lanes, p.step.dt, {.threads = 1, .contact = true});
+  CrackedEnsemble threaded = simulation::ready(p, lanes, p.step.dt, {.threads = 3, .contact = true});
   for (int n = 0; n < 400; ++n) together.step(), threaded.step();
   for (int lane = 0; lane < 4; ++lane) {
-    Ensemble<double> alone = simulation::ready(p, {lanes[lane]}, p.step.dt, {.threads = 2, .contact = true});
+    CrackedEnsemble alone = simulation::ready(p, {lanes[lane]}, p.step.dt, {.threads = 2, .contact = true});
     for (int n = 0; n < 400; ++n) {
       alone.step();
-      if (n % 50 == 0) alone.sample(0, results::Phase::fracture);  // looking changes nothing
+      if (n % 50 == 0) alone.balance(0);  // looking changes nothing
     }
     ASSERT_FALSE(p.lattice.centre.empty());
     for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
@@ -263,17 +265,17 @@ TEST(FaceContact, IsTheSameBesideOthersAndForAnyThreads) {
 
 TEST(FaceContact, StartsAnewInARefilledLane) {
   const simulation::Prepared p = simulation::small_plate(pressed);
-  Ensemble<double> s =
+  CrackedEnsemble s =
       simulation::ready(p, {p.lane[0].scenario, p.lane[0].scenario}, p.step.dt, {.contact = true});
   for (int n = 0; n < 300; ++n) s.step();
   std::vector<lattice::Vector6> first;
   for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) first.push_back(s.motion(i, 1));
-  const double contact = s.sample(1, results::Phase::fracture).contact_j;
+  const double contact = s.balance(1).contact;
   s.refill(1, p.lane[0].scenario);
   for (int n = 0; n < 300; ++n) s.step();
   ASSERT_FALSE(first.empty());
   for (int i = 0; i < static_cast<int>(first.size()); ++i) ASSERT_EQ(s.motion(i, 1), first[i]);
-  EXPECT_EQ(s.sample(1, results::Phase::fracture).contact_j, contact);
+  EXPECT_EQ(s.balance(1).contact, contact);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "engine/ensemble/ensemble.hpp"
 
-#include "tests/engine/ensemble/plain_simulation.hpp"
+#include "engine/reference/plain_simulation.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
 #include <Eigen/Geometry>
@@ -25,47 +25,45 @@ std::vector<fracture::LaneScenario> motley(const simulation::Prepared& p) {
 const std::vector<std::string> damped{"damping.alpha=0.001", "damping.region=all"};
 
 /// Marches with numerical damping and a moving grip.
-template <class Real>
-void march_on(Ensemble<Real>& s, int steps) {
+void march_on(Ensemble& s, int steps) {
   s.set_beta(0.95);
   s.set_grip_speed(1.0);
   for (int n = 0; n < steps; ++n) s.step();
 }
 
-template <class Real>
-void expect_same_bits(Ensemble<Real>& a, int lane_a, Ensemble<Real>& b, int lane_b) {
+void expect_same_bits(CrackedEnsemble& a, int lane_a, CrackedEnsemble& b, int lane_b) {
   ASSERT_FALSE(a.lattice().centre.empty());
   for (int i = 0; i < static_cast<int>(a.lattice().centre.size()); ++i) {
     ASSERT_EQ(a.motion(i, lane_a), b.motion(i, lane_b)) << "element " << i;
     ASSERT_EQ(a.velocity(i, lane_a), b.velocity(i, lane_b)) << "element " << i;
   }
-  ASSERT_FALSE(a.met().empty());
-  for (int k = 0; k < static_cast<int>(a.met().size()); ++k) {
+  ASSERT_FALSE(a.damageable().empty());
+  for (int k = 0; k < static_cast<int>(a.damageable().size()); ++k) {
     ASSERT_EQ(a.factor(k, lane_a), b.factor(k, lane_b));
-    ASSERT_EQ(a.booked(k, lane_a), b.booked(k, lane_b));
+    ASSERT_EQ(a.fracture_energy(k, lane_a), b.fracture_energy(k, lane_b));
   }
-  const results::Sample mine = a.sample(lane_a, results::Phase::fracture),
-                        its = b.sample(lane_b, results::Phase::fracture);
-  for (const auto column : {&results::Sample::elastic_j, &results::Sample::kinetic_translation_j,
-                            &results::Sample::kinetic_rotation_j, &results::Sample::step_correction_j,
-                            &results::Sample::damping_j, &results::Sample::numerical_damping_j,
-                            &results::Sample::work_external_j, &results::Sample::tip_m})
-    EXPECT_EQ(mine.*column, its.*column);
-  EXPECT_GT(mine.fracture_j, 0.0);
+  const fracture::EnergyBalance mine = a.balance(lane_a), its = b.balance(lane_b);
+  for (const auto term :
+       {&fracture::EnergyBalance::elastic, &fracture::EnergyBalance::kinetic_translation,
+        &fracture::EnergyBalance::kinetic_rotation, &fracture::EnergyBalance::step_correction,
+        &fracture::EnergyBalance::damping, &fracture::EnergyBalance::numerical_damping,
+        &fracture::EnergyBalance::work_external})
+    EXPECT_EQ(mine.*term, its.*term);
+  EXPECT_EQ(a.tip(lane_a), b.tip(lane_b));
+  EXPECT_GT(mine.fracture, 0.0);
 }
 
-template <class Real>
-void expect_lanes_to_be_their_own_runs(lattice::Kinematics kinematics) {
+void expect_lanes_to_be_their_own_runs(Precision precision, lattice::Kinematics kinematics) {
   const simulation::Prepared p = simulation::small_plate(damped);
   const std::vector<fracture::LaneScenario> lanes = motley(p);
   for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     if (set > instruction_set()) continue;
-    const Marching marching{.kinematics = kinematics, .instructions = set};
-    Ensemble<Real> together = simulation::ready<Real>(p, lanes, p.step.dt, marching);
+    const EnsembleOptions options{.kinematics = kinematics, .precision = precision, .instructions = set};
+    CrackedEnsemble together = simulation::ready(p, lanes, p.step.dt, options);
     march_on(together, 120);
     for (int lane = 0; lane < 4; ++lane) {
       SCOPED_TRACE(testing::Message() << name_of(set) << " lane " << lane);
-      Ensemble<Real> alone = simulation::ready<Real>(p, {lanes[lane]}, p.step.dt, marching);
+      CrackedEnsemble alone = simulation::ready(p, {lanes[lane]}, p.step.dt, options);
       march_on(alone, 120);
       expect_same_bits(together, lane, alone, 0);
     }
@@ -75,25 +73,25 @@ void expect_lanes_to_be_their_own_runs(lattice::Kinematics kinematics) {
 }
 
 TEST(Lanes, AreBitForBitTheirOwnSingleRuns) {
-  expect_lanes_to_be_their_own_runs<double>(lattice::Kinematics::linear);
+  expect_lanes_to_be_their_own_runs(Precision::double_precision, lattice::Kinematics::linear);
 }
 TEST(Lanes, AreTheirOwnSingleRunsInSinglePrecision) {
-  expect_lanes_to_be_their_own_runs<float>(lattice::Kinematics::linear);
+  expect_lanes_to_be_their_own_runs(Precision::single_precision, lattice::Kinematics::linear);
 }
 TEST(Lanes, AreTheirOwnSingleRunsWithCorotationalBeams) {
-  expect_lanes_to_be_their_own_runs<double>(lattice::Kinematics::corotational);
+  expect_lanes_to_be_their_own_runs(Precision::double_precision, lattice::Kinematics::corotational);
 }
 
-template <class Real>
-void expect_any_threads_to_give_the_same(lattice::Kinematics kinematics, int scenarios) {
+void expect_any_threads_to_give_the_same(Precision precision, lattice::Kinematics kinematics, int scenarios) {
   const simulation::Prepared p = simulation::small_plate(damped);
   std::vector<fracture::LaneScenario> lanes = motley(p);
   lanes.resize(scenarios);
-  Ensemble<Real> one = simulation::ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics});
+  CrackedEnsemble one =
+      simulation::ready(p, lanes, p.step.dt, {.kinematics = kinematics, .precision = precision});
   march_on(one, 120);
   for (const int threads : {2, 3, 5}) {
-    Ensemble<Real> several =
-        simulation::ready<Real>(p, lanes, p.step.dt, {.kinematics = kinematics, .threads = threads});
+    CrackedEnsemble several = simulation::ready(
+        p, lanes, p.step.dt, {.kinematics = kinematics, .precision = precision, .threads = threads});
     ASSERT_EQ(several.threads(), threads);
     march_on(several, 120);
     for (int lane = 0; lane < scenarios; ++lane) expect_same_bits(one, lane, several, lane);
@@ -101,28 +99,28 @@ void expect_any_threads_to_give_the_same(lattice::Kinematics kinematics, int sce
 }
 
 TEST(Threads, GiveTheSameBitsWhateverTheirNumber) {
-  expect_any_threads_to_give_the_same<double>(lattice::Kinematics::linear, 1);
-  expect_any_threads_to_give_the_same<double>(lattice::Kinematics::linear, 4);
-  expect_any_threads_to_give_the_same<float>(lattice::Kinematics::linear, 4);
-  expect_any_threads_to_give_the_same<double>(lattice::Kinematics::corotational, 1);
+  expect_any_threads_to_give_the_same(Precision::double_precision, lattice::Kinematics::linear, 1);
+  expect_any_threads_to_give_the_same(Precision::double_precision, lattice::Kinematics::linear, 4);
+  expect_any_threads_to_give_the_same(Precision::single_precision, lattice::Kinematics::linear, 4);
+  expect_any_threads_to_give_the_same(Precision::double_precision, lattice::Kinematics::corotational, 1);
 }
 
 // A lane that is put back in the middle of a run does what it would have done from the start.
 TEST(Lanes, GoOnWithAnotherScenarioAsIfItWereTheFirst) {
   const simulation::Prepared p = simulation::small_plate(damped);
   const std::vector<fracture::LaneScenario> lanes = motley(p);
-  Ensemble<double> s = simulation::ready(p, lanes, p.step.dt);
+  CrackedEnsemble s = simulation::ready(p, lanes, p.step.dt);
   for (int n = 0; n < 50; ++n) s.step();
   s.refill(2, lanes[0]);
   EXPECT_EQ(s.steps_done(2), 0);
   for (int n = 0; n < 120; ++n) s.step();
-  Ensemble<double> fresh = simulation::ready(p, {lanes[0]}, p.step.dt),
-                   untouched = simulation::ready(p, {lanes[1]}, p.step.dt);
+  CrackedEnsemble fresh = simulation::ready(p, {lanes[0]}, p.step.dt),
+                  untouched = simulation::ready(p, {lanes[1]}, p.step.dt);
   for (int n = 0; n < 120; ++n) fresh.step();
   for (int n = 0; n < 170; ++n) untouched.step();
   expect_same_bits(s, 2, fresh, 0);
   expect_same_bits(s, 1, untouched, 0);
-  EXPECT_LT(std::abs(s.sample(2, results::Phase::fracture).residual), 1e-12);
+  EXPECT_LT(std::abs(s.balance(2).error), 1e-12);
 }
 
 // The kernels sum and round in another order than the plain path; 200 steps let that grow to some hundred
@@ -130,13 +128,14 @@ TEST(Lanes, GoOnWithAnotherScenarioAsIfItWereTheFirst) {
 TEST(Ensemble, MarchesAsThePlainPathDoes) {
   const simulation::Prepared p = simulation::small_plate(damped);
   for (const fracture::LaneScenario& lane : not_empty(motley(p))) {
-    PlainSimulation plain(p.lattice, p.path, 0.0, p.step.dt, lane);
+    reference::PlainSimulation plain(p.lattice, fracture::damageable_beams(p.path, p.lattice, 0.0), p.step.dt,
+                                     lane);
     plain.start_from(p.displacement);
     plain.start_crack(p.damped);
     plain.beta = 0.95;
     plain.set_grip_speed(1.0);
     for (int n = 0; n < 200; ++n) plain.step();
-    Ensemble<double> s = simulation::ready(p, {lane}, p.step.dt);
+    CrackedEnsemble s = simulation::ready(p, {lane}, p.step.dt);
     march_on(s, 200);
     double fastest = 0.0;
     for (std::size_t k = 0; k < plain.v.size(); k += 6) fastest = std::max(fastest, std::abs(plain.v[k]));
@@ -145,12 +144,13 @@ TEST(Ensemble, MarchesAsThePlainPathDoes) {
       EXPECT_NEAR((s.motion(i, 0) - plain.motion(plain.q, i)).head<3>().norm() / 0.6e-3, 0.0, 1e-11);
       EXPECT_NEAR((s.velocity(i, 0) - plain.motion(plain.v, i)).head<3>().norm() / fastest, 0.0, 1e-9);
     }
-    const results::Sample mine = s.sample(0, results::Phase::fracture), its = plain.sample();
-    for (const auto column : {&results::Sample::elastic_j, &results::Sample::kinetic_translation_j,
-                              &results::Sample::kinetic_rotation_j, &results::Sample::step_correction_j,
-                              &results::Sample::fracture_j, &results::Sample::damping_j,
-                              &results::Sample::numerical_damping_j, &results::Sample::work_external_j})
-      EXPECT_NEAR(mine.*column, its.*column, 1e-9 * plain.ledger.largest);
+    const fracture::EnergyBalance mine = s.balance(0), its = plain.evaluate_balance();
+    for (const auto term :
+         {&fracture::EnergyBalance::elastic, &fracture::EnergyBalance::kinetic_translation,
+          &fracture::EnergyBalance::kinetic_rotation, &fracture::EnergyBalance::step_correction,
+          &fracture::EnergyBalance::fracture, &fracture::EnergyBalance::damping,
+          &fracture::EnergyBalance::numerical_damping, &fracture::EnergyBalance::work_external})
+      EXPECT_NEAR(mine.*term, its.*term, 1e-9 * its.largest);
   }
 }
 
@@ -159,7 +159,7 @@ TEST(Momentum, OfAFreePlateStaysWhereItIsWhileItCracksAndIsDamped) {
   lattice::Lattice free = p.lattice;
   free.grip.assign(free.grip.size(), packing::Grip::none);
   for (const fracture::LaneScenario& law : not_empty(simulation::four_laws(p))) {
-    Ensemble<double> s(free, p.path, 0.0, p.step.dt, {law});
+    CrackedEnsemble s(free, p.path, 0.0, p.step.dt, {law});
     s.release_from(p.displacement);  // stretched and let go
     s.start_crack(p.damped);
     for (int n = 0; n < 200; ++n) s.step();
@@ -173,7 +173,7 @@ TEST(Momentum, OfAFreePlateStaysWhereItIsWhileItCracksAndIsDamped) {
       size += momentum.norm();
       turning += free.centre[i].cross(momentum).norm();
     }
-    EXPECT_GT(s.sample(0, results::Phase::fracture).fracture_j, 0.0);
+    EXPECT_GT(s.balance(0).fracture, 0.0);
     // Rounding of 200 steps over 2,000 beams, against the sum of the sizes.
     EXPECT_NEAR(linear.norm() / size, 0.0, 1e-12);
     EXPECT_NEAR(angular.norm() / turning, 0.0, 1e-12);
@@ -182,29 +182,29 @@ TEST(Momentum, OfAFreePlateStaysWhereItIsWhileItCracksAndIsDamped) {
 
 TEST(Release, OfABeamIsAtTheFirstStepWithTheTipAtItsCrossing) {
   const simulation::Prepared p = simulation::small_plate({"crack.technique=simple"});
-  Ensemble<double> s = simulation::ready(p);
-  ASSERT_GT(s.met().size(), 50U);
+  CrackedEnsemble s = simulation::ready(p);
+  ASSERT_GT(s.damageable().size(), 50U);
   for (int n = 0; n < 150; ++n) {
     s.step();
-    for (int k = 0; k < static_cast<int>(s.met().size()); ++k)
-      ASSERT_EQ(s.factor(k, 0), s.tip(0) >= s.met()[k].position ? 0.0 : 1.0)
+    for (int k = 0; k < static_cast<int>(s.damageable().size()); ++k)
+      ASSERT_EQ(s.factor(k, 0), s.tip(0) >= s.damageable()[k].position ? 0.0 : 1.0)
           << "step " << n << ", beam " << k;
   }
   EXPECT_EQ(s.factor(10, 0), 0.0);
-  EXPECT_EQ(s.factor(static_cast<int>(s.met().size()) - 1, 0), 1.0);
+  EXPECT_EQ(s.factor(static_cast<int>(s.damageable().size()) - 1, 0), 1.0);
 }
 
 TEST(Release, OfADamagedBeamFollowsItsLawAtEveryStep) {
   const simulation::Prepared p =
       simulation::small_plate({"crack.relaxation=quadratic", "crack.damage_zone_ratio=3"});
-  Ensemble<double> s = simulation::ready(p);
+  CrackedEnsemble s = simulation::ready(p);
   int partly = 0;
   for (int n = 0; n < 150; ++n) {
     s.step();
-    ASSERT_FALSE(s.met().empty());
-    for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
+    ASSERT_FALSE(s.damageable().empty());
+    for (int k = 0; k < static_cast<int>(s.damageable().size()); ++k) {
       ASSERT_EQ(s.factor(k, 0),
-                fracture::stiffness_left(p.lane[0].scenario.law, s.tip(0), s.met()[k].position));
+                fracture::stiffness_left(p.lane[0].scenario.law, s.tip(0), s.damageable()[k].position));
       partly += s.factor(k, 0) > 0.0 && s.factor(k, 0) < 1.0 ? 1 : 0;
     }
   }
@@ -216,15 +216,15 @@ TEST(Release, OfADamagedBeamFollowsItsLawAtEveryStep) {
 TEST(Release, DamagesNoBeamInOneJump) {
   for (const std::string start : {"crack.start=0", "crack.start=0.006"}) {
     const simulation::Prepared p = simulation::small_plate({start, "crack.damage_zone_ratio=2"});
-    Ensemble<double> s = simulation::ready(p);
-    std::vector<double> before(s.met().size(), 1.0);
+    CrackedEnsemble s = simulation::ready(p);
+    std::vector<double> before(s.damageable().size(), 1.0);
     for (std::size_t k = 0; k < before.size(); ++k) before[k] = s.factor(static_cast<int>(k), 0);
     const double most = s.dt() * 1100.0 / p.lane[0].scenario.law.zone_length;
     ASSERT_LT(most, 0.2);
     double largest = 0.0;
     for (int n = 0; n < 150; ++n) {
       s.step();
-      for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
+      for (int k = 0; k < static_cast<int>(s.damageable().size()); ++k) {
         largest = std::max(largest, before[k] - s.factor(k, 0));
         before[k] = s.factor(k, 0);
       }
@@ -243,7 +243,7 @@ TEST(Notch, WithoutLengthCutsNoBeamThatIsCrossedAtItsEnd) {
   const std::vector<fracture::Crossing> met = fracture::crossings(path, p.lattice);
   ASSERT_GT(std::count_if(met.begin(), met.end(), at_its_end), 0);
   for (const auto& [notch, left] : {std::pair{0.0, 1.0}, std::pair{1e-6, 0.0}}) {
-    Ensemble<double> s(p.lattice, path, notch, p.step.dt, {p.lane[0].scenario});
+    CrackedEnsemble s(p.lattice, path, notch, p.step.dt, {p.lane[0].scenario});
     s.start_from(p.displacement);
     for (std::size_t k = 0; k < met.size(); ++k)
       if (at_its_end(met[k])) {
@@ -254,11 +254,11 @@ TEST(Notch, WithoutLengthCutsNoBeamThatIsCrossedAtItsEnd) {
 
 TEST(Release, LeavesARunAtRestWhileThereIsNothingToRelease) {
   const simulation::Prepared p = simulation::small_plate();
-  Ensemble<double> s(p.lattice, p.path, 0.0, p.step.dt, {p.lane[0].scenario});
+  CrackedEnsemble s(p.lattice, p.path, 0.0, p.step.dt, {p.lane[0].scenario});
   s.start_from(p.displacement);  // and no crack
-  const double stored = s.energy(0).elastic;
+  const double stored = s.balance(0).elastic;
   for (int n = 0; n < 50; ++n) s.step();
-  const fracture::LatticeEnergy e = s.energy(0);
+  const fracture::EnergyBalance e = s.balance(0);
   // The static solve leaves forces of 1e-12 of the load: energies of the square of it.
   EXPECT_NEAR(e.kinetic_translation / stored, 0.0, 1e-18);
   EXPECT_NEAR(e.elastic / stored, 1.0, 1e-10);
@@ -266,7 +266,7 @@ TEST(Release, LeavesARunAtRestWhileThereIsNothingToRelease) {
 
 TEST(Grip, MovesTheTopAloneAndOnlyAlongY) {
   const simulation::Prepared p = simulation::small_plate();
-  Ensemble<double> s(p.lattice, p.path, 0.0, p.step.dt, {p.lane[0].scenario});
+  CrackedEnsemble s(p.lattice, p.path, 0.0, p.step.dt, {p.lane[0].scenario});
   s.start_from(p.displacement);
   s.set_grip_speed(3.0);
   for (int n = 0; n < 40; ++n) s.step();

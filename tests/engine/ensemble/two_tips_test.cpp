@@ -1,5 +1,5 @@
-#include "engine/ensemble/ensemble.hpp"
 #include "engine/lattice/statics.hpp"
+#include "tests/engine/ensemble/cracked_ensemble.hpp"
 #include "tests/engine/lattice/hand_made.hpp"
 
 #include <gtest/gtest.h>
@@ -52,16 +52,16 @@ TEST(TwoTips, ReleaseASymmetricLatticeSymmetrically) {
       .history = history::history_of(-2.0, {{0.3, std::numeric_limits<double>::infinity()}}),
       .law = {fracture::Technique::progressive, 1.0, 2.0}};
   constexpr double no_notch = -1.0;  // two diagonals cross in the very middle
-  Ensemble<double> s(lattice, fracture::straight_path(columns, 4.0, 2), no_notch, 0.2, {lane});
+  CrackedEnsemble s(lattice, fracture::straight_path(columns, 4.0, 2), no_notch, 0.2, {lane});
   s.start_from(base);
   s.start_crack({});
   for (int step = 0; step < 80; ++step) s.step();
   EXPECT_NEAR(s.tip(0), 2.8, 1e-12);
 
   int gone = 0, softened = 0;
-  ASSERT_FALSE(s.met().empty());
-  for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
-    EXPECT_EQ(s.factor(k, 0), fracture::stiffness_left(lane.law, s.tip(0), s.met()[k].position));
+  ASSERT_FALSE(s.damageable().empty());
+  for (int k = 0; k < static_cast<int>(s.damageable().size()); ++k) {
+    EXPECT_EQ(s.factor(k, 0), fracture::stiffness_left(lane.law, s.tip(0), s.damageable()[k].position));
     gone += s.factor(k, 0) == 0.0 ? 1 : 0;
     softened += s.factor(k, 0) > 0.0 && s.factor(k, 0) < 1.0 ? 1 : 0;
   }
@@ -78,7 +78,7 @@ TEST(TwoTips, ReleaseASymmetricLatticeSymmetrically) {
     EXPECT_LT((s.motion(i, 0) - reflected(s.motion(mirrored(i), 0))).norm(), 1e-10) << i;
   }
   EXPECT_GT(moved, 0.01);
-  EXPECT_LT(std::abs(s.sample(0, results::Phase::fracture).residual), 1e-12);
+  EXPECT_LT(std::abs(s.balance(0).error), 1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/lattice/forces.hpp"
+#include "engine/reference/plain_simulation.hpp"
 
 #include <Eigen/Geometry>
 
@@ -150,35 +151,21 @@ inline ViscousDamping damped_everywhere(const Lattice& lattice, double alpha) {
   return damping;
 }
 
-/// Velocity Verlet with the damping force of physics.md §7, from rest.
-struct March {
-  double dt;
-  std::vector<BeamRow> rows;
-  ViscousDamping damping;
-  Eigen::VectorXd per_mass, q, v, f, rate;
-  double dissipated = 0.0;
+/// The readable step from a start at rest, nothing of the lattice damageable. @param[in] start  [element][6]
+inline reference::PlainSimulation released(const Lattice& lattice, ViscousDamping damping, double dt,
+                                           const Eigen::VectorXd& start) {
+  reference::PlainSimulation march(lattice, {}, dt, {});
+  std::vector<Vector6> moved;
+  for (long k = 0; k < start.size(); k += 6) moved.emplace_back(start.segment<6>(k));
+  march.start_from(moved);
+  march.damping = std::move(damping);
+  return march;
+}
 
-  March(const Lattice& lattice, ViscousDamping damping_, double dt_, const Eigen::VectorXd& start)
-      : dt(dt_), rows(rows_of(lattice)), damping(std::move(damping_)), per_mass(mobility(lattice)), q(start) {
-    v = rate = Eigen::VectorXd::Zero(q.size());
-    f = loads_on(lattice, q);
-  }
-  void step() {
-    rate = v + 0.5 * dt * per_mass.cwiseProduct(f);
-    q += dt * rate;
-    f.setZero();
-    add_beam_forces(rows, q.data(), f.data());
-    add_damping_forces(damping, rate.data(), nullptr, dt, f.data(), dissipated);
-    v = rate + 0.5 * dt * per_mass.cwiseProduct(f);
-  }
-  /// K + U - C, which velocity Verlet keeps where nothing dissipates; nothing gripped.
-  double energy(const Lattice& lattice) const {
-    double sum = 0.5 * v.dot(v.cwiseQuotient(per_mass)) - 0.125 * dt * dt * f.dot(f.cwiseProduct(per_mass));
-    for (std::size_t b = 0; b < lattice.beam.size(); ++b)
-      sum += energy_of(lattice.beam[b], strain_of(lattice.beam[b], q.segment<6>(6 * lattice.ends[b][0]),
-                                                  q.segment<6>(6 * lattice.ends[b][1])));
-    return sum;
-  }
-};
+inline double largest_of(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<long>(numbers.size()))
+      .cwiseAbs()
+      .maxCoeff();
+}
 
 }  // namespace rift::lattice::hand_made

@@ -11,15 +11,14 @@ namespace {
 using hand_made::chain;
 using hand_made::Rod;
 
-/// A bar of beams along x, held at both ends, that no crack crosses.
+/// A bar of beams along x, held at both ends, that nothing damages.
 struct Bar {
   Rod rod;
   Lattice lattice;
-  ensemble::Ensemble<double> simulation;
+  ensemble::Ensemble simulation;
 
   Bar(int elements, double dt)
-      : lattice(held_chain(elements, rod)),
-        simulation(lattice, fracture::straight_path(1.0, 1e3), 0.0, dt, {fracture::LaneScenario{}}) {}
+      : lattice(held_chain(elements, rod)), simulation(lattice, {}, dt, {fracture::LaneScenario{}}) {}
   Bar(const Bar&) = delete;
 
   static Lattice held_chain(int elements, const Rod& rod) {

@@ -37,13 +37,8 @@ TEST(LoadingForce, IsWhatTheGripOfTheNotchedPlatePullsWith) {
     std::vector<std::string> overrides{"loading.force=3 kN", "output.window=[0.25, 0.5]"};
     overrides.insert(overrides.end(), more.begin(), more.end());
     const Prepared p = small_plate(overrides);
-    const ensemble::Ensemble<double> plate = [&] {
-      ensemble::Ensemble<double> e(p.lattice, p.path, p.preset.scene.crack.start, p.step.dt,
-                                   {p.lane[0].scenario}, {.kinematics = p.preset.scene.solver.kinematics});
-      e.start_from(p.displacement);
-      e.start_crack(p.damped);
-      return e;
-    }();
+    const ensemble::CrackedEnsemble plate =
+        ready(p, {p.lane[0].scenario}, p.step.dt, {.kinematics = p.preset.scene.solver.kinematics});
     EXPECT_NEAR(plate.grip_force(0), 3000.0, 1e-6) << testing::PrintToString(more);
   }
 }

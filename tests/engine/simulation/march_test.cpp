@@ -32,6 +32,29 @@ struct Heard {
   }
 };
 
+TEST(SampleOf, AnEnergyBalanceHoldsEveryTerm) {
+  const results::Sample sample = sample_of({.elastic = 70.0,
+                                            .kinetic_translation = 16.0,
+                                            .kinetic_rotation = 4.0,
+                                            .step_correction = 2.0,
+                                            .fracture = 20.0,
+                                            .damping = 12.0,
+                                            .numerical_damping = 5.0,
+                                            .contact = 3.0,
+                                            .work_external = 24.0,
+                                            .error = 0.5});
+  EXPECT_EQ(sample.elastic_j, 70.0);
+  EXPECT_EQ(sample.kinetic_translation_j, 16.0);
+  EXPECT_EQ(sample.kinetic_rotation_j, 4.0);
+  EXPECT_EQ(sample.step_correction_j, 2.0);
+  EXPECT_EQ(sample.fracture_j, 20.0);
+  EXPECT_EQ(sample.damping_j, 12.0);
+  EXPECT_EQ(sample.numerical_damping_j, 5.0);
+  EXPECT_EQ(sample.contact_j, 3.0);
+  EXPECT_EQ(sample.work_external_j, 24.0);
+  EXPECT_EQ(sample.residual, 0.5);
+}
+
 TEST(March, ReadsTheBooksAtEverySampleOfItsSchedule) {
   const Prepared p = small_plate();
   Heard heard;
@@ -160,7 +183,8 @@ TEST(March, FillsARegisterWithLanesAndLetsTheOthersWait) {
   base::Cache none;
   const Prepared p = prepare(small_preset({"crack.end=12 mm", "output.window=[0.1, 0.2]"}), scenes, none);
   const RunResult narrow = march(p, {}, {.threads = 1}), wide = march(p, {}, {.threads = 1, .lanes = 8});
-  EXPECT_EQ(narrow.lanes, ensemble::lanes_in_register<double>(ensemble::InstructionSet::baseline));
+  EXPECT_EQ(narrow.lanes, ensemble::lanes_in_register(ensemble::Precision::double_precision,
+                                                      ensemble::InstructionSet::baseline));
   EXPECT_EQ(wide.lanes, 5);
   ::unsetenv("RIFT_SIMD");
   ASSERT_EQ(narrow.lane.size(), 5U);

@@ -136,8 +136,8 @@ TEST(OwnWay, GoesOnFromACheckpointOfARestingTipToTheSameBits) {
   const std::int64_t resting = (stop->step + (stop + 1)->step) / 2;
   Resumption from;
   Observer observer;
-  observer.steer = [&](const Moment& moment) {
-    Orders orders;
+  observer.steer = [&](const RunSnapshot& moment) {
+    SteeringCommands orders;
     orders.steps = 1;
     orders.stop = moment.progress.step >= resting;
     return orders;
@@ -167,8 +167,8 @@ TEST(OwnWay, GoesOnFromACheckpointToTheSameBits) {
   const RunResult whole = march(p, {}, {.threads = 1});
   Resumption from;
   Observer observer;
-  observer.steer = [&](const Moment& moment) {
-    Orders orders;
+  observer.steer = [&](const RunSnapshot& moment) {
+    SteeringCommands orders;
     orders.steps = 1;
     orders.stop = moment.progress.step >= whole.lane[0].steps * 2 / 3;
     return orders;

@@ -3,7 +3,7 @@
 #include "engine/base/interrupted.hpp"
 #include "engine/calibration/calibrate.hpp"
 #include "engine/lattice/statics.hpp"
-#include "tests/engine/ensemble/plain_simulation.hpp"
+#include "engine/reference/plain_simulation.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 #include "tests/expectations.hpp"
 #include "tests/temporary_folder.hpp"
@@ -149,7 +149,8 @@ TEST(Prepare, CracksBlocksAndNoOtherShape) {
 
 /// Largest force on a free element from the beams that are there, over the largest force of any beam.
 double unbalanced(const Prepared& p, double notch_end) {
-  ensemble::PlainSimulation s(p.lattice, p.path, notch_end, p.step.dt, p.lane[0].scenario);
+  reference::PlainSimulation s(p.lattice, fracture::damageable_beams(p.path, p.lattice, notch_end), p.step.dt,
+                               p.lane[0].scenario);
   s.start_from(p.displacement);
   double worst = 0.0, largest = 0.0;
   for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i) {
@@ -168,15 +169,15 @@ TEST(Prepare, NotchedBeamsAreAbsentFromThePreStressOn) {
   EXPECT_LT(notched.static_energy, 0.95 * whole.static_energy);
   EXPECT_EQ(notched.scale.g_i0, whole.scale.g_i0);  // of the strip without its notch
   EXPECT_EQ(notched.micro.young_modulus, whole.micro.young_modulus);
-  ensemble::Ensemble<double> s = ready(notched);
+  ensemble::CrackedEnsemble s = ready(notched);
   int cut = 0;
-  ASSERT_FALSE(s.met().empty());
-  for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
-    EXPECT_EQ(s.factor(k, 0), s.met()[k].position <= 0.008 ? 0.0 : 1.0);
+  ASSERT_FALSE(s.damageable().empty());
+  for (int k = 0; k < static_cast<int>(s.damageable().size()); ++k) {
+    EXPECT_EQ(s.factor(k, 0), s.damageable()[k].position <= 0.008 ? 0.0 : 1.0);
     cut += s.factor(k, 0) == 0.0 ? 1 : 0;
   }
   EXPECT_GT(cut, 10);
-  EXPECT_NEAR(s.energy(0).elastic / notched.static_energy, 1.0, 1e-12);
+  EXPECT_NEAR(s.balance(0).elastic / notched.static_energy, 1.0, 1e-12);
 }
 
 TEST(Prepare, NotchOfTwoTipsLiesInTheMiddleAndIsSolvedForItself) {
@@ -188,10 +189,10 @@ TEST(Prepare, NotchOfTwoTipsLiesInTheMiddleAndIsSolvedForItself) {
   EXPECT_FALSE(p.statics_from_cache);
   EXPECT_LT(unbalanced(p, 0.008), 1e-9);
   int left = 0, right = 0;
-  ensemble::Ensemble<double> s = ready(p);
-  ASSERT_FALSE(s.met().empty());
-  for (int k = 0; k < static_cast<int>(s.met().size()); ++k) {
-    const auto& [i, j] = p.lattice.ends[s.met()[k].beam];
+  ensemble::CrackedEnsemble s = ready(p);
+  ASSERT_FALSE(s.damageable().empty());
+  for (int k = 0; k < static_cast<int>(s.damageable().size()); ++k) {
+    const auto& [i, j] = p.lattice.ends[s.damageable()[k].beam];
     const double x = 0.5 * (p.lattice.centre[i].x() + p.lattice.centre[j].x()) - 0.024;
     if (s.factor(k, 0) == 0.0) ++(x < 0.0 ? left : right);
     if (std::abs(x) < 0.007) {

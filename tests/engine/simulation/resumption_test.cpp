@@ -11,8 +11,8 @@ namespace {
 Resumption stopped_at(const Prepared& p, std::int64_t steps, const MarchOptions& options = {}) {
   Resumption from;
   Observer observer;
-  observer.steer = [&](const Moment& moment) {
-    Orders orders;
+  observer.steer = [&](const RunSnapshot& moment) {
+    SteeringCommands orders;
     orders.steps = 1;
     orders.stop = moment.progress.step >= steps;
     return orders;

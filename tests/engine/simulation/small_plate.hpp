@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/ensemble/ensemble.hpp"
 #include "engine/simulation/march.hpp"
+#include "tests/engine/ensemble/cracked_ensemble.hpp"
 #include "tests/expectations.hpp"
 #include "tests/shared_cache.hpp"
 #include "tests/temporary_folder.hpp"
@@ -46,16 +46,16 @@ inline Prepared small_plate(const std::vector<std::string>& overrides = {}) {
 }
 
 /// An ensemble at rest under the pre-stress, its crack about to start.
-template <class Real = double>
-ensemble::Ensemble<Real> ready(const Prepared& p, const std::vector<fracture::LaneScenario>& scenarios,
-                               double dt, const ensemble::Marching& marching = {}) {
-  ensemble::Ensemble<Real> simulation(p.lattice, p.path, p.preset.scene.crack.start, dt, scenarios, marching);
+inline ensemble::CrackedEnsemble ready(const Prepared& p,
+                                       const std::vector<fracture::LaneScenario>& scenarios, double dt,
+                                       const ensemble::EnsembleOptions& options = {}) {
+  ensemble::CrackedEnsemble simulation(p.lattice, p.path, p.preset.scene.crack.start, dt, scenarios, options);
   simulation.start_from(p.displacement);
   simulation.start_crack(p.damped);
   return simulation;
 }
 
-inline ensemble::Ensemble<double> ready(const Prepared& p) {
+inline ensemble::CrackedEnsemble ready(const Prepared& p) {
   return ready(p, {p.lane[0].scenario}, p.step.dt);
 }
 

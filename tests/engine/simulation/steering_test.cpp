@@ -21,8 +21,8 @@ Steered steered(const Prepared& p, std::vector<scene::Change> wishes) {
   Steered s;
   Observer observer;
   std::size_t next = 0;
-  observer.steer = [&](const Moment& moment) {
-    Orders orders;
+  observer.steer = [&](const RunSnapshot& moment) {
+    SteeringCommands orders;
     orders.steps = 1;
     if (next < wishes.size() && moment.progress.step >= wishes[next].step)
       orders.changes.push_back(wishes[next++]);
@@ -146,15 +146,15 @@ TEST(Steering, WaitingForOrdersIsNotMarching) {
   const Prepared p = small_plate();
   Observer observer;
   bool waited = false;
-  observer.steer = [&](const Moment& moment) {
+  observer.steer = [&](const RunSnapshot& moment) {
     if (!waited) std::this_thread::sleep_for(std::chrono::milliseconds(700));
     waited = true;
     EXPECT_EQ(moment.frame(0, true)->displacement.size(), p.lattice.centre.size());
     EXPECT_EQ(moment.frame(0, true)->velocity.size(), p.lattice.centre.size());
     EXPECT_TRUE(moment.frame(0, false)->velocity.empty());
-    EXPECT_EQ(moment.books(0)->lane, 0);
-    EXPECT_FALSE(moment.books(3).has_value());
-    return Orders{.steps = 1};
+    EXPECT_EQ(moment.sample(0)->lane, 0);
+    EXPECT_FALSE(moment.sample(3).has_value());
+    return SteeringCommands{.steps = 1};
   };
   const auto start = std::chrono::steady_clock::now();
   const RunResult result = march(p, observer);

@@ -1,4 +1,4 @@
-#include "engine/simulation/time_step.hpp"
+#include "engine/simulation/schedule.hpp"
 
 #include "tests/engine/simulation/small_plate.hpp"
 

@@ -138,7 +138,7 @@ TEST(Divergence, IsCaughtBetweenTwoSamplesByStepElementBeamAndLane) {
   for (int lane = 0; lane < 2; ++lane) {
     const simulation::LaneResult& r = result.lane[lane];
     EXPECT_GT(p.lane[lane].schedule.samples[1], 128);
-    EXPECT_LE(r.steps - r.sound_at, 200);
+    EXPECT_LE(r.steps - r.last_good_step, 200);
     EXPECT_LT(r.steps, p.lane[lane].schedule.samples[1]);
     EXPECT_TRUE(
         r.where.starts_with("step " + std::to_string(r.steps) + ", lane " + std::to_string(lane) + ": "))

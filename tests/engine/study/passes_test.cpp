@@ -28,12 +28,10 @@ TEST(Queue, OfALongScenarioAndShortOnesHasFewLanes) {
 TEST(Queue, OfManyFillsAsManyLanesAsAreFastest) {
   for (const ensemble::Precision precision :
        {ensemble::Precision::double_precision, ensemble::Precision::single_precision}) {
-    const bool single = precision == ensemble::Precision::single_precision;
     const int lanes = lanes_of_many(precision);
     EXPECT_EQ(soonest(Steps(64, 1000), precision).lanes, lanes);
     EXPECT_GT(lanes, 1);
-    EXPECT_LE(lanes, single ? ensemble::lanes_in_register<float>(ensemble::instruction_set())
-                            : ensemble::lanes_in_register<double>(ensemble::instruction_set()));
+    EXPECT_LE(lanes, ensemble::lanes_in_register(precision, ensemble::instruction_set()));
   }
 }
 

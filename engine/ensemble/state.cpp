@@ -1,0 +1,291 @@
+#include "engine/ensemble/state.hpp"
+
+#include "engine/fracture/face_contact.hpp"
+
+#include <cassert>
+#include <utility>
+
+namespace rift::ensemble {
+
+State::State(const lattice::Lattice& lattice, std::vector<fracture::DamageableBeam> damageable, int scenarios,
+             const EnsembleOptions& options)
+    : lattice_(&lattice),
+      options_(options),
+      lanes_(options.lanes ? options.lanes : lanes_for(options.precision, scenarios)),
+      damageable_(std::move(damageable)),
+      base_(lattice.centre.size(), lattice::Vector6::Zero()),
+      arrays_(options.precision),
+      cut_(cut_evenly(lattice, options.threads)) {
+  assert(scenarios > 0 && scenarios <= lanes_);
+  const std::size_t factors = damageable_.size() * lanes_, n = lattice.mass.size();
+  arrays_.factor.resize(factors);
+  if (options_.contact) arrays_.slip.resize(3 * factors), arrays_.slip_after.resize(3 * factors);
+  for (Numbers* numbers :
+       {&arrays_.alpha_at_surface, &arrays_.alpha_elsewhere, &arrays_.in_contact, &arrays_.friction})
+    numbers->resize(lanes_);
+  const int parts = static_cast<int>(cut_.size()) - 1;
+  threads_ = std::make_unique<base::ThreadPool>(parts, parts);
+  arrays_.per_mass.resize(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    arrays_.mass.insert(arrays_.mass.end(), {lattice.mass[i], lattice.inertia[i]});
+    if (lattice.grip[i] == packing::Grip::none)
+      arrays_.per_mass.set(2 * i, 1.0 / lattice.mass[i]),
+          arrays_.per_mass.set(2 * i + 1, 1.0 / lattice.inertia[i]);
+    arrays_.top.push_back(lattice.grip[i] == packing::Grip::top);
+  }
+}
+
+void State::set_base(const std::vector<lattice::Vector6>& base) {
+  base_ = base;
+  find_beams_at_top();
+  build_parts();
+  for (int lane = 0; lane < lanes_; ++lane) put_to_rest(lane);
+}
+
+/// The corotational loads hold the pull of the base state already.
+void State::find_beams_at_top() {
+  top_beam_.clear();
+  base_pull_ = 0.0;
+  std::vector<int> place(lattice_->beam.size(), -1);
+  for (std::size_t k = 0; k < damageable_.size(); ++k) place[damageable_[k].beam] = static_cast<int>(k);
+  for (std::size_t b = 0; b < place.size(); ++b) {
+    const auto& [i, j] = lattice_->ends[b];
+    if ((place[b] >= 0 && damageable_[place[b]].absent) || arrays_.top[i] == arrays_.top[j]) continue;
+    top_beam_.push_back({static_cast<int>(b), place[b]});
+    if (options_.kinematics == lattice::Kinematics::corotational) continue;
+    const lattice::BeamLoads loads = lattice::loads_of(lattice_->beam[b], base_[i], base_[j]);
+    base_pull_ += arrays_.top[i] ? loads.force_i.y() : -loads.force_i.y();
+  }
+}
+
+void State::build_parts() {
+  const RowSource source{*lattice_, options_, lanes_, base_, damageable_, damped_};
+  part_.clear();
+  std::vector<int> element(base_.size());  // of each row
+  for (std::size_t i = 0; i < element.size(); ++i) element[i] = static_cast<int>(i);
+  for (std::size_t p = 0; p + 1 < cut_.size(); ++p) {
+    part_.push_back(make_part(source, cut_[p], cut_[p + 1], static_cast<int>(element.size())));
+    element.insert(element.end(), part_.back()->ghost.begin(), part_.back()->ghost.end());
+  }
+  const std::size_t rows = element.size() * lanes_;
+  arrays_.q.resize(rows * position_numbers());
+  arrays_.v.resize(rows * 6);
+  if (!arrays_.rate.empty()) arrays_.rate.resize(rows * 6);
+  arrays_.base.clear();
+  for (const int i : element) arrays_.base.insert(arrays_.base.end(), base_[i].begin(), base_[i].end());
+}
+
+void State::set_damped(const std::vector<lattice::DampedBeam>& damped) {
+  const std::vector<double> contact = by_element(&Part::contact_before);
+  damped_ = damped;
+  build_parts();
+  set_by_element(&Part::contact_before, contact);
+}
+
+void State::set_lane(int lane, const fracture::LaneScenario& scenario) {
+  assert(options_.contact || !scenario.friction);
+  arrays_.alpha_at_surface.set(lane, scenario.alpha_at_surface);
+  arrays_.alpha_elsewhere.set(lane, scenario.alpha_elsewhere);
+  arrays_.in_contact.set(lane, scenario.friction ? 1.0 : 0.0);
+  arrays_.friction.set(lane, scenario.friction.value_or(0.0));
+}
+
+void State::put_to_rest(int lane) {
+  const int numbers = position_numbers();
+  const std::size_t rows = arrays_.v.size() / (6UL * lanes_);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (int c = 0; c < 6; ++c) arrays_.v.set((row * 6 + c) * lanes_ + lane, 0.0);
+    Eigen::Vector4d turn(1, 0, 0, 0);
+    if (numbers == 7 && row < base_.size()) {
+      const Eigen::Quaterniond base = lattice::pose_of(base_[row]).turn;
+      turn = {base.w(), base.x(), base.y(), base.z()};
+    }
+    for (int c = 0; c < numbers; ++c)
+      arrays_.q.set((row * numbers + c) * lanes_ + lane, numbers == 7 && c >= 3 ? turn[c - 3] : 0.0);
+  }
+  for (std::size_t k = 0; k < damageable_.size(); ++k)
+    set_factor(static_cast<int>(k), lane, damageable_[k].absent ? 0.0 : 1.0);
+  for (std::size_t k = lane; k < arrays_.slip.size(); k += lanes_)
+    arrays_.slip.set(k, 0.0), arrays_.slip_after.set(k, 0.0);
+  for (const auto& part : part_) {  // a lane that diverged has left no numbers there
+    for (Numbers* before : {&part->damping_before, &part->contact_before})
+      for (std::size_t k = lane; k < before->size(); k += lanes_) before->set(k, 0.0);
+    for (std::size_t k = lane; k < part->account.size(); k += lanes_) part->account[k] = 0.0;
+  }
+}
+
+void State::set_motion(const std::vector<lattice::Vector6>& moved) {
+  const int numbers = position_numbers();
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const Eigen::Quaterniond turn = lattice::pose_of(moved[i]).turn;
+    const Eigen::Vector4d q(turn.w(), turn.x(), turn.y(), turn.z());
+    for (int lane = 0; lane < lanes_; ++lane)
+      for (int c = 0; c < numbers; ++c)
+        arrays_.q.set((i * numbers + c) * lanes_ + lane, numbers == 6 || c < 3 ? moved[i][c] : q[c - 3]);
+  }
+}
+
+void State::set_velocities(const AlignedVector<double>& velocity) {
+  for (std::size_t k = 0; k < velocity.size(); ++k) arrays_.v.set(k, velocity[k]);
+}
+
+void State::set_velocities(int lane, const std::vector<lattice::Vector6>& velocity) {
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    for (int c = 0; c < 6; ++c) arrays_.v.set((i * 6 + c) * lanes_ + lane, velocity[i][c]);
+}
+
+void State::set_top_velocity(double speed) {
+  for (std::size_t i = 0; i < arrays_.top.size(); ++i)
+    if (arrays_.top[i])
+      for (int lane = 0; lane < lanes_; ++lane) arrays_.v.set((i * 6 + 1) * lanes_ + lane, speed);
+}
+
+void State::keep_rates() {
+  if (arrays_.rate.empty()) arrays_.rate = arrays_.v;
+}
+
+void State::copy_ghosts() {
+  if (part_.size() < 2) return;
+  threads_->run(threads(), [this](int p) {
+    const Part& part = *part_[p];
+    const auto copy = [&](Numbers& state, int numbers) {
+      const std::size_t row = static_cast<std::size_t>(numbers) * lanes_;
+      for (std::size_t g = 0; g < part.ghost.size(); ++g)
+        state.copy(part.ghost[g] * row, (part.first_ghost_row + g) * row, row);
+    };
+    copy(arrays_.q, position_numbers());
+    if (damped_.empty()) return;
+    copy(arrays_.rate.empty() ? arrays_.v : arrays_.rate, 6);
+  });
+}
+
+void State::advance(const StepConstants& constants, bool balanced) {
+  copy_ghosts();
+  balanced = balanced || !damped_.empty() || !arrays_.rate.empty() || options_.contact;
+  threads_->run(threads(), [&](int p) { part_[p]->advance(arrays_, constants, balanced); });
+  std::swap(arrays_.slip, arrays_.slip_after);
+}
+
+void State::evaluate_energies(const StepConstants& constants, double* velocities) {
+  copy_ghosts();
+  threads_->run(threads(), [&](int p) { part_[p]->evaluate_energies(arrays_, constants, velocities); });
+}
+
+double State::add_account(Account account, int lane, double sum) const {
+  const std::size_t chunk = static_cast<std::size_t>(accounts) * lanes_;
+  for (const auto& part : part_)
+    for (std::size_t k = static_cast<std::size_t>(account) * lanes_ + lane; k < part->account.size();
+         k += chunk)
+      sum += part->account[k];
+  return sum;
+}
+
+lattice::Pose State::pose(int element, int lane) const {
+  const auto at = [&](int c) {
+    return arrays_.q[(static_cast<std::size_t>(element) * position_numbers() + c) * lanes_ + lane];
+  };
+  return {base_[element].head<3>() + Eigen::Vector3d(at(0), at(1), at(2)),
+          Eigen::Quaterniond(at(3), at(4), at(5), at(6))};
+}
+
+lattice::Vector6 State::motion(int element, int lane) const {
+  if (options_.kinematics == lattice::Kinematics::corotational)
+    return lattice::motion_of(pose(element, lane));
+  lattice::Vector6 m = base_[element];
+  for (int c = 0; c < 6; ++c) m[c] += arrays_.q[(static_cast<std::size_t>(element) * 6 + c) * lanes_ + lane];
+  return m;
+}
+
+template <class Function>
+auto State::of_ends(const Function& function, int beam, int lane) const {
+  const auto& [i, j] = lattice_->ends[beam];
+  const lattice::Beam& form = lattice_->beam[beam];
+  if (options_.kinematics == lattice::Kinematics::corotational)
+    return function(form, pose(i, lane), pose(j, lane));
+  return function(form, motion(i, lane), motion(j, lane));
+}
+
+lattice::BeamStrain State::strain(int beam, int lane) const {
+  return of_ends([](const auto&... ends) { return lattice::strain_of(ends...); }, beam, lane);
+}
+
+Eigen::Vector3d State::gap(int k, int lane) const {
+  return of_ends([](const auto&... ends) { return fracture::face_gap(ends...); }, damageable_[k].beam, lane);
+}
+
+Eigen::Vector3d State::slip(int k, int lane) const {
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();
+  for (int c = 0; c < 3 && options_.contact; ++c) slip[c] = arrays_.slip[(3UL * k + c) * lanes_ + lane];
+  return slip;
+}
+
+double State::grip_force(int lane) const {
+  double force = 0.0;
+  for (const auto& [beam, k] : top_beam_) {
+    const auto loads = of_ends([](const auto&... ends) { return lattice::loads_of(ends...); }, beam, lane);
+    const bool first = arrays_.top[lattice_->ends[beam][0]] != 0;
+    force -= (k < 0 ? 1.0 : factor(k, lane)) * (first ? loads.force_i.y() : -loads.force_i.y());
+  }
+  return force;
+}
+
+/// Rows of elements with additional loads as rows of all, 0 elsewhere; none where no part has any.
+std::vector<double> State::by_element(Numbers Part::*rows) const {
+  std::vector<double> all;
+  const std::size_t row = 6UL * lanes_;
+  for (const auto& part : part_) {
+    const Numbers& numbers = (*part).*rows;
+    if (!numbers.empty()) all.resize(base_.size() * row);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      all[static_cast<std::size_t>(part->extra_element[k / row]) * row + k % row] = numbers[k];
+  }
+  return all;
+}
+
+void State::set_by_element(Numbers Part::*rows, const std::vector<double>& all) {
+  const std::size_t row = 6UL * lanes_;
+  for (const auto& part : part_) {
+    Numbers& numbers = (*part).*rows;
+    for (std::size_t k = 0; k < numbers.size() && !all.empty(); ++k)
+      numbers.set(k, all[static_cast<std::size_t>(part->extra_element[k / row]) * row + k % row]);
+  }
+}
+
+void State::save(NamedNumbers& state) const {
+  const std::size_t rows = base_.size() * lanes_;
+  put(state, "position", arrays_.q, rows * position_numbers());
+  put(state, "velocity", arrays_.v, rows * 6);
+  put(state, "rate", arrays_.rate, arrays_.rate.empty() ? 0 : rows * 6);
+  put(state, "factor", arrays_.factor, arrays_.factor.size());
+  // By chunks and by elements, which do not depend on how many threads march.
+  for (const auto& part : part_) put(state, "account", part->account, part->account.size());
+  state["damping_before"] = by_element(&Part::damping_before);
+  if (!options_.contact) return;
+  state["contact_before"] = by_element(&Part::contact_before);
+  put(state, "slip", arrays_.slip, arrays_.slip.size());
+}
+
+void State::restore(const NamedNumbers& state) {
+  const std::size_t rows = base_.size() * lanes_;
+  const auto rates = state.find("rate");
+  if (rates != state.end() && !rates->second.empty()) keep_rates();
+  take(state, "position", arrays_.q, rows * position_numbers());
+  take(state, "velocity", arrays_.v, rows * 6);
+  take(state, "rate", arrays_.rate, arrays_.rate.empty() ? 0 : rows * 6);
+  take(state, "factor", arrays_.factor, arrays_.factor.size());
+  set_by_element(&Part::damping_before, numbers_of(state, "damping_before", damped_.empty() ? 0 : rows * 6));
+  if (options_.contact) {
+    set_by_element(&Part::contact_before, numbers_of(state, "contact_before", rows * 6));
+    take(state, "slip", arrays_.slip, arrays_.slip.size());
+    arrays_.slip_after = arrays_.slip;
+  }
+  std::size_t all = 0;
+  for (const auto& part : part_) all += part->account.size();
+  auto account = numbers_of(state, "account", all).begin();
+  for (const auto& part : part_) {
+    std::copy_n(account, part->account.size(), part->account.begin());
+    account += static_cast<std::ptrdiff_t>(part->account.size());
+  }
+}
+
+}  // namespace rift::ensemble

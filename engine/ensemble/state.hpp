@@ -1,0 +1,107 @@
+#pragma once
+
+#include "engine/base/thread_pool.hpp"
+#include "engine/ensemble/part_rows.hpp"
+#include "engine/fracture/release.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace rift::ensemble {
+
+/// Where all lanes are: positions, velocities and what is left of the damageable beams' stiffness. They are
+/// stored as changes since the base state (the pre-stress), so that single precision loses nothing against
+/// it, and as [element][component][lane], so that the kernels read every beam once for all lanes. Numbers at
+/// this face are doubles.
+class State {
+ public:
+  State(const lattice::Lattice& lattice, std::vector<fracture::DamageableBeam> damageable, int scenarios,
+        const EnsembleOptions& options);
+
+  /// Puts all lanes at rest in a base state whose forces are taken as balanced. @param[in] base  N [m, rad]
+  void set_base(const std::vector<lattice::Vector6>& base);
+  /// Damps these beams; those that were damped before must be among them. The accounts begin anew.
+  void set_damped(const std::vector<lattice::DampedBeam>& damped);
+  /// Takes a lane's damping and friction from its scenario.
+  void set_lane(int lane, const fracture::LaneScenario& scenario);
+  /// Puts a lane at rest in the base state, nothing of it damaged but what is absent from there on.
+  void put_to_rest(int lane);
+  /// Moves all lanes. @param[in] moved  N [m, rad], since the unloaded lattice; the base state must be 0
+  void set_motion(const std::vector<lattice::Vector6>& moved);
+  /// @param[in] velocity  [element][6][lane] [m/s, rad/s]
+  void set_velocities(const AlignedVector<double>& velocity);
+  /// @param[in] velocity  N [m/s, rad/s]
+  void set_velocities(int lane, const std::vector<lattice::Vector6>& velocity);
+  void set_top_velocity(double speed);  // along y [m/s]
+  void set_factor(int k, int lane, double factor) { arrays_.factor.set(at(k, lane), factor); }
+  /// Makes room for rates that differ from the velocities, as they do with beta other than 1.
+  void keep_rates();
+
+  /// Moves all lanes on by a step. @param[in] balanced  with the accounts of the step; they are kept in any
+  /// case where something dissipates
+  void advance(const StepConstants& constants, bool balanced);
+  /// Evaluates the accounts of energies at this moment. @param[out] velocities  [element][6][lane], may be
+  /// null
+  void evaluate_energies(const StepConstants& constants, double* velocities);
+  /// An account of a lane, chunk by chunk added to `sum` [J].
+  double add_account(Account account, int lane, double sum = 0.0) const;
+
+  lattice::Vector6 motion(int element, int lane) const;  // since the unloaded lattice; rotation vector
+  lattice::BeamStrain strain(int beam, int lane) const;
+  /// Energy that a beam would have undamaged [J].
+  double beam_energy(int beam, int lane) const {
+    return lattice::energy_of(lattice_->beam[beam], strain(beam, lane));
+  }
+  double factor(int k, int lane) const { return arrays_.factor[at(k, lane)]; }
+  /// A factor as this precision holds it.
+  double rounded(double x) const {
+    return options_.precision == Precision::double_precision ? x : static_cast<double>(static_cast<float>(x));
+  }
+  Eigen::Vector3d gap(int k, int lane) const;   // of the faces of a damageable beam [m]
+  Eigen::Vector3d slip(int k, int lane) const;  // along them so far [m]
+  double grip_force(int lane) const;            // of the top grip along y [N]; below 0 it presses
+  double base_pull() const {
+    return base_pull_;
+  }  // of the lattice on the top grip along y in the base state [N]
+
+  const lattice::Lattice& lattice() const { return *lattice_; }
+  const EnsembleOptions& options() const { return options_; }
+  const std::vector<fracture::DamageableBeam>& damageable() const { return damageable_; }
+  int lanes() const { return lanes_; }  // of the kernel
+  int threads() const { return static_cast<int>(part_.size()); }
+
+  void save(NamedNumbers& state) const;
+  /// Throws std::invalid_argument where the numbers are not of such a state.
+  void restore(const NamedNumbers& state);
+
+ private:
+  std::size_t at(int k, int lane) const { return static_cast<std::size_t>(k) * lanes_ + lane; }
+  int position_numbers() const { return options_.kinematics == lattice::Kinematics::linear ? 6 : 7; }
+  lattice::Pose pose(int element, int lane) const;
+  /// A function of a beam and its two ends, be they motions or poses.
+  template <class Function>
+  auto of_ends(const Function& function, int beam, int lane) const;
+  void find_beams_at_top();
+  void build_parts();
+  void copy_ghosts();
+  std::vector<double> by_element(Numbers Part::*rows) const;
+  void set_by_element(Numbers Part::*rows, const std::vector<double>& numbers);
+
+  const lattice::Lattice* lattice_;
+  EnsembleOptions options_;
+  int lanes_;
+  std::vector<fracture::DamageableBeam> damageable_;
+  std::vector<lattice::Vector6> base_;
+  std::vector<lattice::DampedBeam> damped_;
+  struct TopBeam {
+    int beam, k;  // the latter -1 where nothing damages it
+  };
+  std::vector<TopBeam> top_beam_;  // from the top grip to other elements
+  double base_pull_ = 0;
+  StateArrays arrays_;
+  std::vector<int> cut_;  // first elements of the parts, and N
+  std::vector<std::unique_ptr<Part>> part_;
+  std::unique_ptr<base::ThreadPool> threads_;
+};
+
+}  // namespace rift::ensemble
