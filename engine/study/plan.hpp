@@ -15,7 +15,7 @@ struct StudyItem {
   scene::Scene scene;
   std::string key;  // of its result
   int group = 0;    // those of one group share specimen, lattice and pre-stress
-  double cost = 0;  // its share of the pass that it marches in   [cost.hpp]
+  double cost = 0;  // its share of the pass that it marches in
 };
 
 /// The scenarios of a study, group by group in the order of first appearance.
@@ -43,5 +43,24 @@ Queue soonest(const std::vector<std::int64_t>& steps, ensemble::Precision precis
 
 /// Lanes side by side where there is no end of scenarios.
 int lanes_of_many(ensemble::Precision precision);
+
+/// Estimates that need no lattice, for bars and for asking before a long study.
+
+/// Step and steps of a scenario, with a critical step of 0.63 R / c_r (measured on the quickstart plate).
+struct StepCount {
+  double step_s = 0;
+  std::int64_t steps = 0;
+};
+StepCount estimated_steps(const scene::Scene& scene);
+
+/// What a step costs: the scene's beams, as many times as its damping and its kinematics make them dearer
+/// [rift bench --needs]. The unit is a walk over one beam for as many lanes as march side by side.
+double estimated_step_cost(const scene::Scene& scene);
+
+/// The steps of a scenario that marches by itself.
+double estimated_cost(const scene::Scene& scene);
+
+/// The same for packing and pre-stress together.
+double estimated_preparation(const scene::Scene& scene);
 
 }  // namespace rift::study

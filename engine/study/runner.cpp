@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -271,6 +272,24 @@ void compute(Study& study, const std::vector<std::vector<StudyItem>>& groups) {
 }
 
 }  // namespace
+
+double number_in(const SummaryRow& row, const char* name) {
+  const auto found = row.find(name);
+  return found != row.end() && found->is_number() ? found->get<double>()
+                                                  : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string text_in(const SummaryRow& row, const char* name) {
+  const auto found = row.find(name);
+  return found != row.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::string axis_in(const SummaryRow& row, const char* axis, const std::string& absent) {
+  const auto axes = row.find("axes");
+  if (axes == row.end() || !axes->is_object()) return absent;
+  const std::string text = text_in(*axes, axis);
+  return text.empty() ? absent : text;
+}
 
 StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, base::Cache& cache,
                       const simulation::BuildInfo& build, const StudyObserver& observer) {

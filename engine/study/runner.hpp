@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,15 @@ namespace rift::study {
 /// One object of summary.json's "scenarios", plus "axes": {name: text}, its place "row" in the study, and
 /// "series": the file of its series in the folder.
 using SummaryRow = nlohmann::ordered_json;
+
+/// A number of a row, NaN where it is null or missing.
+double number_in(const SummaryRow& row, const char* name);
+
+/// A text of a row, empty where it is null or missing.
+std::string text_in(const SummaryRow& row, const char* name);
+
+/// The text of an axis of a row, or `absent` where the study does not name it.
+std::string axis_in(const SummaryRow& row, const char* axis, const std::string& absent);
 
 struct StudyOptions {
   std::filesystem::path folder;  // of the study; made or continued

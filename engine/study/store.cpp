@@ -214,17 +214,4 @@ SeriesTable read_series(const std::filesystem::path& path) {
   return table;
 }
 
-Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
-  if (x.size() < 3) return {undefined, undefined};
-  const auto n = static_cast<double>(x.size());
-  double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) mx += x[k] / n, my += y[k] / n;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xx += (x[k] - mx) * (x[k] - mx);
-    xy += (x[k] - mx) * (y[k] - my);
-    yy += (y[k] - my) * (y[k] - my);
-  }
-  return {xy / xx, yy > 0.0 ? xy * xy / (xx * yy) : 1.0};
-}
-
 }  // namespace rift::study

@@ -74,11 +74,4 @@ struct SeriesTable {
 /// Reads a series as results::series_csv() writes it; empty where there is no such file.
 SeriesTable read_series(const std::filesystem::path& path);
 
-/// Straight line through points by least squares, and the share of the variance it explains (R^2; 1 for
-/// points on a line). NaN for less than three points.
-struct Line {
-  double slope = 0, r_squared = 0;
-};
-Line line_through(const std::vector<double>& x, const std::vector<double>& y);
-
 }  // namespace rift::study

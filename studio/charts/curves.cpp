@@ -29,12 +29,12 @@ using Points = std::vector<std::pair<double, double>>;  // tip position over len
 
 constexpr double half_width = 0.02, between = 0.01;  // of the length
 
-std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const study::Evidence& evidence,
-                                                                  study::Selection selection) {
+std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const claims::Evidence& evidence,
+                                                                  claims::Selection selection) {
   selection.elements = evidence.elements;
   std::map<double, std::vector<study::SummaryRow>> rows;
   for (const study::SummaryRow& row : evidence.rows)
-    if (study::selects(selection, row)) rows[study::number_in(row, "crack_velocity_over_cr")].push_back(row);
+    if (claims::selects(selection, row)) rows[study::number_in(row, "crack_velocity_over_cr")].push_back(row);
   for (auto& [v, of_v] : rows)
     std::sort(of_v.begin(), of_v.end(), [](const study::SummaryRow& a, const study::SummaryRow& b) {
       return a.at("seed") < b.at("seed");
@@ -42,7 +42,7 @@ std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const study::E
   return rows;
 }
 
-Points fracture_points(const study::Evidence& evidence, const study::SummaryRow& row, const char* column) {
+Points fracture_points(const claims::Evidence& evidence, const study::SummaryRow& row, const char* column) {
   const study::SeriesTable table = evidence.series(row);
   Points points;
   for (std::size_t k = 0; k < table.phase.size(); ++k) {
@@ -84,7 +84,8 @@ std::string velocity_label(double v) { return fmt::format("{:g} c_r", v); }
 
 }  // namespace
 
-bool draw_ratio_against_position(Chart& chart, const study::Evidence& evidence, study::Selection selection) {
+bool draw_ratio_against_position(Chart& chart, const claims::Evidence& evidence,
+                                 claims::Selection selection) {
   set_up(chart);
   chart.y_label = "G_{ID} / G_{I0}, mean over 0.04 L [-]";
   chart.y_range = {0.0, {}};
@@ -103,8 +104,8 @@ bool draw_ratio_against_position(Chart& chart, const study::Evidence& evidence, 
   return !chart.series.empty();
 }
 
-bool draw_fracture_against_position(Chart& chart, const study::Evidence& evidence,
-                                    study::Selection selection) {
+bool draw_fracture_against_position(Chart& chart, const claims::Evidence& evidence,
+                                    claims::Selection selection) {
   set_up(chart);
   chart.y_label = "fracture energy [J]";
   int colour = 0;

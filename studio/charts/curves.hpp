@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/study/claims.hpp"
+#include "engine/claims/claims.hpp"
 #include "studio/charts/chart.hpp"
 
 #include <string>
@@ -18,11 +18,11 @@ void mark_echo(ChartSeries& marks, const ChartSeries& curve, double echo);
 /// Release rate against tip position, a curve per velocity: the mean over 0.04 of the length and over the
 /// specimens, without which a lattice ten elements to 0.01 of the length shows its noise; marked where a
 /// boundary's first echo is back. False where there is nothing to draw.
-bool draw_ratio_against_position(Chart& chart, const study::Evidence& evidence, study::Selection selection);
+bool draw_ratio_against_position(Chart& chart, const claims::Evidence& evidence, claims::Selection selection);
 
 /// Fracture energy against tip position, of the first specimen.
-bool draw_fracture_against_position(Chart& chart, const study::Evidence& evidence,
-                                    study::Selection selection);
+bool draw_fracture_against_position(Chart& chart, const claims::Evidence& evidence,
+                                    claims::Selection selection);
 
 /// A chart of release rates against velocity with Broberg, Freund and the strip limit in it, and nothing else
 /// yet.

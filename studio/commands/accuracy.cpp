@@ -1,11 +1,11 @@
+#include "engine/accuracy/cases.hpp"
 #include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
+#include "engine/claims/curve.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/study/accuracy_run.hpp"
-#include "engine/study/curve.hpp"
 #include "engine/study/identity.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/common.hpp"
@@ -73,7 +73,7 @@ void open_folder(const fs::path& folder, const scene::Preset& preset) {
   base::write_whole_file(file, base::json_text(mark, 2) + "\n");
 }
 
-/// The user's cache. With --no-cache one within the folder, gone at the end: variants share their packings.
+/// The user's cache. With --no-cache one within the folder, gone at the end: cases share their packings.
 struct PackingCache {
   PackingCache(const SceneOptions& options, const fs::path& folder)
       : own(options.no_cache ? base::temporary_name(folder / "cache") : fs::path()),
@@ -88,17 +88,17 @@ struct PackingCache {
   base::Cache cache;
 };
 
-void tell_finished(const AccuracyCommand& command, ProgressLine& line, const study::Variant& variant,
+void tell_finished(const AccuracyCommand& command, ProgressLine& line, const accuracy::Case& variant,
                    const study::SummaryRow& row, int done, int of) {
   line.clear();
   if (command.scene.quiet) return;
   if (command.scene.json) {
     const Json told{
-        {"finished", variant.label}, {"knob", study::name_of(variant.knob)}, {"done", done}, {"of", of}};
+        {"finished", variant.label}, {"knob", accuracy::name_of(variant.factor)}, {"done", done}, {"of", of}};
     base::message("{}\n", base::json_text(told));
     return;
   }
-  base::message("[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, study::name_of(variant.knob),
+  base::message("[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, accuracy::name_of(variant.factor),
                 variant.label, study::number_in(row, "ratio_with_damping"),
                 study::number_in(row, "wall_fracture_s"));
 }
@@ -111,10 +111,10 @@ std::string command_text(const AccuracyCommand& command) {
   return text + fmt::format(" --seeds {} --goal {:g}", command.seeds, command.goal);
 }
 
-ExitCode stopped(const study::AccuracyRun& run, int received, const fs::path& folder) {
+ExitCode stopped(const accuracy::AccuracyRun& run, int received, const fs::path& folder) {
   base::message("rift accuracy: {}; {} of {} variants are kept in {}: the same command goes on from here\n",
-                received != 0 ? "stopped" : "the budget ran out", run.computed + run.found, run.tried.size(),
-                folder.string());
+                received != 0 ? "stopped" : "the budget ran out", run.computed + run.found,
+                run.results.size(), folder.string());
   return received != 0 ? static_cast<ExitCode>(128 + received) : ExitCode::budget_ran_out;
 }
 
@@ -129,8 +129,8 @@ ExitCode write_files(const AccuracyReport& report, const fs::path& folder) {
   return ExitCode::done;
 }
 
-void print_result(const AccuracyCommand& command, const AccuracyReport& report, const study::AccuracyRun& run,
-                  const fs::path& folder) {
+void print_result(const AccuracyCommand& command, const AccuracyReport& report,
+                  const accuracy::AccuracyRun& run, const fs::path& folder) {
   if (command.scene.json) {
     base::print_text(base::json_text(accuracy_json(report), 2) + "\n");
     return;
@@ -140,8 +140,8 @@ void print_result(const AccuracyCommand& command, const AccuracyReport& report, 
               run.found, duration_text(report.wall_s), folder.string());
 }
 
-ExitCode compute(const AccuracyCommand& command, const scene::Preset& preset, const study::AccuracyPlan& plan,
-                 const fs::path& folder, std::optional<double> budget) {
+ExitCode compute(const AccuracyCommand& command, const scene::Preset& preset,
+                 const accuracy::AccuracyPlan& plan, const fs::path& folder, std::optional<double> budget) {
   const auto start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const StopSignal stop;
@@ -156,24 +156,24 @@ ExitCode compute(const AccuracyCommand& command, const scene::Preset& preset, co
     return stop.received() == 0 && (!budget || seconds() < *budget);
   };
   observer.finished = [&](const study::SummaryRow& row, int done, int of) {
-    tell_finished(command, line, plan.variants[static_cast<std::size_t>(done) - 1], row, done, of);
+    tell_finished(command, line, plan.cases[static_cast<std::size_t>(done) - 1], row, done, of);
   };
-  study::AccuracyRun run = study::try_variants(plan, options, packings.cache, build_info(), observer);
+  accuracy::AccuracyRun run = accuracy::run_cases(plan, options, packings.cache, build_info(), observer);
   if (run.outcome == simulation::Outcome::stopped) return stopped(run, stop.received(), folder);
   AccuracyReport report{.preset = preset.name,
                         .command = command_text(command),
                         .build = build_info(),
                         .notes = plan.notes,
-                        .tried = run.tried,
-                        .accuracy = study::judge_accuracy(run.tried, command.goal),
+                        .results = run.results,
+                        .accuracy = accuracy::judge_accuracy(run.results, command.goal),
                         .goal = command.goal,
                         .lanes = {},
                         .wall_s = 0};
   if (const int chosen = report.accuracy.recommended; chosen >= 0) {
-    const study::AccuracyLine& best = report.accuracy.lines[static_cast<std::size_t>(chosen)];
-    const scene::Scene& scene = run.tried[static_cast<std::size_t>(best.tried.front())].variant.scene;
+    const accuracy::AccuracyLine& best = report.accuracy.lines[static_cast<std::size_t>(chosen)];
+    const scene::Scene& scene = run.results[static_cast<std::size_t>(best.results.front())].setup.scene;
     observer.finished = {};
-    report.lanes = study::fill_lanes(plan, scene, options, packings.cache, build_info(), observer);
+    report.lanes = accuracy::fill_lanes(plan, scene, options, packings.cache, build_info(), observer);
   }
   line.clear();
   print_notes(packings.cache);
@@ -194,9 +194,9 @@ ExitCode accuracy(const AccuracyCommand& command) {
     base::print_text(scene::preset_text(preset));
     return ExitCode::done;
   }
-  const study::AccuracyPlan plan = study::plan_accuracy(
+  const accuracy::AccuracyPlan plan = accuracy::plan_accuracy(
       preset, {.quick = command.quick, .elements = command.elements, .seeds = command.seeds});
-  const double seconds = study::estimated_seconds(plan);
+  const double seconds = accuracy::estimated_seconds(plan);
   if (seconds > long_s && !command.yes && !budget)
     refuse("rift accuracy",
            fmt::format("about {} from nothing (at 100 M beam-steps/s): --yes starts it, --budget TIME "

@@ -32,7 +32,7 @@ scene::Preset preset_for(const std::string& name, int elements) {
 }
 
 /// The finished run of the preset in this folder, found or made.
-void run_if_need_be(const study::Claim& claim, const scene::Preset& preset, const fs::path& run,
+void run_if_need_be(const claims::Claim& claim, const scene::Preset& preset, const fs::path& run,
                     base::Cache& cache, int threads, const Telling& go_on) {
   if (results::inspect_run(run).condition == results::RunCondition::finished) return;
   results::ClaimedFolder folder(run, true);
@@ -54,7 +54,7 @@ void run_if_need_be(const study::Claim& claim, const scene::Preset& preset, cons
   if (ran.result.outcome == simulation::Outcome::stopped) throw base::Interrupted("a crack was running");
 }
 
-Picture draw(const viz::Plan& plan, const study::Claim& claim, double at, const fs::path& charts) {
+Picture draw(const viz::Plan& plan, const claims::Claim& claim, double at, const fs::path& charts) {
   const auto k = static_cast<std::size_t>(std::lround(at * static_cast<double>(plan.times_s.size() - 1)));
   const fs::path png = charts / fmt::format("{}_at_{:.2f}.png", claim.name, at);
   viz::make_picture(plan.job, plan.times_s[k], png, {});

@@ -3,11 +3,10 @@
 #include "engine/base/interrupted.hpp"
 #include "engine/base/text.hpp"
 #include "engine/calibration/calibrate.hpp"
+#include "engine/claims/claims.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/own_numbers.hpp"
-#include "engine/study/claims.hpp"
-#include "engine/study/paper_study.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
@@ -48,10 +47,10 @@ scene::Issue issue(std::string text) {
 
 /// The claims of the names, in the table's order; for none or "all" all of the paper's, for "beyond" the
 /// others.
-std::vector<const study::Claim*> chosen_claims(const std::vector<std::string>& names) {
+std::vector<const claims::Claim*> chosen_claims(const std::vector<std::string>& names) {
   std::set<std::string> wanted(names.begin(), names.end());
   std::vector<std::string> known{"all", "beyond"};
-  for (const study::Claim& claim : study::claims()) known.push_back(claim.name);
+  for (const claims::Claim& claim : claims::claims()) known.push_back(claim.name);
   std::vector<scene::Issue> issues;
   for (const std::string& name : wanted) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
@@ -62,9 +61,9 @@ std::vector<const study::Claim*> chosen_claims(const std::vector<std::string>& n
                                                          scene::printable(name), nearest)));
   }
   if (!issues.empty()) throw scene::InputError(issues);
-  std::vector<const study::Claim*> chosen;
+  std::vector<const claims::Claim*> chosen;
   if (wanted.empty()) wanted.insert("all");
-  for (const study::Claim& claim : study::claims())
+  for (const claims::Claim& claim : claims::claims())
     if (wanted.contains(claim.beyond ? "beyond" : "all") || wanted.contains(claim.name))
       chosen.push_back(&claim);
   return chosen;
@@ -80,9 +79,9 @@ void check_folder(const fs::path& folder) {
                                              scene::printable(folder.string())))});
 }
 
-study::PaperStudy study_of(const std::vector<const study::Claim*>& chosen, study::Effort effort) {
+claims::PaperStudy study_of(const std::vector<const claims::Claim*>& chosen, claims::Effort effort) {
   std::vector<std::string> names;
-  for (const study::Claim* claim : chosen)
+  for (const claims::Claim* claim : chosen)
     for (const std::string& name : claim->needs)
       if (claim->judge && !claim->calibration && std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
@@ -94,11 +93,11 @@ study::PaperStudy study_of(const std::vector<const study::Claim*>& chosen, study
     issues.insert(issues.end(), found.begin(), found.end());
   }
   if (!issues.empty()) throw scene::InputError(issues);
-  return study::merge_presets(presets, effort);
+  return claims::merge_presets(presets, effort);
 }
 
 /// The rows a claim looks at, of any stiffness.
-std::vector<study::SummaryRow> rows_for(const study::Claim& claim, const study::PaperStudy& study,
+std::vector<study::SummaryRow> rows_for(const claims::Claim& claim, const claims::PaperStudy& study,
                                         const study::StudyResult& result) {
   std::set<int> places;
   for (const std::string& name : claim.needs)
@@ -115,15 +114,15 @@ double computing_time(const study::SummaryRow& row) {
   return study::number_in(row, "wall_fracture_s") + (ramp ? study::number_in(row, "wall_prestress_s") : 0.0);
 }
 
-JudgedClaim judged(const study::Claim& claim, const study::PaperStudy& study,
+JudgedClaim judged(const claims::Claim& claim, const claims::PaperStudy& study,
                    const study::StudyResult& result, int elements, const fs::path& folder) {
   JudgedClaim out;
   out.claim = &claim;
   if (!claim.judge) return out;
-  study::Evidence bulk{.rows = {}, .elements = elements, .series = [&](const study::SummaryRow& row) {
-                         return study::read_series(folder / study::text_in(row, "series"));
-                       }};
-  study::Evidence in_situ = bulk;
+  claims::Evidence bulk{.rows = {}, .elements = elements, .series = [&](const study::SummaryRow& row) {
+                          return study::read_series(folder / study::text_in(row, "series"));
+                        }};
+  claims::Evidence in_situ = bulk;
   for (study::SummaryRow& row : rows_for(claim, study, result)) {
     ++out.scenarios;
     out.wall_s += computing_time(row);
@@ -144,10 +143,10 @@ JudgedClaim judged(const study::Claim& claim, const study::PaperStudy& study,
 }
 
 /// What --quick leaves of a calibration: two packings of the cylinders below the size of the quick plate.
-scene::Scene calibration_scene(scene::Scene scene, study::Effort effort) {
-  if (effort == study::Effort::full) return scene;
+scene::Scene calibration_scene(scene::Scene scene, claims::Effort effort) {
+  if (effort == claims::Effort::full) return scene;
   scene::Scene::Calibration& c = scene.calibration;
-  const double most = study::plate_elements(effort);
+  const double most = claims::plate_elements(effort);
   std::erase_if(c.sizes, [&](double elements) { return elements > most; });
   if (c.sizes.empty()) c.sizes = {most};
   c.elements = std::min(c.elements, static_cast<int>(most) / 2);
@@ -156,7 +155,7 @@ scene::Scene calibration_scene(scene::Scene scene, study::Effort effort) {
 }
 
 /// Judges a claim about cylinders.
-JudgedClaim calibrated(const study::Claim& claim, const ReproduceOptions& options, study::Effort effort,
+JudgedClaim calibrated(const claims::Claim& claim, const ReproduceOptions& options, claims::Effort effort,
                        const StopSignal& stop) {
   const auto start = Clock::now();
   ProgressLine line(progress_style(options.quiet, options.json));
@@ -172,8 +171,8 @@ JudgedClaim calibrated(const study::Claim& claim, const ReproduceOptions& option
       options.threads);
   JudgedClaim out;
   out.claim = &claim;
-  const study::Evidence evidence{.rows = calibration::rows_of(study),
-                                 .elements = study::plate_elements(effort)};
+  const claims::Evidence evidence{.rows = calibration::rows_of(study),
+                                  .elements = claims::plate_elements(effort)};
   out.bulk = claim.judge(evidence);
   out.scenarios = static_cast<int>(evidence.rows.size());
   std::vector<NamedChart> charts =
@@ -210,11 +209,11 @@ OwnSpeed measure_speed(const ReproduceOptions& options, int elements, const Stop
 }
 
 /// Fig. 15 once more, over the plate's own Rayleigh speed.
-void add_own_speed(JudgedClaim& claim, const study::PaperStudy& study, const study::StudyResult& result,
+void add_own_speed(JudgedClaim& claim, const claims::PaperStudy& study, const study::StudyResult& result,
                    const ReproduceOptions& options, int elements, const StopSignal& stop) {
   const OwnSpeed own = measure_speed(options, elements, stop);
   for (const char* stiffness : {"bulk", "in-situ"}) {
-    study::Evidence evidence{.rows = {}, .elements = elements};
+    claims::Evidence evidence{.rows = {}, .elements = elements};
     for (study::SummaryRow& row : rows_for(*claim.claim, study, result))
       if (study::text_in(row, "stiffness") == stiffness) evidence.rows.push_back(std::move(row));
     const bool bulk = std::string_view(stiffness) == "bulk";
@@ -245,7 +244,7 @@ std::string command_text(const ReproduceOptions& options) {
   return text + (options.names.empty() ? " all" : "") + (options.quick ? " --quick" : "");
 }
 
-study::StudyResult compute(const ReproduceOptions& options, const study::PaperStudy& study,
+study::StudyResult compute(const ReproduceOptions& options, const claims::PaperStudy& study,
                            const StopSignal& stop) {
   if (study.preset.study.empty()) return {};
   ProgressLine line(progress_style(options.quiet, options.json));
@@ -279,9 +278,9 @@ void write_report(const Reproduction& report, const ReproduceOptions& options) {
 
 ExitCode reproduce(const ReproduceOptions& options) {
   const auto start = Clock::now();
-  const std::vector<const study::Claim*> chosen = chosen_claims(options.names);
-  const study::Effort effort = options.quick ? study::Effort::quick : study::Effort::full;
-  const study::PaperStudy study = study_of(chosen, effort);
+  const std::vector<const claims::Claim*> chosen = chosen_claims(options.names);
+  const claims::Effort effort = options.quick ? claims::Effort::quick : claims::Effort::full;
+  const claims::PaperStudy study = study_of(chosen, effort);
   check_folder(options.out);
   study::open_shared(options.out);
   base::check_target(fs::path(options.out) / "report.html");
@@ -294,14 +293,14 @@ ExitCode reproduce(const ReproduceOptions& options) {
   }
   Reproduction report{.build = build_info(),
                       .command = command_text(options),
-                      .elements = study::plate_elements(effort),
+                      .elements = claims::plate_elements(effort),
                       .scenarios = static_cast<int>(study.preset.study.size()),
                       .computed = result.computed,
                       .found = result.found,
                       .wall_s = 0,
                       .claims = {}};
   try {
-    for (const study::Claim* claim : chosen) {
+    for (const claims::Claim* claim : chosen) {
       if (claim->calibration && claim->judge) {
         report.claims.push_back(calibrated(*claim, options, effort, stop));
         continue;

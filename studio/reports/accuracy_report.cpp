@@ -2,7 +2,7 @@
 
 #include "engine/base/files.hpp"
 #include "engine/base/world_error.hpp"
-#include "engine/study/curve.hpp"
+#include "engine/claims/curve.hpp"
 #include "studio/charts/chart_script.hpp"
 #include "studio/text/html.hpp"
 #include "studio/text/progress.hpp"
@@ -25,13 +25,13 @@ std::string error_text(double error) {
   return std::abs(error) < 9.5e-4 ? fmt::format("{:+.1e}", error) : fmt::format("{:+.4f}", error);
 }
 
-std::string remark(const study::Accuracy& accuracy, const study::AccuracyLine& line, int position) {
+std::string remark(const accuracy::Accuracy& accuracy, const accuracy::AccuracyLine& line, int position) {
   std::vector<std::string> remarks;
-  if (line.knob == study::Knob::elements && std::isfinite(line.error) && !line.resolved() &&
+  if (line.factor == accuracy::Factor::elements && std::isfinite(line.error) && !line.resolved() &&
       line.uncertainty > 0.0)
     remarks.emplace_back("below the scatter");
   if (line.reference) remarks.emplace_back("reference");
-  if (line.knob == study::Knob::kinematics && !line.reference) remarks.emplace_back("another model");
+  if (line.factor == accuracy::Factor::kinematics && !line.reference) remarks.emplace_back("another model");
   if (position == accuracy.recommended)
     remarks.emplace_back("recommended");
   else if (std::find(accuracy.front.begin(), accuracy.front.end(), position) != accuracy.front.end())
@@ -47,15 +47,15 @@ double lane_wall(const AccuracyReport& report) {
   return sum / static_cast<double>(report.lanes.size());
 }
 
-std::string scatter_text(const study::Accuracy& accuracy) {
+std::string scatter_text(const accuracy::Accuracy& accuracy) {
   if (!std::isfinite(accuracy.specimen_scatter)) return {};
   return fmt::format("; specimens of the finest lattice scatter by {:.3f} (standard deviation)",
                      accuracy.specimen_scatter);
 }
 
-Json line_json(const study::AccuracyLine& line) {
+Json line_json(const accuracy::AccuracyLine& line) {
   const auto number = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
-  return {{"knob", study::name_of(line.knob)},
+  return {{"knob", accuracy::name_of(line.factor)},
           {"variant", line.label},
           {"specimens", line.specimens},
           {"ratio", number(line.ratio)},
@@ -72,32 +72,34 @@ Json line_json(const study::AccuracyLine& line) {
 
 }  // namespace
 
-Table accuracy_table(const study::Accuracy& accuracy) {
+Table accuracy_table(const accuracy::Accuracy& accuracy) {
   Table table{.head = {"knob", "variant", "ratio", "error", "±", "converged", "to Broberg", "wall [s]", ""},
               .rows = {}};
-  study::Knob last = study::Knob::scene;
+  accuracy::Factor last = accuracy::Factor::scene;
   for (std::size_t k = 0; k < accuracy.lines.size(); ++k) {
-    const study::AccuracyLine& line = accuracy.lines[k];
-    const std::string knob = k > 0 && line.knob == last ? "" : study::name_of(line.knob);
-    last = line.knob;
+    const accuracy::AccuracyLine& line = accuracy.lines[k];
+    const std::string factor = k > 0 && line.factor == last ? "" : accuracy::name_of(line.factor);
+    last = line.factor;
     if (!line.cannot_be.empty()) {
-      table.rows.push_back({knob, line.label, "-", "-", "-", "-", "-", "-", "cannot be: " + line.cannot_be});
+      table.rows.push_back(
+          {factor, line.label, "-", "-", "-", "-", "-", "-", "cannot be: " + line.cannot_be});
       continue;
     }
-    table.rows.push_back({knob, line.label, number_cell(line.ratio, "{:.5f}"), error_text(line.error),
-                          line.knob == study::Knob::elements ? number_cell(line.uncertainty, "{:.4f}") : "-",
-                          error_text(line.converged), number_cell(line.error_broberg, "{:+.3f}"),
-                          number_cell(line.wall_s, "{:.3f}"), remark(accuracy, line, static_cast<int>(k))});
+    table.rows.push_back(
+        {factor, line.label, number_cell(line.ratio, "{:.5f}"), error_text(line.error),
+         line.factor == accuracy::Factor::elements ? number_cell(line.uncertainty, "{:.4f}") : "-",
+         error_text(line.converged), number_cell(line.error_broberg, "{:+.3f}"),
+         number_cell(line.wall_s, "{:.3f}"), remark(accuracy, line, static_cast<int>(k))});
   }
   return table;
 }
 
 std::string recommendation_text(const AccuracyReport& report) {
-  const study::Accuracy& a = report.accuracy;
+  const accuracy::Accuracy& a = report.accuracy;
   if (a.recommended < 0)
     return fmt::format("no variant is within the goal of {:g}; the most accurate one is {}", report.goal,
                        a.front.empty() ? std::string("not known") : a.lines[a.front.back()].label);
-  const study::AccuracyLine& line = a.lines[a.recommended];
+  const accuracy::AccuracyLine& line = a.lines[a.recommended];
   std::string text =
       fmt::format("{}: error {} in {:.2f} s", line.label, error_text(line.step_error), line.wall_s);
   if (!report.lanes.empty())
@@ -106,7 +108,7 @@ std::string recommendation_text(const AccuracyReport& report) {
 }
 
 std::string lattice_text(const AccuracyReport& report) {
-  const study::Accuracy& a = report.accuracy;
+  const accuracy::Accuracy& a = report.accuracy;
   std::string text = "the finest one that was tried, so that its own error is not known";
   if (std::isfinite(a.lattice_error)) {
     const bool resolved = std::abs(a.lattice_error) > 2.0 * a.lattice_uncertainty;
@@ -116,7 +118,7 @@ std::string lattice_text(const AccuracyReport& report) {
   text += scatter_text(a);
   if (!std::isfinite(a.lattice_error)) return text;
   if (a.recommended_whole < 0) return text + "; no variant is known to keep to the goal with it";
-  const study::AccuracyLine& line = a.lines[a.recommended_whole];
+  const accuracy::AccuracyLine& line = a.lines[a.recommended_whole];
   text += fmt::format("; with it, the cheapest within the goal is {}: {} in {:.2f} s", line.label,
                       error_text(line.converged), line.wall_s);
   return text +
@@ -128,7 +130,7 @@ std::string accuracy_text(const AccuracyReport& report, bool color) {
   text +=
       "error: against what the knob is compared with; converged: against the converged reference, all parts "
       "together\n";
-  for (const std::string& line : study::reference_texts(report.accuracy)) text += "  " + line + "\n";
+  for (const std::string& line : accuracy::reference_texts(report.accuracy)) text += "  " + line + "\n";
   for (const std::string& note : report.notes) text += "  note: " + note + "\n";
   text += "recommended on this lattice: " + recommendation_text(report) + "\n";
   return text + "the lattice itself: " + lattice_text(report) + "\n";
@@ -137,13 +139,13 @@ std::string accuracy_text(const AccuracyReport& report, bool color) {
 std::vector<study::SummaryRow> accuracy_rows(const AccuracyReport& report) {
   const auto number = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
   std::vector<study::SummaryRow> rows;
-  for (const study::AccuracyLine& line : report.accuracy.lines)
-    for (const int k : line.tried) {
-      study::SummaryRow row = report.tried[static_cast<std::size_t>(k)].row;
+  for (const accuracy::AccuracyLine& line : report.accuracy.lines)
+    for (const int k : line.results) {
+      study::SummaryRow row = report.results[static_cast<std::size_t>(k)].row;
       if (!row.is_object()) continue;
       row["row"] = k;
       row["error_converged"] = number(line.converged);
-      row["knob"] = study::name_of(line.knob);
+      row["knob"] = accuracy::name_of(line.factor);
       row["variant"] = line.label;
       row["error_knob"] = number(line.error);
       row["uncertainty"] = number(line.uncertainty);
@@ -155,7 +157,7 @@ std::vector<study::SummaryRow> accuracy_rows(const AccuracyReport& report) {
 
 Json accuracy_json(const AccuracyReport& report) {
   Json lines = Json::array();
-  for (const study::AccuracyLine& line : report.accuracy.lines) lines.push_back(line_json(line));
+  for (const accuracy::AccuracyLine& line : report.accuracy.lines) lines.push_back(line_json(line));
   Json recommended = nullptr;
   if (report.accuracy.recommended >= 0) {
     recommended = line_json(report.accuracy.lines[report.accuracy.recommended]);
@@ -166,7 +168,7 @@ Json accuracy_json(const AccuracyReport& report) {
           {"version", report.build.version},
           {"goal", report.goal},
           {"notes", report.notes},
-          {"compared", study::reference_texts(report.accuracy)},
+          {"compared", accuracy::reference_texts(report.accuracy)},
           {"specimen_scatter", std::isfinite(report.accuracy.specimen_scatter)
                                    ? Json(report.accuracy.specimen_scatter)
                                    : Json(nullptr)},
@@ -180,7 +182,7 @@ Json accuracy_json(const AccuracyReport& report) {
 void write_accuracy_report(const AccuracyReport& report, const std::filesystem::path& folder) {
   std::string figures;
   std::optional<base::WorldError> failure;
-  for (const NamedChart& named : accuracy_charts(report.tried, report.accuracy, report.goal)) {
+  for (const NamedChart& named : accuracy_charts(report.results, report.accuracy, report.goal)) {
     try {
       figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
     } catch (const base::WorldError& error) {
@@ -195,7 +197,7 @@ void write_accuracy_report(const AccuracyReport& report, const std::filesystem::
       "kept "
       "apart. Wall times are those of the march alone, each variant by itself: packing and static solve are "
       "cached.");
-  for (const std::string& line : study::reference_texts(report.accuracy)) compared += html_paragraph(line);
+  for (const std::string& line : accuracy::reference_texts(report.accuracy)) compared += html_paragraph(line);
   for (const std::string& note : report.notes) compared += html_paragraph("Note: " + note);
   std::string body =
       html_paragraph(fmt::format("Made by `{}`, rift {} ({}), in {}.", report.command, report.build.version,
@@ -235,19 +237,19 @@ std::string left_out_text(int count) {
                      smallest_drawn);
 }
 
-const char* series_label(study::Knob knob) {
-  switch (knob) {
-    case study::Knob::scene:
+const char* series_label(accuracy::Factor factor) {
+  switch (factor) {
+    case accuracy::Factor::scene:
       return "the scene as it is";
-    case study::Knob::time_step:
+    case accuracy::Factor::time_step:
       return "time step, double";
-    case study::Knob::precision:
+    case accuracy::Factor::precision:
       return "time step, single";
-    case study::Knob::together:
+    case accuracy::Factor::together:
       return "single, few samples";
-    case study::Knob::prestress:
+    case accuracy::Factor::prestress:
       return "ramp instead of statics";
-    case study::Knob::samples:
+    case accuracy::Factor::samples:
       return "number of samples";
     default:
       return "elements, to the finest";
@@ -255,9 +257,9 @@ const char* series_label(study::Knob knob) {
 }
 
 /// A line leads from step to step; elements scatter too much to be joined.
-ChartSeries::Style style_of(study::Knob knob) {
-  const bool steps =
-      knob == study::Knob::time_step || knob == study::Knob::precision || knob == study::Knob::together;
+ChartSeries::Style style_of(accuracy::Factor factor) {
+  const bool steps = factor == accuracy::Factor::time_step || factor == accuracy::Factor::precision ||
+                     factor == accuracy::Factor::together;
   return steps ? ChartSeries::Style::line_points : ChartSeries::Style::points;
 }
 
@@ -268,7 +270,7 @@ ChartSeries level(const std::string& label, double y, double from, double to) {
   return series;
 }
 
-NamedChart work_precision(const study::Accuracy& accuracy, double goal) {
+NamedChart work_precision(const accuracy::Accuracy& accuracy, double goal) {
   NamedChart named{"work_precision", {}, {}};
   Chart& chart = named.chart;
   chart.title = "What accuracy costs";
@@ -278,17 +280,18 @@ NamedChart work_precision(const study::Accuracy& accuracy, double goal) {
   chart.key_outside = true;
   int left_out = 0;
   double from = INFINITY, to = 0.0;
-  constexpr study::Knob knobs[] = {study::Knob::time_step, study::Knob::precision, study::Knob::together,
-                                   study::Knob::elements,  study::Knob::samples,   study::Knob::prestress,
-                                   study::Knob::scene};
-  for (const study::Knob knob : knobs) {
+  constexpr accuracy::Factor factors[] = {accuracy::Factor::time_step, accuracy::Factor::precision,
+                                          accuracy::Factor::together,  accuracy::Factor::elements,
+                                          accuracy::Factor::samples,   accuracy::Factor::prestress,
+                                          accuracy::Factor::scene};
+  for (const accuracy::Factor factor : factors) {
     LogPoints points;
-    points.series.label = series_label(knob);
-    points.series.style = style_of(knob);
+    points.series.label = series_label(factor);
+    points.series.style = style_of(factor);
     points.series.colour = static_cast<int>(chart.series.size());
-    for (const study::AccuracyLine& line : accuracy.lines)
-      if (line.knob == knob && line.cannot_be.empty() && line.wall_s > 0.0)
-        points.add(line.wall_s, knob == study::Knob::elements ? line.error : line.step_error);
+    for (const accuracy::AccuracyLine& line : accuracy.lines)
+      if (line.factor == factor && line.cannot_be.empty() && line.wall_s > 0.0)
+        points.add(line.wall_s, factor == accuracy::Factor::elements ? line.error : line.step_error);
     left_out += points.left_out;
     if (points.series.x.empty()) continue;
     from = std::min(from, *std::min_element(points.series.x.begin(), points.series.x.end()));
@@ -300,7 +303,7 @@ NamedChart work_precision(const study::Accuracy& accuracy, double goal) {
   if (accuracy.specimen_scatter > smallest_drawn)
     chart.series.push_back(level("scatter of specimens", accuracy.specimen_scatter, from, to));
   if (accuracy.recommended >= 0) {
-    const study::AccuracyLine& best = accuracy.lines[static_cast<std::size_t>(accuracy.recommended)];
+    const accuracy::AccuracyLine& best = accuracy.lines[static_cast<std::size_t>(accuracy.recommended)];
     chart.marks.push_back({best.wall_s, best.wall_s, "recommended: " + escape_label(best.label)});
   }
   named.caption =
@@ -326,7 +329,7 @@ ChartSeries order_line(const ChartSeries& steps, double order, const std::string
   return series;
 }
 
-NamedChart error_step(const study::Accuracy& accuracy) {
+NamedChart error_step(const accuracy::Accuracy& accuracy) {
   NamedChart named{"error_step", {}, {}};
   Chart& chart = named.chart;
   chart.title = "Error of the time step, on one and the same specimen";
@@ -334,21 +337,21 @@ NamedChart error_step(const study::Accuracy& accuracy) {
   chart.y_label = "|error of G_{ID}/G_{I0}| against the converged step [-]";
   chart.log_x = chart.log_y = true;
   int left_out = 0;
-  for (const study::Knob knob : {study::Knob::time_step, study::Knob::precision}) {
+  for (const accuracy::Factor factor : {accuracy::Factor::time_step, accuracy::Factor::precision}) {
     LogPoints points;
-    const bool in_double = knob == study::Knob::time_step;
+    const bool in_double = factor == accuracy::Factor::time_step;
     points.series.style = in_double ? ChartSeries::Style::line_points : ChartSeries::Style::points;
     points.series.colour = in_double ? 0 : 1;
     points.series.label = in_double ? "double" : "single";
-    for (const study::AccuracyLine& line : accuracy.lines)
-      if (line.knob == knob && line.cannot_be.empty()) points.add(line.value, line.step_error);
+    for (const accuracy::AccuracyLine& line : accuracy.lines)
+      if (line.factor == factor && line.cannot_be.empty()) points.add(line.value, line.step_error);
     left_out += points.left_out;
     if (!points.series.x.empty()) chart.series.push_back(std::move(points.series));
   }
   named.caption = "Error of the release rate over the step in parts of the critical one.";
-  for (const study::KnobReference& r : accuracy.reference) {
-    if (r.knob != study::Knob::time_step || chart.series.empty()) continue;
-    const study::Convergence& c = r.convergence;
+  for (const accuracy::FactorReference& r : accuracy.reference) {
+    if (r.factor != accuracy::Factor::time_step || chart.series.empty()) continue;
+    const accuracy::Convergence& c = r.convergence;
     named.caption += " In double: " + c.text + ".";
     ChartSeries& in_double = chart.series.front();
     if (c.clean) in_double.label = fmt::format("double, observed order {:.2f}", c.order);
@@ -360,7 +363,8 @@ NamedChart error_step(const study::Accuracy& accuracy) {
   return named;
 }
 
-NamedChart ratio_elements(const std::vector<study::Tried>& tried, const study::Accuracy& accuracy) {
+NamedChart ratio_elements(const std::vector<accuracy::CaseResult>& results,
+                          const accuracy::Accuracy& accuracy) {
   NamedChart named{"ratio_elements",
                    "Ratio over the number of elements, mean of the specimens at each; bars: their standard "
                    "deviation, each specimen being packed at random.",
@@ -373,17 +377,17 @@ NamedChart ratio_elements(const std::vector<study::Tried>& tried, const study::A
   ChartSeries mean, each;
   mean.label = "mean of the specimens", mean.style = ChartSeries::Style::line_points;
   each.label = "each specimen", each.style = ChartSeries::Style::points, each.colour = 1;
-  for (const study::AccuracyLine& line : accuracy.lines) {
-    if (line.knob != study::Knob::elements || !std::isfinite(line.ratio)) continue;
+  for (const accuracy::AccuracyLine& line : accuracy.lines) {
+    if (line.factor != accuracy::Factor::elements || !std::isfinite(line.ratio)) continue;
     mean.x.push_back(line.value), mean.y.push_back(line.ratio), mean.error.push_back(line.scatter);
-    for (const int k : line.tried) {
-      const study::SummaryRow& row = tried[static_cast<std::size_t>(k)].row;
+    for (const int k : line.results) {
+      const study::SummaryRow& row = results[static_cast<std::size_t>(k)].row;
       if (row.is_object())
         each.x.push_back(line.value), each.y.push_back(study::number_in(row, "ratio_with_damping"));
     }
   }
   if (mean.x.size() < 2) return named;
-  const double broberg = study::number_in(tried.front().row, "broberg");
+  const double broberg = study::number_in(results.front().row, "broberg");
   const double first = mean.x.front(), last = mean.x.back();
   chart.series = {std::move(mean), std::move(each)};
   if (std::isfinite(broberg)) chart.series.push_back(level("Broberg", broberg, first, last));
@@ -392,10 +396,10 @@ NamedChart ratio_elements(const std::vector<study::Tried>& tried, const study::A
 
 }  // namespace
 
-std::vector<NamedChart> accuracy_charts(const std::vector<study::Tried>& tried,
-                                        const study::Accuracy& accuracy, double goal) {
+std::vector<NamedChart> accuracy_charts(const std::vector<accuracy::CaseResult>& results,
+                                        const accuracy::Accuracy& accuracy, double goal) {
   std::vector<NamedChart> charts{work_precision(accuracy, goal), error_step(accuracy),
-                                 ratio_elements(tried, accuracy)};
+                                 ratio_elements(results, accuracy)};
   std::erase_if(charts, [](const NamedChart& named) { return named.chart.series.empty(); });
   return charts;
 }

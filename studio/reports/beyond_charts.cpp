@@ -1,6 +1,7 @@
 #include "studio/reports/beyond_charts.hpp"
 
-#include "engine/study/beyond.hpp"
+#include "engine/base/statistics.hpp"
+#include "engine/claims/lattice_efficiency.hpp"
 #include "studio/charts/curves.hpp"
 
 #include <fmt/format.h>
@@ -21,13 +22,13 @@ using Style = ChartSeries::Style;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The cells' values over r_l (columns) and p (rows).
-HeatMap map_chart(const std::vector<study::MapCell>& cells, const std::string& title,
-                  const std::function<double(const study::MapCell&)>& value) {
+HeatMap map_chart(const std::vector<claims::MapCell>& cells, const std::string& title,
+                  const std::function<double(const claims::MapCell&)>& value) {
   double farthest = 0.0;  // of any cell and velocity, so that all maps have the same colours
-  for (const study::MapCell& cell : cells)
+  for (const claims::MapCell& cell : cells)
     farthest = std::max(farthest, *std::max_element(cell.distance.begin(), cell.distance.end()));
   std::set<double> zones, powers;
-  for (const study::MapCell& cell : cells) zones.insert(cell.zone), powers.insert(cell.relaxation);
+  for (const claims::MapCell& cell : cells) zones.insert(cell.zone), powers.insert(cell.relaxation);
   HeatMap map{.title = title,
               .x_label = "length of the damage zone r_l [mean radii]",
               .y_label = "power p of the relaxation [-]",
@@ -37,7 +38,7 @@ HeatMap map_chart(const std::vector<study::MapCell>& cells, const std::string& t
               .value = std::vector<double>(zones.size() * powers.size(), nothing),
               .text = std::vector<std::string>(zones.size() * powers.size()),
               .value_range = {0.0, farthest}};
-  for (const study::MapCell& cell : cells) {
+  for (const claims::MapCell& cell : cells) {
     const auto column = std::distance(zones.begin(), zones.find(cell.zone));
     const auto row = std::distance(powers.begin(), powers.find(cell.relaxation));
     const std::size_t at = static_cast<std::size_t>(row) * zones.size() + static_cast<std::size_t>(column);
@@ -47,38 +48,38 @@ HeatMap map_chart(const std::vector<study::MapCell>& cells, const std::string& t
   return map;
 }
 
-double distance_at(const study::MapCell& cell, double v) {
+double distance_at(const claims::MapCell& cell, double v) {
   for (std::size_t k = 0; k < cell.v.size(); ++k)
     if (std::abs(cell.v[k] - v) < 1e-9) return cell.distance[k];
   return nothing;
 }
 
-std::vector<Figure> maps(const study::Evidence& evidence, const fs::path& folder) {
-  const std::vector<study::MapCell> cells = study::map_of(evidence);
+std::vector<Figure> maps(const claims::Evidence& evidence, const fs::path& folder) {
+  const std::vector<claims::MapCell> cells = claims::map_of(evidence);
   if (cells.empty()) return {};
   std::vector<Figure> figures;
   const std::string title = "Distance to Broberg";
   figures.push_back(
       {draw_chart(map_chart(cells, title + ", mean over the velocities",
-                            [](const study::MapCell& cell) { return study::mean_of(cell.distance); }),
+                            [](const claims::MapCell& cell) { return base::mean_of(cell.distance); }),
                   folder, "beyond_map"),
        "Distance to Broberg over relaxation and damage zone, mean over the velocities."});
   for (const double v : cells.front().v) {
     const HeatMap map = map_chart(cells, fmt::format("{} at {:g} c_r", title, v),
-                                  [v](const study::MapCell& cell) { return distance_at(cell, v); });
+                                  [v](const claims::MapCell& cell) { return distance_at(cell, v); });
     figures.push_back({draw_chart(map, folder, fmt::format("beyond_map_{:02.0f}", 10.0 * v)),
                        fmt::format("At {:g} c_r.", v)});
   }
   return figures;
 }
 
-ChartSeries efficiency_series(const std::string& label, const std::vector<study::EfficiencyPoint>& points,
+ChartSeries efficiency_series(const std::string& label, const std::vector<claims::EfficiencyPoint>& points,
                               int colour) {
   ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
-  for (const study::EfficiencyPoint& p : points) {
+  for (const claims::EfficiencyPoint& p : points) {
     series.x.push_back(p.v);
-    series.y.push_back(study::mean_of(p.ratio));
-    series.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio) : nothing);
+    series.y.push_back(base::mean_of(p.ratio));
+    series.error.push_back(p.ratio.size() > 1 ? base::deviation_of(p.ratio) : nothing);
   }
   return series;
 }
@@ -90,7 +91,7 @@ Chart efficiency_against_velocity(const std::string& title) {
 }
 
 /// The efficiency over r_l, a curve per velocity.
-Chart efficiency_against_zone(const study::Evidence& evidence) {
+Chart efficiency_against_zone(const claims::Evidence& evidence) {
   Chart chart;
   chart.title = "Lattice efficiency of a steady strip";
   chart.x_label = "length of the damage zone r_l [mean radii]";
@@ -99,13 +100,13 @@ Chart efficiency_against_zone(const study::Evidence& evidence) {
   chart.log_x = true;
   chart.key_outside = true;
   std::map<double, ChartSeries> curves;
-  const std::vector<double> zones = study::zones_of(evidence);
+  const std::vector<double> zones = claims::zones_of(evidence);
   for (const double zone : zones)
-    for (const study::EfficiencyPoint& p : study::efficiency(evidence, 1.0, zone)) {
+    for (const claims::EfficiencyPoint& p : claims::efficiency(evidence, 1.0, zone)) {
       ChartSeries& curve = curves[p.v];
       curve.x.push_back(zone);
-      curve.y.push_back(study::mean_of(p.ratio));
-      curve.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio) : nothing);
+      curve.y.push_back(base::mean_of(p.ratio));
+      curve.error.push_back(p.ratio.size() > 1 ? base::deviation_of(p.ratio) : nothing);
     }
   int colour = 0;
   for (auto& [v, curve] : curves) {
@@ -133,7 +134,7 @@ Chart wake_chart(const std::string& title,
   int colour = 0;
   for (const auto& [label, row] : rows) {
     ChartSeries curve{label, {}, {}, {}, Style::line_points, colour++};
-    for (const study::WakeBand& band : study::wake_bands(row))
+    for (const claims::WakeBand& band : claims::wake_bands(row))
       curve.x.push_back(band.cell), curve.y.push_back(band.share);
     if (!curve.x.empty()) chart.series.push_back(std::move(curve));
   }
@@ -141,7 +142,7 @@ Chart wake_chart(const std::string& title,
 }
 
 /// The first specimen's rows with linear relaxation, by velocity and zone.
-std::map<std::pair<double, double>, study::SummaryRow> strip_rows(const study::Evidence& evidence) {
+std::map<std::pair<double, double>, study::SummaryRow> strip_rows(const claims::Evidence& evidence) {
   std::map<std::pair<double, double>, study::SummaryRow> rows;
   for (const study::SummaryRow& row : evidence.rows)
     if (row.is_object() && study::number_in(row, "relaxation") == 1.0 && row.at("seed") == 1)
@@ -150,7 +151,7 @@ std::map<std::pair<double, double>, study::SummaryRow> strip_rows(const study::E
   return rows;
 }
 
-void add_wakes(std::vector<Figure>& figures, const study::Evidence& evidence, const fs::path& folder) {
+void add_wakes(std::vector<Figure>& figures, const claims::Evidence& evidence, const fs::path& folder) {
   std::vector<std::pair<std::string, study::SummaryRow>> zones, velocities;
   for (const auto& [place, row] : strip_rows(evidence)) {
     if (place.first == 0.5) zones.emplace_back(fmt::format("r_l = {:g}", place.second), row);
@@ -165,7 +166,7 @@ void add_wakes(std::vector<Figure>& figures, const study::Evidence& evidence, co
   add("beyond_wake_velocity", "Kinetic energy behind the tip by size, r_l = 1", velocities);
 }
 
-std::vector<Figure> efficiencies(const study::Evidence& evidence, const fs::path& folder) {
+std::vector<Figure> efficiencies(const claims::Evidence& evidence, const fs::path& folder) {
   std::vector<Figure> figures;
   const Chart zones = efficiency_against_zone(evidence);
   if (zones.series.size() < 2) return figures;
@@ -173,16 +174,16 @@ std::vector<Figure> efficiencies(const study::Evidence& evidence, const fs::path
                      "The efficiency against the length of the damage zone; bars: three specimens."});
   Chart velocity = efficiency_against_velocity("Lattice efficiency of a steady strip, linear relaxation");
   int colour = 0;
-  for (const double zone : study::zones_of(evidence))
-    velocity.series.push_back(
-        efficiency_series(fmt::format("r_l = {:g}", zone), study::efficiency(evidence, 1.0, zone), colour++));
+  for (const double zone : claims::zones_of(evidence))
+    velocity.series.push_back(efficiency_series(fmt::format("r_l = {:g}", zone),
+                                                claims::efficiency(evidence, 1.0, zone), colour++));
   figures.push_back(
       {draw_chart(velocity, folder, "beyond_efficiency_velocity"), "The same against velocity."});
   for (const double zone : {1.0, 4.0, 16.0}) {
     Chart chart = efficiency_against_velocity(fmt::format("Lattice efficiency at r_l = {:g}", zone));
     colour = 0;
     for (const auto& [label, p] : {std::pair{"square root", 0.5}, {"linear", 1.0}, {"quadratic", 2.0}}) {
-      const std::vector<study::EfficiencyPoint> points = study::efficiency(evidence, p, zone);
+      const std::vector<claims::EfficiencyPoint> points = claims::efficiency(evidence, p, zone);
       if (!points.empty()) chart.series.push_back(efficiency_series(label, points, colour));
       ++colour;
     }
@@ -195,7 +196,7 @@ std::vector<Figure> efficiencies(const study::Evidence& evidence, const fs::path
 }
 
 /// Measured ratios and efficiency times Broberg, of the smallest elements; and ratio over efficiency.
-Chart own_problem_chart(const std::vector<study::OwnProblem>& points, bool over_efficiency) {
+Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool over_efficiency) {
   Chart chart =
       chart_of_references(over_efficiency ? "Broberg's own problem: G_{ID} over the lattice efficiency"
                                           : "Broberg's own problem");
@@ -203,12 +204,12 @@ Chart own_problem_chart(const std::vector<study::OwnProblem>& points, bool over_
   if (over_efficiency) chart.y_label = "G_{ID} / (G_{I0} {/Symbol h}) [-]";
   std::map<double, std::pair<ChartSeries, ChartSeries>> curves;
   double most = 0.0;
-  for (const study::OwnProblem& p : points) most = std::max(most, p.elements);
-  for (const study::OwnProblem& p : points) {
+  for (const claims::BrobergProblem& p : points) most = std::max(most, p.elements);
+  for (const claims::BrobergProblem& p : points) {
     if (p.elements < most) continue;
     auto& [measured, expected] = curves[p.zone];
     measured.x.push_back(p.v),
-        measured.y.push_back(over_efficiency ? p.over_efficiency() : study::mean_of(p.ratio));
+        measured.y.push_back(over_efficiency ? p.over_efficiency() : base::mean_of(p.ratio));
     expected.x.push_back(p.v), expected.y.push_back(p.efficiency * p.broberg);
   }
   int colour = 0;
@@ -227,7 +228,7 @@ Chart own_problem_chart(const std::vector<study::OwnProblem>& points, bool over_
 }
 
 /// Ratio over efficiency and Broberg, against the size of the elements, with the straight line on to 0.
-Chart size_chart(const std::vector<study::OwnProblem>& points) {
+Chart size_chart(const std::vector<claims::BrobergProblem>& points) {
   Chart chart;
   chart.title = "Broberg's own problem, as the elements grow small";
   chart.x_label = "mean radius over half length R / a [-]";
@@ -235,14 +236,14 @@ Chart size_chart(const std::vector<study::OwnProblem>& points) {
   chart.x_range = {0.0, {}};
   chart.key_outside = true;
   std::map<std::pair<double, double>, ChartSeries> curves;
-  for (const study::OwnProblem& p : points) {
+  for (const claims::BrobergProblem& p : points) {
     ChartSeries& curve = curves[{p.v, p.zone}];
     curve.x.push_back(p.radius_m / p.half_length_m);
     curve.y.push_back(p.over_efficiency() / p.broberg);
-    curve.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio) / p.efficiency / p.broberg
+    curve.error.push_back(p.ratio.size() > 1 ? base::deviation_of(p.ratio) / p.efficiency / p.broberg
                                              : nothing);
   }
-  for (const study::Extrapolated& e : study::extrapolated(points)) {
+  for (const claims::Extrapolated& e : claims::extrapolated(points)) {
     curves[{e.v, e.zone}].x.push_back(0.0);
     curves[{e.v, e.zone}].y.push_back(e.limit / e.broberg);
     curves[{e.v, e.zone}].error.push_back(nothing);
@@ -261,8 +262,8 @@ Chart size_chart(const std::vector<study::OwnProblem>& points) {
   return chart;
 }
 
-std::vector<Figure> own_problems(const study::Evidence& evidence, const fs::path& folder) {
-  const std::vector<study::OwnProblem> points = study::own_problem(evidence);
+std::vector<Figure> own_problems(const claims::Evidence& evidence, const fs::path& folder) {
+  const std::vector<claims::BrobergProblem> points = claims::broberg_problem(evidence);
   std::vector<Figure> figures;
   if (points.empty()) return figures;
   figures.push_back(
@@ -279,7 +280,7 @@ std::vector<Figure> own_problems(const study::Evidence& evidence, const fs::path
 
 }  // namespace
 
-std::vector<Figure> draw_beyond(const study::Claim& claim, const study::Evidence& evidence,
+std::vector<Figure> draw_beyond(const claims::Claim& claim, const claims::Evidence& evidence,
                                 const fs::path& folder) {
   if (claim.name == "beyond_map") return maps(evidence, folder);
   if (claim.name == "beyond_efficiency") return efficiencies(evidence, folder);

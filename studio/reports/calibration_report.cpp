@@ -4,8 +4,8 @@
 #include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/calibration/calibrate.hpp"
+#include "engine/claims/curve.hpp"
 #include "engine/lattice/lattice.hpp"
-#include "engine/study/curve.hpp"
 #include "studio/text/html.hpp"
 
 #include <fmt/format.h>

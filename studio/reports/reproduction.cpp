@@ -40,8 +40,8 @@ std::string preamble(const Reproduction& r) {
       "specimens "
       "scatter about more than that.{}",
       r.command, r.build.version, duration_text(r.wall_s), r.scenarios, r.computed, r.found, r.elements,
-      is_beyond(r) ? "the preset's" : "three", study::near_margin, study::offset_margin,
-      study::influence_margin, study::constant_margin, is_beyond(r) ? of_our_own : of_the_paper);
+      is_beyond(r) ? "the preset's" : "three", claims::near_margin, claims::offset_margin,
+      claims::influence_margin, claims::constant_margin, is_beyond(r) ? of_our_own : of_the_paper);
 }
 
 std::string time_text(const JudgedClaim& c) { return c.scenarios == 0 ? "-" : duration_text(c.wall_s); }
@@ -58,17 +58,17 @@ struct Line {
 std::string state_of(const JudgedClaim& c) { return c.pictures.empty() ? "not drawn" : "drawn"; }
 
 /// "holds", "does not hold", "not decidable", or what stands for a verdict.
-std::string verdict_text(const JudgedClaim& c, const study::Judgement& judgement) {
-  return c.claim->judge ? study::name_of(judgement.verdict) : state_of(c);
+std::string verdict_text(const JudgedClaim& c, const claims::Judgement& judgement) {
+  return c.claim->judge ? claims::name_of(judgement.verdict) : state_of(c);
 }
 
 /// One line per stiffness; one line alone of a picture, of cylinders, and beyond the paper.
 std::vector<Line> lines_of(const JudgedClaim& c) {
   if (!c.claim->judge) return {{"", state_of(c), c.not_drawn.empty() ? c.claim->standing : c.not_drawn}};
-  const Line in_situ{"in-situ", study::name_of(c.in_situ.verdict), c.in_situ.measured};
+  const Line in_situ{"in-situ", claims::name_of(c.in_situ.verdict), c.in_situ.measured};
   if (c.claim->beyond) return {in_situ};
-  if (c.claim->calibration) return {{"bulk", study::name_of(c.bulk.verdict), c.bulk.measured}};
-  return {{"bulk", study::name_of(c.bulk.verdict), c.bulk.measured}, in_situ};
+  if (c.claim->calibration) return {{"bulk", claims::name_of(c.bulk.verdict), c.bulk.measured}};
+  return {{"bulk", claims::name_of(c.bulk.verdict), c.bulk.measured}, in_situ};
 }
 
 std::vector<std::string> overview_row(const JudgedClaim& c) {
@@ -140,8 +140,8 @@ std::string colored(const std::string& verdict, bool color) {
   return fmt::format("\x1b[{}m{}\x1b[0m", code, padded);
 }
 
-Json judgement_json(const study::Judgement& j) {
-  return {{"verdict", study::name_of(j.verdict)}, {"measured", j.measured}};
+Json judgement_json(const claims::Judgement& j) {
+  return {{"verdict", claims::name_of(j.verdict)}, {"measured", j.measured}};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/claims/claims.hpp"
 #include "engine/simulation/record.hpp"
-#include "engine/study/claims.hpp"
 #include "studio/charts/chart.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,8 +25,8 @@ struct Picture {
 
 /// A claim with its verdicts; those of a picture mean nothing.
 struct JudgedClaim {
-  const study::Claim* claim = nullptr;
-  study::Judgement bulk, in_situ;
+  const claims::Claim* claim = nullptr;
+  claims::Judgement bulk, in_situ;
   int scenarios = 0;
   double wall_s = 0;  // computing time of its scenarios, shared ones counted for each claim
   std::vector<Figure> figures;

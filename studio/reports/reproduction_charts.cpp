@@ -1,5 +1,6 @@
 #include "studio/reports/reproduction_charts.hpp"
 
+#include "engine/base/statistics.hpp"
 #include "engine/fracture/release.hpp"
 #include "studio/charts/curves.hpp"
 
@@ -18,38 +19,38 @@ using Style = ChartSeries::Style;
 
 struct NamedSelection {
   std::string label;
-  study::Selection selection;
+  claims::Selection selection;
 };
 
-study::Selection progressive(double relaxation, double zone) {
-  study::Selection s;
+claims::Selection progressive(double relaxation, double zone) {
+  claims::Selection s;
   s.relaxation = relaxation, s.damage_zone_ratio = zone;
   return s;
 }
 
-study::Selection with_elements(int elements, double length_m = 0.2) {
-  study::Selection s;
+claims::Selection with_elements(int elements, double length_m = 0.2) {
+  claims::Selection s;
   s.elements = elements, s.length_m = length_m;
   return s;
 }
 
-study::Selection with_path(const std::string& path) {
-  study::Selection s;
+claims::Selection with_path(const std::string& path) {
+  claims::Selection s;
   s.path = path;
   return s;
 }
 
-study::Selection with_step(const std::string& fraction) {
-  study::Selection s;
+claims::Selection with_step(const std::string& fraction) {
+  claims::Selection s;
   s.dt_fraction = fraction;
   return s;
 }
 
 /// The curves of a chart against velocity, by claim.
 std::vector<NamedSelection> curves_for(const std::string& claim, int elements) {
-  const NamedSelection simple{"simple release", study::simple_release()},
-      surface{"simple, damped at the surface", study::simple_release("surface")},
-      total{"simple, damped everywhere", study::simple_release("all")},
+  const NamedSelection simple{"simple release", claims::simple_release()},
+      surface{"simple, damped at the surface", claims::simple_release("surface")},
+      total{"simple, damped everywhere", claims::simple_release("all")},
       linear{"progressive, linear, r_l = 1", {}};
   const std::map<std::string, std::vector<NamedSelection>> table{
       {"fig07", {simple}},
@@ -79,21 +80,21 @@ std::vector<NamedSelection> curves_for(const std::string& claim, int elements) {
   return found == table.end() ? std::vector<NamedSelection>{} : found->second;
 }
 
-ChartSeries series_of(const std::string& label, const study::Curve& curve, int colour) {
+ChartSeries series_of(const std::string& label, const claims::Curve& curve, int colour) {
   ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
-  for (const study::CurvePoint& p : curve) {
+  for (const claims::CurvePoint& p : curve) {
     series.x.push_back(p.v);
-    series.y.push_back(study::mean_of(p.ratio));
-    series.error.push_back(p.ratio.size() > 1 ? study::deviation_of(p.ratio)
+    series.y.push_back(base::mean_of(p.ratio));
+    series.error.push_back(p.ratio.size() > 1 ? base::deviation_of(p.ratio)
                                               : std::numeric_limits<double>::quiet_NaN());
   }
   return series;
 }
 
-bool against_velocity(Chart& chart, const study::Claim& claim, const study::Evidence& evidence) {
+bool against_velocity(Chart& chart, const claims::Claim& claim, const claims::Evidence& evidence) {
   int colour = 0;
   for (const NamedSelection& named : curves_for(claim.name, evidence.elements)) {
-    const study::Curve curve = study::curve_in(evidence, named.selection);
+    const claims::Curve curve = claims::curve_in(evidence, named.selection);
     if (!curve.empty()) chart.series.push_back(series_of(named.label, curve, colour));
     ++colour;
   }
@@ -101,11 +102,11 @@ bool against_velocity(Chart& chart, const study::Claim& claim, const study::Evid
 }
 
 /// Rows of a selection and of the first specimen there is, velocities ascending.
-std::vector<study::SummaryRow> first_specimen(const study::Evidence& evidence, study::Selection selection) {
+std::vector<study::SummaryRow> first_specimen(const claims::Evidence& evidence, claims::Selection selection) {
   selection.elements = evidence.elements;
   std::map<double, study::SummaryRow> rows;
   for (const study::SummaryRow& row : evidence.rows) {
-    if (!study::selects(selection, row)) continue;
+    if (!claims::selects(selection, row)) continue;
     const auto [known, fresh] = rows.emplace(study::number_in(row, "crack_velocity_over_cr"), row);
     if (!fresh && row.at("seed") < known->second.at("seed")) known->second = row;
   }
@@ -114,7 +115,7 @@ std::vector<study::SummaryRow> first_specimen(const study::Evidence& evidence, s
   return list;
 }
 
-bool energies(Chart& chart, const study::Evidence& evidence) {
+bool energies(Chart& chart, const claims::Evidence& evidence) {
   for (const study::SummaryRow& row : evidence.rows) {
     if (!row.is_object() || study::text_in(row, "prestress_method") != "ramp") continue;
     const study::SeriesTable table = evidence.series(row);
@@ -140,18 +141,18 @@ bool energies(Chart& chart, const study::Evidence& evidence) {
   return false;
 }
 
-bool release_energies(Chart& chart, const study::Evidence& evidence) {
+bool release_energies(Chart& chart, const claims::Evidence& evidence) {
   chart.key_outside = true;
   chart.x_label = "crack velocity v / c_r [-]";
   chart.y_label = "energy at release, per beam [mJ]";
   chart.y_range = {0.0, {}};
   int colour = 0;
-  for (const NamedSelection& named : {NamedSelection{"simple release", study::simple_release()},
+  for (const NamedSelection& named : {NamedSelection{"simple release", claims::simple_release()},
                                       NamedSelection{"progressive, linear, r_l = 1", {}}}) {
     ChartSeries series{named.label, {}, {}, {}, Style::line_points, colour++};
     for (const study::SummaryRow& row : first_specimen(evidence, named.selection)) {
       series.x.push_back(study::number_in(row, "crack_velocity_over_cr"));
-      series.y.push_back(1e3 * study::release_energy_per_beam(row));
+      series.y.push_back(1e3 * claims::release_energy_per_beam(row));
     }
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
@@ -182,11 +183,11 @@ bool release_laws(Chart& chart, bool over_distance) {
 }
 
 /// Fills the chart which the claim asks for; false where there is none, or nothing in it.
-bool fill(Chart& chart, const study::Claim& claim, const study::Evidence& evidence) {
+bool fill(Chart& chart, const claims::Claim& claim, const claims::Evidence& evidence) {
   if (claim.name == "fig09" || claim.name == "fig10") return release_laws(chart, claim.name == "fig09");
   if (claim.name == "fig05") return energies(chart, evidence);
   if (claim.name == "sec5_residual") return release_energies(chart, evidence);
-  if (claim.name == "fig06") return draw_ratio_against_position(chart, evidence, study::simple_release());
+  if (claim.name == "fig06") return draw_ratio_against_position(chart, evidence, claims::simple_release());
   if (claim.name == "fig13") return draw_ratio_against_position(chart, evidence, {});
   if (claim.name == "sec2_linear") return draw_fracture_against_position(chart, evidence, {});
   const std::string title = chart.title;
@@ -196,7 +197,7 @@ bool fill(Chart& chart, const study::Claim& claim, const study::Evidence& eviden
 
 }  // namespace
 
-std::vector<Figure> draw_figures(const study::Claim& claim, const study::Evidence& evidence,
+std::vector<Figure> draw_figures(const claims::Claim& claim, const claims::Evidence& evidence,
                                  const std::string& stiffness, const fs::path& folder) {
   const bool of_theory = claim.name == "fig01" || claim.name == "fig09" || claim.name == "fig10";
   if (of_theory && stiffness != "bulk") return {};
@@ -208,16 +209,16 @@ std::vector<Figure> draw_figures(const study::Claim& claim, const study::Evidenc
   return {{draw_chart(chart, folder, name), chart.title}};
 }
 
-std::vector<Figure> draw_against_own_speed(const study::Evidence& evidence, const std::string& stiffness,
+std::vector<Figure> draw_against_own_speed(const claims::Evidence& evidence, const std::string& stiffness,
                                            double nominal_over_own, const fs::path& folder) {
   Chart chart =
       chart_of_references(fmt::format("Fig. 15 over the specimen's own Rayleigh speed, {}", stiffness));
   chart.x_label = "crack velocity over the measured Rayleigh speed v / c_R [-]";
   chart.x_range = {0.0, std::max(1.05, 1.02 * nominal_over_own)};
   int colour = 0;
-  for (const NamedSelection& named : {NamedSelection{"simple release", study::simple_release()},
+  for (const NamedSelection& named : {NamedSelection{"simple release", claims::simple_release()},
                                       NamedSelection{"progressive, linear, r_l = 1", {}}}) {
-    ChartSeries series = series_of(named.label, study::curve_in(evidence, named.selection), colour++);
+    ChartSeries series = series_of(named.label, claims::curve_in(evidence, named.selection), colour++);
     for (double& x : series.x) x *= nominal_over_own;
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }

@@ -2,7 +2,7 @@
 
 #include "engine/base/files.hpp"
 #include "engine/base/world_error.hpp"
-#include "engine/study/curve.hpp"
+#include "engine/claims/curve.hpp"
 #include "engine/study/store.hpp"
 #include "engine/theory/references.hpp"
 #include "studio/charts/chart_script.hpp"

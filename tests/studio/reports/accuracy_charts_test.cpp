@@ -9,23 +9,23 @@ namespace rift::studio {
 namespace {
 
 /// A line whose errors are all of one size.
-study::AccuracyLine line(study::Knob knob, const std::string& label, double value, double error,
-                         double wall) {
-  study::AccuracyLine l;
-  l.knob = knob, l.label = label, l.value = value, l.wall_s = wall;
+accuracy::AccuracyLine line(accuracy::Factor factor, const std::string& label, double value, double error,
+                            double wall) {
+  accuracy::AccuracyLine l;
+  l.factor = factor, l.label = label, l.value = value, l.wall_s = wall;
   l.ratio = 0.5 + error, l.error = l.step_error = l.converged = error;
   l.specimens = 1;
   return l;
 }
 
-study::Accuracy steps() {
-  study::Accuracy a;
+accuracy::Accuracy steps() {
+  accuracy::Accuracy a;
   a.specimen_scatter = 0.02;
-  a.lines = {line(study::Knob::scene, "as it is", NAN, 2e-3, 0.2),
-             line(study::Knob::time_step, "0.1 of critical", 0.1, 0.0, 1.0),
-             line(study::Knob::time_step, "0.2 of critical", 0.2, 4e-4, 0.5),
-             line(study::Knob::time_step, "0.4 of critical", 0.4, -1.6e-3, 0.25)};
-  a.reference = {{study::Knob::time_step,
+  a.lines = {line(accuracy::Factor::scene, "as it is", NAN, 2e-3, 0.2),
+             line(accuracy::Factor::time_step, "0.1 of critical", 0.1, 0.0, 1.0),
+             line(accuracy::Factor::time_step, "0.2 of critical", 0.2, 4e-4, 0.5),
+             line(accuracy::Factor::time_step, "0.4 of critical", 0.4, -1.6e-3, 0.25)};
+  a.reference = {{accuracy::Factor::time_step,
                   "the limit",
                   0.5,
                   {.clean = true, .order = 2.0, .limit = 0.5, .text = "observed order 2.00"}}};
@@ -77,7 +77,7 @@ TEST(AccuracyReport, RecommendsWithErrorTimeAndGoal) {
 }
 
 TEST(AccuracyReport, TellsWhatCannotBe) {
-  study::Accuracy a = steps();
+  accuracy::Accuracy a = steps();
   a.lines[3].cannot_be = "a reason";
   const Table table = accuracy_table(a);
   EXPECT_EQ(table.rows[3].back(), "cannot be: a reason");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rift::study {
+namespace rift::claims {
 
 /// Elements of the paper's plate.
 inline constexpr int paper_elements = 20000;
@@ -25,7 +25,7 @@ struct Selection {
 Selection simple_release(const std::string& region = "none");
 
 /// Whether a row is of the selection. A row that is null, or whose crack changes its velocity, is of none.
-bool selects(const Selection& selection, const SummaryRow& row);
+bool selects(const Selection& selection, const study::SummaryRow& row);
 
 /// Ratio at one velocity, one entry per specimen; the same number of specimens need not be at all velocities.
 struct CurvePoint {
@@ -40,27 +40,21 @@ using Curve = std::vector<CurvePoint>;
 
 /// The ratio against velocity of the selected rows, velocities ascending. Rows without a ratio (the window
 /// was not reached) are left out.
-Curve curve_of(const std::vector<SummaryRow>& rows, const Selection& selection);
+Curve curve_of(const std::vector<study::SummaryRow>& rows, const Selection& selection);
 
 /// The points with from <= v <= to, a rounding error apart; and those outside.
 Curve within(const Curve& curve, double from, double to);
 Curve outside(const Curve& curve, double from, double to);
 
 /// Energy that the release of one beam takes, the mean over those that the crack crosses [J].
-double release_energy_per_beam(const SummaryRow& row);
+double release_energy_per_beam(const study::SummaryRow& row);
 
-/// Mean of numbers, and the standard deviation of a sample of them (0 for one); NaN for none.
-double mean_of(const std::vector<double>& numbers);
-double deviation_of(const std::vector<double>& numbers);
-
-/// A number of a row, NaN where it is null or missing.
-double number_in(const SummaryRow& row, const char* name);
-
-/// A text of a row, empty where it is null or missing.
-std::string text_in(const SummaryRow& row, const char* name);
-
-/// The text of an axis of a row, or `absent` where the study does not name it.
-std::string axis_in(const SummaryRow& row, const char* axis, const std::string& absent);
+/// Straight line through points by least squares, and the share of the variance it explains (R^2; 1 for
+/// points on a line). NaN for less than three points.
+struct Line {
+  double slope = 0, r_squared = 0;
+};
+Line line_through(const std::vector<double>& x, const std::vector<double>& y);
 
 // What the words of a claim mean, fixed before any result was seen. Each judgement tells what was measured,
 // whichever way it goes.
@@ -134,4 +128,4 @@ Judgement all_of(const std::vector<Part>& parts);
 /// "0.6-1.0"
 std::string span_text(Span span);
 
-}  // namespace rift::study
+}  // namespace rift::claims

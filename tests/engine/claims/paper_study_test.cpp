@@ -1,11 +1,11 @@
-#include "engine/study/paper_study.hpp"
+#include "engine/claims/claims.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-namespace rift::study {
+namespace rift::claims {
 namespace {
 
 scene::Preset paper_preset(const std::string& text) {
@@ -68,4 +68,4 @@ TEST(PaperStudy, QuickRampsInTheSameTime) {
 }
 
 }  // namespace
-}  // namespace rift::study
+}  // namespace rift::claims

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "engine/study/claims.hpp"
+#include "engine/base/statistics.hpp"
+#include "engine/claims/claims.hpp"
 
 #include <cmath>
 #include <vector>
 
 /// What goes beyond the paper: which damage zone agrees best, what the lattice itself takes, and Broberg's
 /// own problem   [physics.md §9].
-namespace rift::study {
+namespace rift::claims {
 
 /// One relaxation and damage zone in the paper's plate, at several velocities.
 struct MapCell {
@@ -32,29 +33,29 @@ std::vector<double> zones_of(const Evidence& evidence);
 struct WakeBand {
   double cell = 0, share = 0;
 };
-std::vector<WakeBand> wake_bands(const SummaryRow& row);
+std::vector<WakeBand> wake_bands(const study::SummaryRow& row);
 
 /// Broberg's own problem at one velocity, zone and number of elements, the mean over its specimens, beside
 /// the efficiency of the strip there (NaN: none).
-struct OwnProblem {
+struct BrobergProblem {
   double v = 0, zone = 0, elements = 0;
   double radius_m = 0, half_length_m = 0;  // in the middle of the window
   double broberg = 0;
   std::vector<double> ratio;  // of each specimen
   double efficiency = NAN, efficiency_scatter = NAN;
 
-  double over_efficiency() const { return mean_of(ratio) / efficiency; }
+  double over_efficiency() const { return base::mean_of(ratio) / efficiency; }
 };
-std::vector<OwnProblem> own_problem(const Evidence& evidence);
+std::vector<BrobergProblem> broberg_problem(const Evidence& evidence);
 
 /// Ratio over efficiency, from two sizes straight on to R / a = 0. The scatter is what the specimens' scatter
 /// makes of it, relative; where there is one specimen of a size it is taken to scatter as the others.
 struct Extrapolated {
   double v = 0, zone = 0, limit = 0, broberg = 0, scatter = 0;
 };
-std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points);
+std::vector<Extrapolated> extrapolated(const std::vector<BrobergProblem>& points);
 
 /// The findings, told like claims.
 std::vector<Claim> beyond_the_paper();
 
-}  // namespace rift::study
+}  // namespace rift::claims

@@ -1,11 +1,11 @@
-#include "engine/study/judges.hpp"
+#include "engine/claims/judges.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace rift::study {
+namespace rift::claims {
 namespace {
 
 struct Size {
@@ -51,4 +51,4 @@ TEST(Table2, TellsTheDeviation) {
 }
 
 }  // namespace
-}  // namespace rift::study
+}  // namespace rift::claims

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "engine/study/claims.hpp"
+#include "engine/claims/claims.hpp"
 
 /// The judges of the claims, one for each artefact that needs numbers.
-namespace rift::study::judges {
+namespace rift::claims::judges {
 
 Judgement fig01(const Evidence& evidence);
 Judgement fig05(const Evidence& evidence);
@@ -32,4 +32,4 @@ Judgement beyond_map(const Evidence& evidence);
 Judgement beyond_efficiency(const Evidence& evidence);
 Judgement beyond_broberg(const Evidence& evidence);
 
-}  // namespace rift::study::judges
+}  // namespace rift::claims::judges

@@ -1,13 +1,14 @@
-#include "engine/study/curve.hpp"
+#include "engine/claims/curve.hpp"
+
+#include "engine/base/statistics.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
-namespace rift::study {
+namespace rift::claims {
 namespace {
 
 constexpr double slack = 1e-9;  // velocities and lengths of presets are read from decimal text
@@ -23,14 +24,14 @@ Curve filtered(const Curve& curve, double from, double to, bool inside) {
   return out;
 }
 
-void add_row(CurvePoint& point, const SummaryRow& row) {
+void add_row(CurvePoint& point, const study::SummaryRow& row) {
   point.seed.push_back(row.at("seed").get<long>());
-  point.ratio.push_back(number_in(row, "ratio_with_damping"));
-  point.plateau_scatter.push_back(number_in(row, "ratio_scatter"));
-  point.broberg = number_in(row, "broberg");
-  point.freund = number_in(row, "freund");
-  point.strip = number_in(row, "strip");
-  point.wall_s += number_in(row, "wall_fracture_s");
+  point.ratio.push_back(study::number_in(row, "ratio_with_damping"));
+  point.plateau_scatter.push_back(study::number_in(row, "ratio_scatter"));
+  point.broberg = study::number_in(row, "broberg");
+  point.freund = study::number_in(row, "freund");
+  point.strip = study::number_in(row, "strip");
+  point.wall_s += study::number_in(row, "wall_fracture_s");
 }
 
 }  // namespace
@@ -42,25 +43,29 @@ Selection simple_release(const std::string& region) {
   return s;
 }
 
-bool selects(const Selection& s, const SummaryRow& row) {
-  if (!row.is_object() || std::isnan(number_in(row, "crack_velocity_over_cr"))) return false;
-  if (text_in(row, "technique") != s.technique || text_in(row, "damping_region") != s.damping_region)
+bool selects(const Selection& s, const study::SummaryRow& row) {
+  if (!row.is_object() || std::isnan(study::number_in(row, "crack_velocity_over_cr"))) return false;
+  if (study::text_in(row, "technique") != s.technique ||
+      study::text_in(row, "damping_region") != s.damping_region)
     return false;
-  if (s.technique == "progressive" && !(same(number_in(row, "relaxation"), s.relaxation) &&
-                                        same(number_in(row, "damage_zone_ratio"), s.damage_zone_ratio)))
+  if (s.technique == "progressive" &&
+      !(same(study::number_in(row, "relaxation"), s.relaxation) &&
+        same(study::number_in(row, "damage_zone_ratio"), s.damage_zone_ratio)))
     return false;
-  const std::string prestress = text_in(row, "prestress_method");
-  return same(number_in(row, "elements"), s.elements == 0 ? paper_elements : s.elements) &&
-         same(number_in(row, "length_m"), s.length_m) && axis_in(row, "path", "0.5 H") == s.path &&
-         axis_in(row, "dt_fraction", "-") == s.dt_fraction && (prestress.empty() || prestress == "static");
+  const std::string prestress = study::text_in(row, "prestress_method");
+  return same(study::number_in(row, "elements"), s.elements == 0 ? paper_elements : s.elements) &&
+         same(study::number_in(row, "length_m"), s.length_m) &&
+         study::axis_in(row, "path", "0.5 H") == s.path &&
+         study::axis_in(row, "dt_fraction", "-") == s.dt_fraction &&
+         (prestress.empty() || prestress == "static");
 }
 
-Curve curve_of(const std::vector<SummaryRow>& rows, const Selection& selection) {
-  std::map<long, std::map<long, const SummaryRow*>> by_velocity;  // in 1e-6 c_r, then by seed
-  for (const SummaryRow& row : rows) {
-    if (!selects(selection, row) || std::isnan(number_in(row, "ratio_with_damping"))) continue;
-    by_velocity[std::lround(1e6 * number_in(row, "crack_velocity_over_cr"))][row.at("seed").get<long>()] =
-        &row;
+Curve curve_of(const std::vector<study::SummaryRow>& rows, const Selection& selection) {
+  std::map<long, std::map<long, const study::SummaryRow*>> by_velocity;  // in 1e-6 c_r, then by seed
+  for (const study::SummaryRow& row : rows) {
+    if (!selects(selection, row) || std::isnan(study::number_in(row, "ratio_with_damping"))) continue;
+    by_velocity[std::lround(1e6 * study::number_in(row, "crack_velocity_over_cr"))]
+               [row.at("seed").get<long>()] = &row;
   }
   Curve curve;
   for (const auto& [v, of_seed] : by_velocity) {
@@ -75,43 +80,23 @@ Curve curve_of(const std::vector<SummaryRow>& rows, const Selection& selection) 
 Curve within(const Curve& curve, double from, double to) { return filtered(curve, from, to, true); }
 Curve outside(const Curve& curve, double from, double to) { return filtered(curve, from, to, false); }
 
-double release_energy_per_beam(const SummaryRow& row) {
-  const double per_length =
-      number_in(row, "ratio_release") * number_in(row, "g_i0_j_m2") * number_in(row, "thickness_m");
-  return per_length * number_in(row, "length_m") / number_in(row, "beams_crossed");
+double release_energy_per_beam(const study::SummaryRow& row) {
+  const double per_length = study::number_in(row, "ratio_release") * study::number_in(row, "g_i0_j_m2") *
+                            study::number_in(row, "thickness_m");
+  return per_length * study::number_in(row, "length_m") / study::number_in(row, "beams_crossed");
 }
 
-double mean_of(const std::vector<double>& numbers) {
-  if (numbers.empty()) return std::numeric_limits<double>::quiet_NaN();
-  double sum = 0.0;
-  for (double n : numbers) sum += n;
-  return sum / static_cast<double>(numbers.size());
-}
-
-double deviation_of(const std::vector<double>& numbers) {
-  const double mean = mean_of(numbers);
-  if (numbers.size() < 2) return numbers.empty() ? mean : 0.0;
-  double sum = 0.0;
-  for (double n : numbers) sum += (n - mean) * (n - mean);
-  return std::sqrt(sum / static_cast<double>(numbers.size() - 1));
-}
-
-double number_in(const SummaryRow& row, const char* name) {
-  const auto found = row.find(name);
-  return found != row.end() && found->is_number() ? found->get<double>()
-                                                  : std::numeric_limits<double>::quiet_NaN();
-}
-
-std::string text_in(const SummaryRow& row, const char* name) {
-  const auto found = row.find(name);
-  return found != row.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-std::string axis_in(const SummaryRow& row, const char* axis, const std::string& absent) {
-  const auto axes = row.find("axes");
-  if (axes == row.end() || !axes->is_object()) return absent;
-  const std::string text = text_in(*axes, axis);
-  return text.empty() ? absent : text;
+Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
+  if (x.size() < 3) return {NAN, NAN};
+  const auto n = static_cast<double>(x.size());
+  double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) mx += x[k] / n, my += y[k] / n;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += (x[k] - mx) * (x[k] - mx);
+    xy += (x[k] - mx) * (y[k] - my);
+    yy += (y[k] - my) * (y[k] - my);
+  }
+  return {xy / xx, yy > 0.0 ? xy * xy / (xx * yy) : 1.0};
 }
 
 namespace {
@@ -143,7 +128,7 @@ std::map<long, double> distance_by_specimen(const Curve& curve) {
       distances[p.seed[k]].push_back(std::abs(p.ratio[k] - p.broberg));
   std::map<long, double> means;
   for (const auto& [seed, all] : distances)
-    if (all.size() == curve.size()) means[seed] = mean_of(all);
+    if (all.size() == curve.size()) means[seed] = base::mean_of(all);
   return means;
 }
 
@@ -158,7 +143,7 @@ Difference difference_of(const CurvePoint& a, const CurvePoint& b) {
     const auto other = std::find(b.seed.begin(), b.seed.end(), a.seed[k]);
     if (other != b.seed.end()) differences.push_back(a.ratio[k] - b.ratio[other - b.seed.begin()]);
   }
-  return {mean_of(differences), deviation_of(differences), static_cast<int>(differences.size())};
+  return {base::mean_of(differences), base::deviation_of(differences), static_cast<int>(differences.size())};
 }
 
 enum class Side { below, above };
@@ -189,21 +174,21 @@ std::string span_text(Span span) { return fmt::format("{:g}-{:g}", span.from, sp
 
 double mean_distance(const Curve& curve) {
   std::vector<double> distances;
-  for (const CurvePoint& p : curve) distances.push_back(std::abs(mean_of(p.ratio) - p.broberg));
-  return mean_of(distances);
+  for (const CurvePoint& p : curve) distances.push_back(std::abs(base::mean_of(p.ratio) - p.broberg));
+  return base::mean_of(distances);
 }
 
 double mean_offset(const Curve& curve) {
   std::vector<double> offsets;
-  for (const CurvePoint& p : curve) offsets.push_back(mean_of(p.ratio) - p.broberg);
-  return mean_of(offsets);
+  for (const CurvePoint& p : curve) offsets.push_back(base::mean_of(p.ratio) - p.broberg);
+  return base::mean_of(offsets);
 }
 
 double specimen_scatter(const Curve& curve) {
   std::vector<double> deviations;
   for (const CurvePoint& p : curve)
-    if (p.ratio.size() > 1) deviations.push_back(deviation_of(p.ratio));
-  return deviations.empty() ? 0.0 : mean_of(deviations);
+    if (p.ratio.size() > 1) deviations.push_back(base::deviation_of(p.ratio));
+  return deviations.empty() ? 0.0 : base::mean_of(deviations);
 }
 
 Judgement is_near(const Curve& curve, Span span) {
@@ -236,7 +221,7 @@ Judgement is_better(const Curve& curve, const Curve& than, Span span) {
   for (const auto& [seed, distance] : of_a)
     if (of_b.contains(seed)) gains.push_back(of_b.at(seed) - distance);
   const double gain = mean_distance(b) - mean_distance(a);
-  const double scatter = gains.size() > 1 ? deviation_of(gains) : 0.0;
+  const double scatter = gains.size() > 1 ? base::deviation_of(gains) : 0.0;
   return {verdict_of(gain > 0.0, scatter, std::abs(gain)),
           fmt::format("{}: mean |delta| {:.3f} against {:.3f}, scatter of the difference {:.3f}",
                       span_text(span), mean_distance(a), mean_distance(b), scatter)};
@@ -252,7 +237,7 @@ Judgement has_no_influence(const Curve& curve, const Curve& reference, Span span
     scatters.push_back(d.scatter);
   }
   if (distances.empty()) return nothing_to_judge("no velocity in common");
-  const double distance = mean_of(distances), scatter = mean_of(scatters);
+  const double distance = base::mean_of(distances), scatter = base::mean_of(scatters);
   return {verdict_of(distance <= influence_margin, scatter, influence_margin),
           fmt::format("mean |difference| {:.3f} over {} velocities, {}", distance, distances.size(),
                       scatter_text(scatter))};
@@ -260,8 +245,8 @@ Judgement has_no_influence(const Curve& curve, const Curve& reference, Span span
 
 Judgement is_quasi_constant(const CurvePoint& point) {
   if (point.plateau_scatter.empty()) return nothing_to_judge("no result");
-  const double along = mean_of(point.plateau_scatter);
-  return {verdict_of(along <= constant_margin, deviation_of(point.plateau_scatter), constant_margin),
+  const double along = base::mean_of(point.plateau_scatter);
+  return {verdict_of(along <= constant_margin, base::deviation_of(point.plateau_scatter), constant_margin),
           fmt::format("{:g}: {:.3f}", point.v, along)};
 }
 
@@ -285,7 +270,7 @@ Judgement is_mostly_constant(const Curve& curve, Span span) {
 Judgement is_near_value(const Curve& curve, double v, double value) {
   const Curve at = within(curve, v, v);
   if (at.empty()) return nothing_to_judge(fmt::format("no result at {:g} c_r", v));
-  const double ratio = mean_of(at.front().ratio), scatter = specimen_scatter(at);
+  const double ratio = base::mean_of(at.front().ratio), scatter = specimen_scatter(at);
   return {verdict_of(std::abs(ratio - value) <= near_margin, scatter, near_margin),
           fmt::format("{:.3f} at {:g}, {}", ratio, v, scatter_text(scatter))};
 }
@@ -293,7 +278,7 @@ Judgement is_near_value(const Curve& curve, double v, double value) {
 Judgement is_below(const Curve& curve, double v, double value) {
   const Curve at = within(curve, v, v);
   if (at.empty()) return nothing_to_judge(fmt::format("no result at {:g} c_r", v));
-  const double ratio = mean_of(at.front().ratio), scatter = specimen_scatter(at);
+  const double ratio = base::mean_of(at.front().ratio), scatter = specimen_scatter(at);
   return {verdict_of(ratio < value, scatter, near_margin),
           fmt::format("{:.3f} at {:g}, {}", ratio, v, scatter_text(scatter))};
 }
@@ -311,4 +296,4 @@ Judgement all_of(const std::vector<Part>& parts) {
   return whole;
 }
 
-}  // namespace rift::study
+}  // namespace rift::claims

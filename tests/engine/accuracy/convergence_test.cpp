@@ -1,11 +1,11 @@
-#include "engine/study/accuracy_run.hpp"
+#include "engine/accuracy/convergence.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-namespace rift::study {
+namespace rift::accuracy {
 namespace {
 
 std::vector<Level> levels_of(const std::function<double(double)>& f) {
@@ -67,4 +67,4 @@ TEST(Convergence, LeavesOutLevelsWithoutAValue) {
 }
 
 }  // namespace
-}  // namespace rift::study
+}  // namespace rift::accuracy

@@ -1,6 +1,7 @@
-#include "engine/study/beyond.hpp"
+#include "engine/claims/lattice_efficiency.hpp"
 
-#include "engine/study/judges.hpp"
+#include "engine/base/statistics.hpp"
+#include "engine/claims/judges.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@
 #include <map>
 #include <tuple>
 
-namespace rift::study {
+namespace rift::claims {
 namespace {
 
 constexpr double paper_relaxation = 1.0, paper_zone = 1.0;
@@ -17,15 +18,16 @@ constexpr double broberg_goal = 0.02;  // of G_ID / eta, relative
 
 long key_of(double number) { return std::lround(1e6 * number); }
 
-bool of_strip(const SummaryRow& row) {
-  return row.is_object() && text_in(row, "technique") == "progressive" && !(number_in(row, "tips") > 1.5);
+bool of_strip(const study::SummaryRow& row) {
+  return row.is_object() && study::text_in(row, "technique") == "progressive" &&
+         !(study::number_in(row, "tips") > 1.5);
 }
 
 /// "0.97 at 0.1, 0.62 at 0.5"
 std::string listed_at(const std::vector<EfficiencyPoint>& points) {
   std::string list;
   for (const EfficiencyPoint& p : points)
-    list += fmt::format("{}{:.3f} at {:g}", list.empty() ? "" : ", ", mean_of(p.ratio), p.v);
+    list += fmt::format("{}{:.3f} at {:g}", list.empty() ? "" : ", ", base::mean_of(p.ratio), p.v);
   return list;
 }
 
@@ -46,15 +48,16 @@ std::map<long, std::vector<EfficiencyPoint>> by_zone(const Evidence& evidence) {
 
 std::vector<MapCell> map_of(const Evidence& evidence) {
   std::map<std::pair<long, long>, MapCell> cells;
-  for (const SummaryRow& row : evidence.rows) {
-    if (!of_strip(row) || std::isnan(number_in(row, "ratio_with_damping"))) continue;
-    const double power = number_in(row, "relaxation"), zone = number_in(row, "damage_zone_ratio");
+  for (const study::SummaryRow& row : evidence.rows) {
+    if (!of_strip(row) || std::isnan(study::number_in(row, "ratio_with_damping"))) continue;
+    const double power = study::number_in(row, "relaxation"),
+                 zone = study::number_in(row, "damage_zone_ratio");
     MapCell& cell = cells[{key_of(power), key_of(zone)}];
     cell.relaxation = power, cell.zone = zone;
-    cell.v.push_back(number_in(row, "crack_velocity_over_cr"));
-    cell.ratio.push_back(number_in(row, "ratio_with_damping"));
-    cell.distance.push_back(std::abs(number_in(row, "error_broberg")));
-    cell.wall_s += number_in(row, "wall_fracture_s");
+    cell.v.push_back(study::number_in(row, "crack_velocity_over_cr"));
+    cell.ratio.push_back(study::number_in(row, "ratio_with_damping"));
+    cell.distance.push_back(std::abs(study::number_in(row, "error_broberg")));
+    cell.wall_s += study::number_in(row, "wall_fracture_s");
   }
   std::vector<MapCell> list;
   for (auto& [place, cell] : cells) list.push_back(std::move(cell));
@@ -63,9 +66,9 @@ std::vector<MapCell> map_of(const Evidence& evidence) {
 
 std::vector<double> zones_of(const Evidence& evidence) {
   std::map<long, double> zones;
-  for (const SummaryRow& row : evidence.rows)
+  for (const study::SummaryRow& row : evidence.rows)
     if (of_strip(row))
-      zones[key_of(number_in(row, "damage_zone_ratio"))] = number_in(row, "damage_zone_ratio");
+      zones[key_of(study::number_in(row, "damage_zone_ratio"))] = study::number_in(row, "damage_zone_ratio");
   std::vector<double> list;
   for (const auto& [key, zone] : zones) list.push_back(zone);
   return list;
@@ -73,73 +76,78 @@ std::vector<double> zones_of(const Evidence& evidence) {
 
 std::vector<EfficiencyPoint> efficiency(const Evidence& evidence, double relaxation, double zone) {
   std::map<long, EfficiencyPoint> points;
-  for (const SummaryRow& row : evidence.rows) {
-    if (!of_strip(row) || std::isnan(number_in(row, "ratio_with_damping"))) continue;
-    if (key_of(number_in(row, "relaxation")) != key_of(relaxation) ||
-        key_of(number_in(row, "damage_zone_ratio")) != key_of(zone))
+  for (const study::SummaryRow& row : evidence.rows) {
+    if (!of_strip(row) || std::isnan(study::number_in(row, "ratio_with_damping"))) continue;
+    if (key_of(study::number_in(row, "relaxation")) != key_of(relaxation) ||
+        key_of(study::number_in(row, "damage_zone_ratio")) != key_of(zone))
       continue;
-    const double v = number_in(row, "crack_velocity_over_cr");
+    const double v = study::number_in(row, "crack_velocity_over_cr");
     EfficiencyPoint& point = points[key_of(v)];
     point.v = v;
-    point.ratio.push_back(number_in(row, "ratio_with_damping"));
-    point.along.push_back(number_in(row, "ratio_scatter"));
+    point.ratio.push_back(study::number_in(row, "ratio_with_damping"));
+    point.along.push_back(study::number_in(row, "ratio_scatter"));
   }
   std::vector<EfficiencyPoint> list;
   for (auto& [key, point] : points) list.push_back(std::move(point));
   return list;
 }
 
-std::vector<WakeBand> wake_bands(const SummaryRow& row) {
+std::vector<WakeBand> wake_bands(const study::SummaryRow& row) {
   std::vector<WakeBand> bands;
   if (!row.contains("wake_kinetic_j") || row.at("wake_kinetic_j").empty()) return bands;
   const auto energy = row.at("wake_kinetic_j").get<std::vector<double>>();
   const auto cell = row.at("wake_cell_m").get<std::vector<double>>();
-  double all = number_in(row, "wake_rotation_j");
+  double all = study::number_in(row, "wake_rotation_j");
   for (double e : energy) all += e;
-  const double radius = number_in(row, "mean_radius_m");
+  const double radius = study::number_in(row, "mean_radius_m");
   for (std::size_t k = 0; k + 1 < energy.size(); ++k) bands.push_back({cell[k] / radius, energy[k] / all});
   bands.push_back({2.0 * cell.back() / radius, energy.back() / all});
   return bands;
 }
 
-std::vector<OwnProblem> own_problem(const Evidence& evidence) {
+std::vector<BrobergProblem> broberg_problem(const Evidence& evidence) {
   const auto zones = by_zone(evidence);
-  std::map<std::tuple<long, long, long>, OwnProblem>
+  std::map<std::tuple<long, long, long>, BrobergProblem>
       points;  // the smallest elements of a velocity and zone last
   std::map<std::tuple<long, long, long>, std::vector<double>> radii;
-  for (const SummaryRow& row : evidence.rows) {
-    if (!(number_in(row, "tips") > 1.5) || std::isnan(number_in(row, "ratio_with_damping"))) continue;
-    const double v = number_in(row, "crack_velocity_over_cr"), zone = number_in(row, "damage_zone_ratio");
-    const std::tuple place(key_of(v), key_of(zone), std::lround(number_in(row, "elements")));
-    OwnProblem& p = points[place];
-    p.v = v, p.zone = zone, p.elements = number_in(row, "elements");
-    p.broberg = number_in(row, "broberg");
-    p.ratio.push_back(number_in(row, "ratio_with_damping"));
-    radii[place].push_back(number_in(row, "mean_radius_m"));
+  for (const study::SummaryRow& row : evidence.rows) {
+    if (!(study::number_in(row, "tips") > 1.5) || std::isnan(study::number_in(row, "ratio_with_damping")))
+      continue;
+    const double v = study::number_in(row, "crack_velocity_over_cr"),
+                 zone = study::number_in(row, "damage_zone_ratio");
+    const std::tuple place(key_of(v), key_of(zone), std::lround(study::number_in(row, "elements")));
+    BrobergProblem& p = points[place];
+    p.v = v, p.zone = zone, p.elements = study::number_in(row, "elements");
+    p.broberg = study::number_in(row, "broberg");
+    p.ratio.push_back(study::number_in(row, "ratio_with_damping"));
+    radii[place].push_back(study::number_in(row, "mean_radius_m"));
     const auto& window = row.at("window_over_length");
-    p.half_length_m = 0.5 * number_in(row, "length_m") * (window[0].get<double>() + window[1].get<double>());
+    p.half_length_m =
+        0.5 * study::number_in(row, "length_m") * (window[0].get<double>() + window[1].get<double>());
     const auto strip = zones.find(key_of(zone));
     const EfficiencyPoint* eta = strip == zones.end() ? nullptr : find_point(strip->second, v);
-    if (eta) p.efficiency = mean_of(eta->ratio), p.efficiency_scatter = deviation_of(eta->ratio);
+    if (eta) p.efficiency = base::mean_of(eta->ratio), p.efficiency_scatter = base::deviation_of(eta->ratio);
   }
-  std::vector<OwnProblem> list;
+  std::vector<BrobergProblem> list;
   for (auto& [place, point] : points) {
-    point.radius_m = mean_of(radii[place]);
+    point.radius_m = base::mean_of(radii[place]);
     list.push_back(std::move(point));
   }
   return list;
 }
 
-std::vector<Extrapolated> extrapolated(const std::vector<OwnProblem>& points) {
+std::vector<Extrapolated> extrapolated(const std::vector<BrobergProblem>& points) {
   std::vector<Extrapolated> list;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const OwnProblem &coarse = points[k], &fine = points[k + 1];
+    const BrobergProblem &coarse = points[k], &fine = points[k + 1];
     if (key_of(coarse.v) != key_of(fine.v) || key_of(coarse.zone) != key_of(fine.zone)) continue;
     const double x = coarse.radius_m / coarse.half_length_m, y = fine.radius_m / fine.half_length_m;
     const double on = y / (x - y);
     const double limit = fine.over_efficiency() + on * (fine.over_efficiency() - coarse.over_efficiency());
     if (!std::isfinite(limit)) continue;
-    const auto relative = [](const OwnProblem& p) { return deviation_of(p.ratio) / mean_of(p.ratio); };
+    const auto relative = [](const BrobergProblem& p) {
+      return base::deviation_of(p.ratio) / base::mean_of(p.ratio);
+    };
     const double of_coarse = relative(coarse), of_fine = fine.ratio.size() > 1 ? relative(fine) : of_coarse;
     const double of_efficiency = fine.efficiency_scatter / fine.efficiency;
     list.push_back({fine.v, fine.zone, limit, fine.broberg,
@@ -154,7 +162,7 @@ Judgement beyond_map(const Evidence& evidence) {
   const std::vector<MapCell> cells = map_of(evidence);
   const MapCell *best = nullptr, *paper = nullptr;
   for (const MapCell& cell : cells) {
-    if (!best || mean_of(cell.distance) < mean_of(best->distance)) best = &cell;
+    if (!best || base::mean_of(cell.distance) < base::mean_of(best->distance)) best = &cell;
     if (key_of(cell.relaxation) == key_of(paper_relaxation) && key_of(cell.zone) == key_of(paper_zone))
       paper = &cell;
   }
@@ -165,11 +173,11 @@ Judgement beyond_map(const Evidence& evidence) {
   const auto per_scenario = [](const MapCell& cell) {
     return cell.wall_s / static_cast<double>(cell.v.size());
   };
-  return {mean_of(best->distance) <= near_margin ? Verdict::holds : Verdict::does_not_hold,
+  return {base::mean_of(best->distance) <= near_margin ? Verdict::holds : Verdict::does_not_hold,
           fmt::format("best of {}: p = {:g}, r_l = {:g}, mean |delta| {:.3f} ({}), {:.2f} s a scenario; the "
                       "paper's p = 1, r_l = 1: {:.3f}, {:.2f} s",
-                      cells.size(), best->relaxation, best->zone, mean_of(best->distance), each,
-                      per_scenario(*best), mean_of(paper->distance), per_scenario(*paper))};
+                      cells.size(), best->relaxation, best->zone, base::mean_of(best->distance), each,
+                      per_scenario(*best), base::mean_of(paper->distance), per_scenario(*paper))};
 }
 
 Judgement beyond_efficiency(const Evidence& evidence) {
@@ -181,8 +189,8 @@ Judgement beyond_efficiency(const Evidence& evidence) {
                         listed_at(points));
   double farthest = 0.0, scatter = 0.0;
   for (const EfficiencyPoint& p : zones.rbegin()->second) {
-    farthest = std::max(farthest, std::abs(mean_of(p.ratio) - 1.0));
-    scatter = std::max(scatter, std::max(deviation_of(p.ratio), mean_of(p.along)));
+    farthest = std::max(farthest, std::abs(base::mean_of(p.ratio) - 1.0));
+    scatter = std::max(scatter, std::max(base::deviation_of(p.ratio), base::mean_of(p.along)));
   }
   if (zones.rbegin()->second.empty()) return {Verdict::not_decidable, "no result"};
   return {farthest <= near_margin ? Verdict::holds : Verdict::does_not_hold,
@@ -191,13 +199,13 @@ Judgement beyond_efficiency(const Evidence& evidence) {
 }
 
 Judgement beyond_broberg(const Evidence& evidence) {
-  const std::vector<OwnProblem> points = own_problem(evidence);
+  const std::vector<BrobergProblem> points = broberg_problem(evidence);
   const std::vector<Extrapolated> limits = extrapolated(points);
   if (limits.empty()) return {Verdict::not_decidable, "no result"};
   double most = 0.0;
-  for (const OwnProblem& p : points) most = std::max(most, p.elements);
+  for (const BrobergProblem& p : points) most = std::max(most, p.elements);
   std::string text = fmt::format("G_ID / eta over Broberg with {:.0f} elements:", most);
-  for (const OwnProblem& p : points)
+  for (const BrobergProblem& p : points)
     if (p.elements == most)
       text += fmt::format(" {:.3f} at {:g}, r_l = {:g};", p.over_efficiency() / p.broberg, p.v, p.zone);
   text += " straight on to R = 0:";
@@ -208,11 +216,11 @@ Judgement beyond_broberg(const Evidence& evidence) {
     text += fmt::format(" {:.3f} \u00b1 {:.3f} at {:g}, r_l = {:g};", e.limit / e.broberg, e.scatter, e.v,
                         e.zone);
   }
-  const Verdict verdict = mean_of(scatter) > broberg_goal ? Verdict::not_decidable
-                          : mean_of(away) <= broberg_goal ? Verdict::holds
-                                                          : Verdict::does_not_hold;
+  const Verdict verdict = base::mean_of(scatter) > broberg_goal ? Verdict::not_decidable
+                          : base::mean_of(away) <= broberg_goal ? Verdict::holds
+                                                                : Verdict::does_not_hold;
   return {verdict, fmt::format("{} mean distance {:.1f} %, mean scatter {:.1f} %", text,
-                               100.0 * mean_of(away), 100.0 * mean_of(scatter))};
+                               100.0 * base::mean_of(away), 100.0 * base::mean_of(scatter))};
 }
 
 }  // namespace judges
@@ -250,4 +258,4 @@ std::vector<Claim> beyond_the_paper() {
   };
 }
 
-}  // namespace rift::study
+}  // namespace rift::claims

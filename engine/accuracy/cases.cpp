@@ -1,9 +1,9 @@
-#include "engine/study/accuracy.hpp"
+#include "engine/accuracy/cases.hpp"
 
 #include "engine/scene/contradictions.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/study/identity.hpp"
+#include "engine/study/plan.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <iterator>
 #include <set>
 
-namespace rift::study {
+namespace rift::accuracy {
 namespace {
 
 constexpr double step_fractions[] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.98};
@@ -50,9 +50,9 @@ struct Planning {
   bool quick = false;
 
   const scene::Scene& base() const { return plan.preset.scene; }
-  void add(Knob knob, std::string label, const scene::Scene& scene) {
-    plan.variants.push_back(
-        {knob, std::move(label), scene, issues_text(contradictions_of(plan.preset, scene))});
+  void add(Factor factor, std::string label, const scene::Scene& scene) {
+    plan.cases.push_back(
+        {factor, std::move(label), scene, issues_text(contradictions_of(plan.preset, scene))});
   }
 };
 
@@ -67,9 +67,9 @@ void take_quarter(Planning& p) {
                                : std::string("quick: no ramp; a fourth of these elements would be too few"));
 }
 
-/// The scene that all variants start from.
+/// The scene that all cases start from.
 Planning start_from(const scene::Preset& preset, bool quick) {
-  Planning p{.plan = {.preset = preset, .variants = {}, .notes = {}}, .quick = quick};
+  Planning p{.plan = {.preset = preset, .cases = {}, .notes = {}}, .quick = quick};
   scene::Scene& scene = p.plan.preset.scene;
   p.plan.preset.study.clear();
   p.plan.preset.lanes.clear();
@@ -108,10 +108,10 @@ std::string step_label(double fraction, ensemble::Precision precision) {
 void add_steps(Planning& p) {
   using enum ensemble::Precision;
   for (const double f : step_fractions)
-    p.add(Knob::time_step, step_label(f, double_precision), with_step(p.base(), f, double_precision));
+    p.add(Factor::time_step, step_label(f, double_precision), with_step(p.base(), f, double_precision));
   for (const double f : step_fractions)
     if (f > least_single)
-      p.add(Knob::precision, step_label(f, single_precision), with_step(p.base(), f, single_precision));
+      p.add(Factor::precision, step_label(f, single_precision), with_step(p.base(), f, single_precision));
 }
 
 void add_elements(Planning& p, const std::set<int>& levels, int seeds) {
@@ -120,7 +120,7 @@ void add_elements(Planning& p, const std::set<int>& levels, int seeds) {
       scene::Scene scene = p.base();
       scene.specimen.elements = n;
       scene.specimen.seed += k;
-      p.add(Knob::elements, grouped(n) + " elements", scene);
+      p.add(Factor::elements, grouped(n) + " elements", scene);
     }
 }
 
@@ -129,7 +129,7 @@ void add_kinematics(Planning& p) {
        {lattice::Kinematics::linear, lattice::Kinematics::corotational}) {
     scene::Scene scene = p.base();
     scene.solver.kinematics = kinematics;
-    p.add(Knob::kinematics, kinematics == lattice::Kinematics::linear ? "linear" : "corotational", scene);
+    p.add(Factor::kinematics, kinematics == lattice::Kinematics::linear ? "linear" : "corotational", scene);
   }
 }
 
@@ -139,7 +139,7 @@ scene::Scene ramped(const scene::Preset& preset) {
   scene.loading.method = scene::LoadingMethod::ramp;
   const double time = paper_ramp_s * scene.specimen.height / paper_height_m * paper_rayleigh_speed /
                       scene::rayleigh_speed(scene);
-  const double wanted = std::ceil(time / estimated_length(scene).step_s);
+  const double wanted = std::ceil(time / study::estimated_steps(scene).step_s);
   const scene::Range allowed = scene::find_parameter("loading.ramp_steps")->range;
   if (auto issue = scene::range_issue(preset, scene,
                                       {"a ramp", wanted, allowed, "steps", {"solver.dt", "specimen.height"}}))
@@ -152,10 +152,10 @@ scene::Scene ramped(const scene::Preset& preset) {
 
 void add_prestress(Planning& p) {
   if (p.quick) return;
-  p.add(Knob::prestress, "static", p.base());
+  p.add(Factor::prestress, "static", p.base());
   const scene::Scene ramp = ramped(p.plan.preset);
   p.add(
-      Knob::prestress,
+      Factor::prestress,
       fmt::format("ramp, {} + {} steps", grouped(ramp.loading.ramp_steps), grouped(ramp.loading.hold_steps)),
       ramp);
 }
@@ -167,7 +167,7 @@ void add_samples(Planning& p) {
   for (const int samples : levels) {
     scene::Scene scene = p.base();
     scene.output.samples = samples;
-    p.add(Knob::samples, grouped(samples) + " samples", scene);
+    p.add(Factor::samples, grouped(samples) + " samples", scene);
   }
 }
 
@@ -176,7 +176,7 @@ void add_together(Planning& p) {
     if (f < least_together || f > most_together) continue;
     scene::Scene scene = with_step(p.base(), f, ensemble::Precision::single_precision);
     scene.output.samples = few_samples;
-    p.add(Knob::together,
+    p.add(Factor::together,
           fmt::format("{}, {} samples", step_label(f, ensemble::Precision::single_precision), few_samples),
           scene);
   }
@@ -190,7 +190,7 @@ std::set<int> default_levels(int elements, bool quick) {
 }
 
 AccuracyPlan planned(Planning p, const std::set<int>& levels, int seeds) {
-  p.add(Knob::scene, "as it is", p.base());
+  p.add(Factor::scene, "as it is", p.base());
   add_steps(p);
   add_elements(p, levels, seeds);
   add_kinematics(p);
@@ -202,29 +202,29 @@ AccuracyPlan planned(Planning p, const std::set<int>& levels, int seeds) {
 
 }  // namespace
 
-const char* name_of(Knob knob) {
-  switch (knob) {
-    case Knob::scene:
+const char* name_of(Factor factor) {
+  switch (factor) {
+    case Factor::scene:
       return "scene";
-    case Knob::time_step:
+    case Factor::time_step:
       return "time step";
-    case Knob::precision:
+    case Factor::precision:
       return "precision";
-    case Knob::elements:
+    case Factor::elements:
       return "elements";
-    case Knob::kinematics:
+    case Factor::kinematics:
       return "kinematics";
-    case Knob::prestress:
+    case Factor::prestress:
       return "pre-stress";
-    case Knob::samples:
+    case Factor::samples:
       return "samples";
-    case Knob::together:
+    case Factor::together:
       return "together";
   }
   return "";
 }
 
-AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyWish& wish) {
+AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyOptions& wish) {
   const Planning start = start_from(preset, wish.quick);
   const int elements = start.base().specimen.elements;
   if (!wish.elements.empty()) {
@@ -247,13 +247,13 @@ AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyWish& wish
 double estimated_seconds(const AccuracyPlan& plan) {
   double beam_steps = 0.0;
   std::set<std::string> scenarios, lattices;
-  for (const Variant& v : plan.variants) {
+  for (const Case& v : plan.cases) {
     if (!v.cannot_be.empty() || !scenarios.insert(scene::preset_text(v.scene)).second) continue;
-    beam_steps += estimated_cost(v.scene);
+    beam_steps += study::estimated_cost(v.scene);
     const bool corotational = v.scene.solver.kinematics == lattice::Kinematics::corotational;
     const std::string lattice =
         fmt::format("{} {} {}", v.scene.specimen.elements, v.scene.specimen.seed, corotational);
-    if (lattices.insert(lattice).second) beam_steps += estimated_preparation(v.scene);
+    if (lattices.insert(lattice).second) beam_steps += study::estimated_preparation(v.scene);
   }
   return beam_steps / beam_steps_per_s;
 }
@@ -266,4 +266,80 @@ std::vector<scene::Scene> side_by_side(const scene::Scene& scene, int count) {
   return scenes;
 }
 
-}  // namespace rift::study
+namespace {
+
+/// Preparation beside the march: packing and pre-stress come from the cache for most cases.
+constexpr double cached_share = 0.2;
+
+double cost_of(const Case& v) {
+  return v.cannot_be.empty()
+             ? study::estimated_cost(v.scene) + cached_share * study::estimated_preparation(v.scene)
+             : 0.0;
+}
+
+scene::Preset study_of(const AccuracyPlan& plan, const std::vector<scene::Scene>& scenes) {
+  scene::Preset preset = plan.preset;
+  for (const scene::Scene& scene : scenes) preset.study.push_back(study::study_row_of(scene));
+  return preset;
+}
+
+std::string reasons(const scene::InputError& error) {
+  std::string text;
+  for (const scene::Issue& issue : error.issues)
+    text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
+  return text;
+}
+
+study::StudyOptions in_shared_folder(study::StudyOptions options) {
+  options.shared = true;
+  return options;
+}
+
+}  // namespace
+
+AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& options, base::Cache& cache,
+                      const simulation::BuildInfo& build, const study::StudyObserver& observer) {
+  AccuracyRun run;
+  double all = 0.0, before = 0.0;
+  for (const Case& v : plan.cases) all += cost_of(v);
+  for (const Case& v : plan.cases) {
+    run.results.push_back({v, nullptr});
+    CaseResult& now = run.results.back();
+    if (!v.cannot_be.empty() || run.outcome == simulation::Outcome::stopped) continue;
+    study::StudyObserver part;
+    part.progress = [&](std::string_view stage, double done) {
+      return !observer.progress || observer.progress(stage, (before + done * cost_of(v)) / all);
+    };
+    part.finished = [&](const study::SummaryRow& row, int, int) {
+      if (observer.finished)
+        observer.finished(row, static_cast<int>(run.results.size()), static_cast<int>(plan.cases.size()));
+    };
+    try {
+      const study::StudyResult result =
+          study::run_study(study_of(plan, {v.scene}), in_shared_folder(options), cache, build, part);
+      run.computed += result.computed, run.found += result.found;
+      now.row = result.rows.front();
+      if (result.outcome != simulation::Outcome::finished) run.outcome = result.outcome;
+    } catch (const scene::InputError& error) {
+      if (run.results.size() == 1) throw;
+      now.setup.cannot_be = reasons(error);
+    }
+    if (now.row.is_object() &&
+        study::text_in(now.row, "outcome") == simulation::name_of(simulation::Outcome::diverged))
+      now.setup.cannot_be = "diverged: " + study::text_in(now.row, "outcome_where");
+    before += cost_of(v);
+  }
+  return run;
+}
+
+std::vector<study::SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
+                                          const study::StudyOptions& options, base::Cache& cache,
+                                          const simulation::BuildInfo& build,
+                                          const study::StudyObserver& observer) {
+  const int lanes = study::lanes_of_many(scene.solver.precision);
+  const study::StudyResult result = study::run_study(study_of(plan, side_by_side(scene, lanes)),
+                                                     in_shared_folder(options), cache, build, observer);
+  return result.outcome == simulation::Outcome::stopped ? std::vector<study::SummaryRow>{} : result.rows;
+}
+
+}  // namespace rift::accuracy

@@ -1,13 +1,17 @@
+#include "engine/base/statistics.hpp"
+#include "engine/calibration/calibrate.hpp"
+#include "engine/claims/judges.hpp"
 #include "engine/fracture/release.hpp"
-#include "engine/study/judges.hpp"
+#include "engine/lattice/lattice.hpp"
 #include "engine/theory/references.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-namespace rift::study::judges {
+namespace rift::claims::judges {
 namespace {
 
 Selection scheme(double relaxation) {
@@ -29,9 +33,10 @@ Judgement few_beams_damped(const Evidence& evidence) {
   std::vector<double> shares;
   Selection surface = simple_release("surface");
   surface.elements = evidence.elements;
-  for (const SummaryRow& row : evidence.rows)
-    if (selects(surface, row)) shares.push_back(number_in(row, "beams_damped") / number_in(row, "beams"));
-  if (shares.empty() || std::isnan(mean_of(shares))) return {Verdict::not_decidable, "no result"};
+  for (const study::SummaryRow& row : evidence.rows)
+    if (selects(surface, row))
+      shares.push_back(study::number_in(row, "beams_damped") / study::number_in(row, "beams"));
+  if (shares.empty() || std::isnan(base::mean_of(shares))) return {Verdict::not_decidable, "no result"};
   const double most = *std::max_element(shares.begin(), shares.end());
   return {most < 0.06 ? Verdict::holds : Verdict::does_not_hold, fmt::format("{:.1f} %", 100.0 * most)};
 }
@@ -151,12 +156,12 @@ Judgement tends_to_zero(const Evidence& evidence) {
     const Curve at = within(curve_of_elements(evidence, factor), 1.0, 1.0);
     if (at.empty())
       return {Verdict::not_decidable, fmt::format("no result at {:g} times the elements", factor)};
-    ratio.push_back(mean_of(at.front().ratio));
+    ratio.push_back(base::mean_of(at.front().ratio));
     scatter.push_back(specimen_scatter(at));
     list += fmt::format("{}{:.3f} at {:.0f} elements", list.empty() ? "" : ", ", ratio.back(),
                         factor * evidence.elements);
   }
-  const double noise = mean_of(scatter);
+  const double noise = base::mean_of(scatter);
   const bool falls = ratio[0] > ratio[1] && ratio[1] > ratio[2] && ratio[2] > 0.0;
   const Verdict verdict = noise > std::abs(ratio[0] - ratio[2]) ? Verdict::not_decidable
                           : falls                               ? Verdict::holds
@@ -179,13 +184,91 @@ Judgement fig15(const Evidence& evidence) {
 
 Judgement table1(const Evidence& evidence) {
   constexpr double rounding = 1e-10;
-  for (const SummaryRow& row : evidence.rows) {
-    const double residual = number_in(row, "ledger_residual");
-    if (text_in(row, "precision") != "double" || std::isnan(residual)) continue;
+  for (const study::SummaryRow& row : evidence.rows) {
+    const double residual = study::number_in(row, "ledger_residual");
+    if (study::text_in(row, "precision") != "double" || std::isnan(residual)) continue;
     return {residual <= rounding ? Verdict::holds : Verdict::does_not_hold,
-            fmt::format("books close to {:.1e} over {:.0f} steps", residual, number_in(row, "steps"))};
+            fmt::format("books close to {:.1e} over {:.0f} steps", residual, study::number_in(row, "steps"))};
   }
   return {Verdict::not_decidable, "no result"};
 }
 
-}  // namespace rift::study::judges
+namespace {
+
+constexpr double converged_elements = 15000, converged_margin = 0.025;  // the paper's words of Fig. 17
+constexpr double table_young = 10.3, table_margin = 0.03;               // [GPa]; the margin is ours
+constexpr double least_poisson = 0.30, most_poisson = 0.33;
+constexpr double micro_gpa = lattice::bulk_micro_material.young_modulus / 1e9;
+
+/// A number of the cylinders with the paper's beams, by size.
+std::map<double, calibration::Scattered> by_size(const Evidence& evidence, const char* number, double scale) {
+  std::map<double, std::vector<double>> values;
+  for (const study::SummaryRow& row : evidence.rows)
+    if (study::text_in(row, "series") == "size")
+      values[study::number_in(row, "elements")].push_back(scale * study::number_in(row, number));
+  std::map<double, calibration::Scattered> means;
+  for (const auto& [elements, all] : values) means[elements] = calibration::scattered(all);
+  return means;
+}
+
+std::map<double, calibration::Scattered> large_ones(std::map<double, calibration::Scattered> sizes) {
+  std::erase_if(sizes, [](const auto& size) { return size.first < converged_elements; });
+  return sizes;
+}
+
+double mean_over(const std::map<double, calibration::Scattered>& sizes) {
+  double sum = 0.0;
+  for (const auto& [elements, s] : sizes) sum += s.mean;
+  return sum / static_cast<double>(sizes.size());
+}
+
+std::string list_of(const std::map<double, calibration::Scattered>& sizes, int digits) {
+  std::string list;
+  for (const auto& [elements, s] : sizes)
+    list += fmt::format("{}{:.{}f} at {:.0f}", list.empty() ? "" : ", ", s.mean, digits, elements);
+  return list;
+}
+
+/// Every mean above 15,000 elements within 2.5 % of their common mean.
+Judgement converges(const std::map<double, calibration::Scattered>& all, const char* name, int digits) {
+  const auto sizes = large_ones(all);
+  if (sizes.size() < 2) return {Verdict::not_decidable, "fewer than two sizes of 15,000 elements and more"};
+  const double mean = mean_over(sizes);
+  double farthest = 0.0;
+  for (const auto& [elements, s] : sizes) farthest = std::max(farthest, std::abs(s.mean / mean - 1.0));
+  return {
+      farthest <= converged_margin ? Verdict::holds : Verdict::does_not_hold,
+      fmt::format("{} {}: off their mean by up to {:.1f} %", name, list_of(all, digits), 100.0 * farthest)};
+}
+
+Judgement young_of_table(const Evidence& evidence) {
+  const auto sizes = large_ones(by_size(evidence, "young_over_micro", micro_gpa));
+  if (sizes.empty()) return {Verdict::not_decidable, "no cylinder of 15,000 elements"};
+  const double mean = mean_over(sizes);
+  return {std::abs(mean / table_young - 1.0) <= table_margin ? Verdict::holds : Verdict::does_not_hold,
+          fmt::format("E {} GPa, mean {:.2f}, {:+.1f} % of 10.3 (margin 3 %)", list_of(sizes, 2), mean,
+                      100.0 * (mean / table_young - 1.0))};
+}
+
+Judgement poisson_of_table(const Evidence& evidence) {
+  const auto sizes = large_ones(by_size(evidence, "poisson_ratio", 1.0));
+  if (sizes.empty()) return {Verdict::not_decidable, "no cylinder of 15,000 elements"};
+  const bool all_within = std::ranges::all_of(sizes, [](const auto& size) {
+    return size.second.mean >= least_poisson && size.second.mean <= most_poisson;
+  });
+  return {all_within ? Verdict::holds : Verdict::does_not_hold,
+          fmt::format("nu {} (0.30 to 0.33 counts as 0.3)", list_of(sizes, 3))};
+}
+
+}  // namespace
+
+Judgement fig17(const Evidence& evidence) {
+  return all_of({{"E [GPa]", converges(by_size(evidence, "young_over_micro", micro_gpa), "E", 2)},
+                 {"nu", converges(by_size(evidence, "poisson_ratio", 1.0), "nu", 3)}});
+}
+
+Judgement table2(const Evidence& evidence) {
+  return all_of({{"modulus", young_of_table(evidence)}, {"Poisson's ratio", poisson_of_table(evidence)}});
+}
+
+}  // namespace rift::claims::judges

@@ -1,15 +1,15 @@
-#include "engine/study/beyond.hpp"
+#include "engine/claims/lattice_efficiency.hpp"
 
-#include "engine/study/judges.hpp"
+#include "engine/claims/judges.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace rift::study {
+namespace rift::claims {
 namespace {
 
-SummaryRow strip_row(double v, double zone, double ratio, long seed, double relaxation = 1.0) {
+study::SummaryRow strip_row(double v, double zone, double ratio, long seed, double relaxation = 1.0) {
   return {{"technique", "progressive"},   {"relaxation", relaxation},
           {"damage_zone_ratio", zone},    {"crack_velocity_over_cr", v},
           {"ratio_with_damping", ratio},  {"ratio_scatter", 0.01},
@@ -17,8 +17,8 @@ SummaryRow strip_row(double v, double zone, double ratio, long seed, double rela
           {"wall_fracture_s", 2.0},       {"tips", 1}};
 }
 
-SummaryRow own_row(double v, double zone, double ratio, double radius, double broberg, long seed = 1) {
-  SummaryRow row = strip_row(v, zone, ratio, seed);
+study::SummaryRow own_row(double v, double zone, double ratio, double radius, double broberg, long seed = 1) {
+  study::SummaryRow row = strip_row(v, zone, ratio, seed);
   row["elements"] = std::lround(1.0 / radius);
   row["tips"] = 2, row["mean_radius_m"] = radius, row["broberg"] = broberg, row["length_m"] = 0.2;
   row["window_over_length"] = {0.1, 0.3};  // 40 mm in the middle
@@ -43,7 +43,7 @@ TEST(Beyond, OwnProblemIsTakenStraightOnToNoRadius) {
   for (const double radius : {1e-3, 0.5e-3})
     evidence.rows.push_back(
         own_row(0.5, 4, eta * broberg * (1.0 + 3.0 * radius / half_length), radius, broberg));
-  const std::vector<Extrapolated> limits = extrapolated(own_problem(evidence));
+  const std::vector<Extrapolated> limits = extrapolated(broberg_problem(evidence));
   ASSERT_EQ(limits.size(), 1U);
   EXPECT_NEAR(limits[0].limit, broberg, 1e-12);
   EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::holds);
@@ -57,7 +57,7 @@ TEST(Beyond, OwnProblemIsTakenStraightOnToNoRadius) {
 TEST(Beyond, WithoutTheStripAtThatZoneNothingIsExtrapolated) {
   const Evidence evidence{.rows = {strip_row(0.5, 8, 0.9, 1), own_row(0.5, 4, 0.4, 1e-3, 0.52),
                                    own_row(0.5, 4, 0.41, 0.5e-3, 0.52)}};
-  EXPECT_TRUE(extrapolated(own_problem(evidence)).empty());
+  EXPECT_TRUE(extrapolated(broberg_problem(evidence)).empty());
   EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::not_decidable);
 }
 
@@ -82,17 +82,17 @@ TEST(Beyond, AZoneThatTakesAllLetsTheEfficiencyHold) {
 }
 
 TEST(Beyond, WakeBandsAreSharesOfAllThatMoves) {
-  const SummaryRow row{{"wake_cell_m", {2e-3, 4e-3}},
-                       {"wake_kinetic_j", {5.0, 2.0, 1.0}},
-                       {"wake_rotation_j", 2.0},
-                       {"mean_radius_m", 0.5e-3}};
+  const study::SummaryRow row{{"wake_cell_m", {2e-3, 4e-3}},
+                              {"wake_kinetic_j", {5.0, 2.0, 1.0}},
+                              {"wake_rotation_j", 2.0},
+                              {"mean_radius_m", 0.5e-3}};
   const std::vector<WakeBand> bands = wake_bands(row);
   ASSERT_EQ(bands.size(), 3U);
   EXPECT_EQ(bands[0].cell, 4.0);
   EXPECT_EQ(bands[0].share, 0.5);
   EXPECT_EQ(bands[2].cell, 16.0);
-  EXPECT_TRUE(wake_bands(SummaryRow{{"wake_kinetic_j", nlohmann::ordered_json::array()}}).empty());
+  EXPECT_TRUE(wake_bands(study::SummaryRow{{"wake_kinetic_j", nlohmann::ordered_json::array()}}).empty());
 }
 
 }  // namespace
-}  // namespace rift::study
+}  // namespace rift::claims

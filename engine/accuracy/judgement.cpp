@@ -1,6 +1,6 @@
-#include "engine/study/accuracy_judgement.hpp"
+#include "engine/accuracy/judgement.hpp"
 
-#include "engine/study/curve.hpp"
+#include "engine/base/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -9,26 +9,26 @@
 #include <functional>
 #include <limits>
 
-namespace rift::study {
+namespace rift::accuracy {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double wall_of(const SummaryRow& row) {
-  const bool ramp = text_in(row, "prestress_method") == "ramp";
-  return number_in(row, "wall_fracture_s") + (ramp ? number_in(row, "wall_prestress_s") : 0.0);
+double wall_of(const study::SummaryRow& row) {
+  const bool ramp = study::text_in(row, "prestress_method") == "ramp";
+  return study::number_in(row, "wall_fracture_s") + (ramp ? study::number_in(row, "wall_prestress_s") : 0.0);
 }
 
-/// What a knob varies, as a number.
-double value_of(const Variant& v) {
-  switch (v.knob) {
-    case Knob::time_step:
-    case Knob::precision:
-    case Knob::together:
+/// What a factor varies, as a number.
+double value_of(const Case& v) {
+  switch (v.factor) {
+    case Factor::time_step:
+    case Factor::precision:
+    case Factor::together:
       return v.scene.solver.dt_fraction.value_or(nan);
-    case Knob::elements:
+    case Factor::elements:
       return v.scene.specimen.elements;
-    case Knob::samples:
+    case Factor::samples:
       return v.scene.output.samples;
     default:
       return nan;
@@ -36,62 +36,62 @@ double value_of(const Variant& v) {
 }
 
 struct Judging {
-  const std::vector<Tried>& tried;
+  const std::vector<CaseResult>& results;
   Accuracy out = {};
 
-  std::vector<AccuracyLine*> of(Knob knob) {
+  std::vector<AccuracyLine*> of(Factor factor) {
     std::vector<AccuracyLine*> found;
     for (AccuracyLine& line : out.lines)
-      if (line.knob == knob) found.push_back(&line);
+      if (line.factor == factor) found.push_back(&line);
     return found;
   }
-  const Variant& variant(const AccuracyLine& line) const { return tried[line.tried.front()].variant; }
+  const Case& setup(const AccuracyLine& line) const { return results[line.results.front()].setup; }
   AccuracyLine& scene() { return out.lines.front(); }
-  void refer(Knob knob, std::string text, double value, Convergence convergence = {}) {
-    out.reference.push_back({knob, std::move(text), value, std::move(convergence)});
+  void refer(Factor factor, std::string text, double value, Convergence convergence = {}) {
+    out.reference.push_back({factor, std::move(text), value, std::move(convergence)});
   }
 };
 
 /// The scene's own step and precision are part of what it is called.
-std::string label_of(const Tried& tried) {
-  const std::string& label = tried.variant.label;
-  if (tried.variant.knob != Knob::scene || !tried.row.is_object()) return label;
-  return fmt::format("{}: {:.3g} of critical, {}", label, number_in(tried.row, "dt_fraction"),
-                     text_in(tried.row, "precision"));
+std::string label_of(const CaseResult& result) {
+  const std::string& label = result.setup.label;
+  if (result.setup.factor != Factor::scene || !result.row.is_object()) return label;
+  return fmt::format("{}: {:.3g} of critical, {}", label, study::number_in(result.row, "dt_fraction"),
+                     study::text_in(result.row, "precision"));
 }
 
-/// Variants of one knob and label side by side.
+/// Cases of one factor and label side by side.
 void gather_lines(Judging& j) {
-  for (std::size_t k = 0; k < j.tried.size(); ++k) {
-    const Variant& v = j.tried[k].variant;
-    const std::string label = label_of(j.tried[k]);
+  for (std::size_t k = 0; k < j.results.size(); ++k) {
+    const Case& v = j.results[k].setup;
+    const std::string label = label_of(j.results[k]);
     const bool same =
-        !j.out.lines.empty() && j.out.lines.back().knob == v.knob && j.out.lines.back().label == label;
+        !j.out.lines.empty() && j.out.lines.back().factor == v.factor && j.out.lines.back().label == label;
     if (!same)
       j.out.lines.push_back(
-          {.knob = v.knob, .label = label, .cannot_be = {}, .tried = {}, .value = value_of(v)});
+          {.factor = v.factor, .label = label, .cannot_be = {}, .results = {}, .value = value_of(v)});
     AccuracyLine& line = j.out.lines.back();
-    line.tried.push_back(static_cast<int>(k));
+    line.results.push_back(static_cast<int>(k));
     if (line.cannot_be.empty()) line.cannot_be = v.cannot_be;
   }
 }
 
 void measure(Judging& j, AccuracyLine& line) {
   std::vector<double> ratios, broberg, wall;
-  for (const int k : line.tried) {
-    const SummaryRow& row = j.tried[static_cast<std::size_t>(k)].row;
-    if (!row.is_object() || text_in(row, "outcome") != "finished") continue;
-    const double ratio = number_in(row, "ratio_with_damping");
+  for (const int k : line.results) {
+    const study::SummaryRow& row = j.results[static_cast<std::size_t>(k)].row;
+    if (!row.is_object() || study::text_in(row, "outcome") != "finished") continue;
+    const double ratio = study::number_in(row, "ratio_with_damping");
     if (!std::isfinite(ratio)) continue;
     ratios.push_back(ratio);
-    broberg.push_back(number_in(row, "error_broberg"));
+    broberg.push_back(study::number_in(row, "error_broberg"));
     wall.push_back(wall_of(row));
   }
-  line.ratio = mean_of(ratios);
+  line.ratio = base::mean_of(ratios);
   line.specimens = static_cast<int>(ratios.size());
-  line.scatter = ratios.size() > 1 ? deviation_of(ratios) : nan;
-  line.error_broberg = mean_of(broberg);
-  line.wall_s = mean_of(wall);
+  line.scatter = ratios.size() > 1 ? base::deviation_of(ratios) : nan;
+  line.error_broberg = base::mean_of(broberg);
+  line.wall_s = base::mean_of(wall);
   line.error = line.step_error = line.converged = nan;
   if (line.cannot_be.empty() && ratios.empty()) line.cannot_be = "not computed";
 }
@@ -105,40 +105,41 @@ double standard_error(const AccuracyLine& line) {
 /// R_0, the time step's own error on the specimen, and the lines that it is the error of.
 void judge_steps(Judging& j) {
   std::vector<Level> levels;
-  for (const AccuracyLine* line : j.of(Knob::time_step)) levels.push_back({line->value, line->ratio});
+  for (const AccuracyLine* line : j.of(Factor::time_step)) levels.push_back({line->value, line->ratio});
   const Convergence steps = converge(levels);
-  for (AccuracyLine* line : j.of(Knob::time_step))
+  for (AccuracyLine* line : j.of(Factor::time_step))
     line->reference = !steps.clean && line->ratio == steps.limit;
   for (AccuracyLine& line : j.out.lines)
-    if (line.knob != Knob::elements && line.knob != Knob::kinematics)
+    if (line.factor != Factor::elements && line.factor != Factor::kinematics)
       line.step_error = line.ratio - steps.limit;
-  for (const Knob knob : {Knob::scene, Knob::time_step, Knob::together})
-    for (AccuracyLine* line : j.of(knob)) line->error = line->step_error;
-  j.refer(Knob::time_step, "the same specimen in double, the step towards 0", steps.limit, steps);
+  for (const Factor factor : {Factor::scene, Factor::time_step, Factor::together})
+    for (AccuracyLine* line : j.of(factor)) line->error = line->step_error;
+  j.refer(Factor::time_step, "the same specimen in double, the step towards 0", steps.limit, steps);
 }
 
-/// Each line of a knob against another one of it.
-void judge_against(Judging& j, Knob knob, const char* text,
-                   const std::function<bool(const Variant&)>& is_reference) {
-  const std::vector<AccuracyLine*> lines = j.of(knob);
+/// Each line of a factor against another one of it.
+void judge_against(Judging& j, Factor factor, const char* text,
+                   const std::function<bool(const Case&)>& is_reference) {
+  const std::vector<AccuracyLine*> lines = j.of(factor);
   const auto found = std::find_if(lines.begin(), lines.end(),
-                                  [&](const AccuracyLine* line) { return is_reference(j.variant(*line)); });
+                                  [&](const AccuracyLine* line) { return is_reference(j.setup(*line)); });
   if (found == lines.end()) return;
   (*found)->reference = true;
   for (AccuracyLine* line : lines) line->error = line->ratio - (*found)->ratio;
-  j.refer(knob, text, (*found)->ratio);
+  j.refer(factor, text, (*found)->ratio);
 }
 
 void judge_precision(Judging& j) {
-  const std::vector<AccuracyLine*> in_double = j.of(Knob::time_step);
-  for (AccuracyLine* line : j.of(Knob::precision))
+  const std::vector<AccuracyLine*> in_double = j.of(Factor::time_step);
+  for (AccuracyLine* line : j.of(Factor::precision))
     for (const AccuracyLine* other : in_double)
       if (other->value == line->value) line->error = line->ratio - other->ratio;
-  if (!j.of(Knob::precision).empty()) j.refer(Knob::precision, "the same specimen and step in double", nan);
+  if (!j.of(Factor::precision).empty())
+    j.refer(Factor::precision, "the same specimen and step in double", nan);
 }
 
 void judge_elements(Judging& j) {
-  const std::vector<AccuracyLine*> lines = j.of(Knob::elements);
+  const std::vector<AccuracyLine*> lines = j.of(Factor::elements);
   std::vector<Level> levels;
   const AccuracyLine* finest = nullptr;
   for (const AccuracyLine* line : lines) {
@@ -154,24 +155,24 @@ void judge_elements(Judging& j) {
     line->uncertainty = line->reference ? 0.0 : std::hypot(standard_error(*line), standard_error(*finest));
   }
   j.out.specimen_scatter = finest->scatter;
-  j.refer(Knob::elements, fmt::format("the mean of {} specimens of {}", finest->specimens, finest->label),
+  j.refer(Factor::elements, fmt::format("the mean of {} specimens of {}", finest->specimens, finest->label),
           limit.limit, limit);
 }
 
 /// The parts of the error together, against the finest lattice at the converged step.
 void judge_whole(Judging& j) {
-  const scene::Scene& scene = j.variant(j.scene()).scene;
+  const scene::Scene& scene = j.setup(j.scene()).scene;
   double lattice = 0.0, uncertainty = 0.0;
-  for (const AccuracyLine* line : j.of(Knob::elements))
-    if (j.variant(*line).scene.specimen.elements == scene.specimen.elements && std::isfinite(line->error)) {
+  for (const AccuracyLine* line : j.of(Factor::elements))
+    if (j.setup(*line).scene.specimen.elements == scene.specimen.elements && std::isfinite(line->error)) {
       lattice = line->error, uncertainty = line->uncertainty;
       j.out.lattice_error = line->reference ? nan : lattice, j.out.lattice_uncertainty = uncertainty;
     }
   for (AccuracyLine& line : j.out.lines) {
-    if (line.knob == Knob::elements) {
+    if (line.factor == Factor::elements) {
       line.converged = line.error + j.scene().step_error;
       line.converged_uncertainty = line.uncertainty;
-    } else if (line.knob != Knob::kinematics) {
+    } else if (line.factor != Factor::kinematics) {
       line.converged = line.step_error + lattice;
       line.converged_uncertainty = uncertainty;
     }
@@ -199,8 +200,8 @@ void choose(Judging& j, double goal) {
 
 bool AccuracyLine::resolved() const { return std::abs(error) > 2.0 * uncertainty; }
 
-Accuracy judge_accuracy(const std::vector<Tried>& tried, double goal) {
-  Judging j{.tried = tried};
+Accuracy judge_accuracy(const std::vector<CaseResult>& results, double goal) {
+  Judging j{.results = results};
   j.out.specimen_scatter = j.out.lattice_error = nan;
   gather_lines(j);
   if (j.out.lines.empty()) return {};
@@ -208,15 +209,14 @@ Accuracy judge_accuracy(const std::vector<Tried>& tried, double goal) {
   judge_steps(j);
   judge_precision(j);
   judge_elements(j);
-  judge_against(j, Knob::kinematics, "linear beams, a difference of models",
-                [](const Variant& v) { return v.scene.solver.kinematics == lattice::Kinematics::linear; });
-  judge_against(j, Knob::prestress, "the static solve", [](const Variant& v) {
-    return v.scene.loading.method == scene::LoadingMethod::static_solve;
-  });
+  judge_against(j, Factor::kinematics, "linear beams, a difference of models",
+                [](const Case& v) { return v.scene.solver.kinematics == lattice::Kinematics::linear; });
+  judge_against(j, Factor::prestress, "the static solve",
+                [](const Case& v) { return v.scene.loading.method == scene::LoadingMethod::static_solve; });
   int most = 0;
-  for (const AccuracyLine* line : j.of(Knob::samples)) most = std::max(most, static_cast<int>(line->value));
-  judge_against(j, Knob::samples, "the most samples",
-                [&](const Variant& v) { return v.scene.output.samples == most; });
+  for (const AccuracyLine* line : j.of(Factor::samples)) most = std::max(most, static_cast<int>(line->value));
+  judge_against(j, Factor::samples, "the most samples",
+                [&](const Case& v) { return v.scene.output.samples == most; });
   judge_whole(j);
   choose(j, goal);
   return std::move(j.out);
@@ -224,8 +224,8 @@ Accuracy judge_accuracy(const std::vector<Tried>& tried, double goal) {
 
 std::vector<std::string> reference_texts(const Accuracy& accuracy) {
   std::vector<std::string> texts;
-  for (const KnobReference& r : accuracy.reference) {
-    std::string text = fmt::format("{}: against {}", name_of(r.knob), r.text);
+  for (const FactorReference& r : accuracy.reference) {
+    std::string text = fmt::format("{}: against {}", name_of(r.factor), r.text);
     if (std::isfinite(r.value)) text += fmt::format(", {:.5f}", r.value);
     if (!r.convergence.text.empty()) {
       text += "; " + r.convergence.text;
@@ -236,4 +236,4 @@ std::vector<std::string> reference_texts(const Accuracy& accuracy) {
   return texts;
 }
 
-}  // namespace rift::study
+}  // namespace rift::accuracy

@@ -1,4 +1,4 @@
-#include "engine/study/claims.hpp"
+#include "engine/claims/claims.hpp"
 
 #include "engine/scene/preset.hpp"
 #include "tests/expectations.hpp"
@@ -10,11 +10,11 @@
 #include <functional>
 #include <set>
 
-namespace rift::study {
+namespace rift::claims {
 namespace {
 
 /// A made-up row: Broberg 0.5 everywhere, so that a ratio of 0.5 + delta is off by delta.
-SummaryRow row_at(double v, long seed, double ratio) {
+study::SummaryRow row_at(double v, long seed, double ratio) {
   return {{"crack_velocity_over_cr", v},
           {"technique", "progressive"},
           {"relaxation", 1.0},
@@ -36,8 +36,8 @@ using OfVelocity = std::function<double(double v)>;
 
 /// Three specimens at all velocities: 0.5 + delta(v), and plus and minus `half` about it, a standard
 /// deviation of `half`.
-std::vector<SummaryRow> rows_of(const OfVelocity& delta, double half = 0.0) {
-  std::vector<SummaryRow> rows;
+std::vector<study::SummaryRow> rows_of(const OfVelocity& delta, double half = 0.0) {
+  std::vector<study::SummaryRow> rows;
   for (double v : claimed_velocities())
     for (long seed : {1, 2, 3})
       rows.push_back(row_at(v, seed, 0.5 + delta(v) + half * static_cast<double>(seed - 2)));
@@ -81,8 +81,8 @@ TEST(Near, IsNotDecidableWhereSpecimensScatterBeyondTheMargin) {
 }
 
 TEST(Near, IsNotDecidableWhereAVelocityIsMissing) {
-  std::vector<SummaryRow> rows = rows_of([](double) { return 0.0; });
-  std::erase_if(rows, [](const SummaryRow& r) { return r.at("crack_velocity_over_cr") == 0.7; });
+  std::vector<study::SummaryRow> rows = rows_of([](double) { return 0.0; });
+  std::erase_if(rows, [](const study::SummaryRow& r) { return r.at("crack_velocity_over_cr") == 0.7; });
   const Judgement j = is_near(curve_of(rows, {}), {0.6, 1.0});
   EXPECT_EQ(j.verdict, Verdict::not_decidable);
   EXPECT_EQ(j.measured, "no result at 0.7 c_r");
@@ -179,8 +179,8 @@ TEST(SeveralParts, HoldTogetherAndFailForOne) {
 }
 
 TEST(Curve, TakesTheRowsOfItsSelectionOnly) {
-  std::vector<SummaryRow> rows = {row_at(0.5, 1, 0.6), row_at(0.5, 2, 0.7), nullptr};
-  const auto add = [&](const char* name, const SummaryRow& value) {
+  std::vector<study::SummaryRow> rows = {row_at(0.5, 1, 0.6), row_at(0.5, 2, 0.7), nullptr};
+  const auto add = [&](const char* name, const study::SummaryRow& value) {
     rows.push_back(row_at(0.5, 3, 9.0));
     rows.back()[name] = value;
   };
@@ -268,9 +268,11 @@ TEST(Claims, NeedPresetsThatAreThere) {
 // What fig11 sees in rows that are as the paper says, and in rows whose linear scheme is off.
 TEST(Claims, FollowTheRowsTheyAreGiven) {
   const auto rows_with = [](double linear) {
-    std::vector<SummaryRow> all;
+    std::vector<study::SummaryRow> all;
     for (double p : {0.5, 1.0, 2.0})
-      for (SummaryRow row : rows_of([=](double) { return p == 0.5 ? -0.1 : p == 1.0 ? linear : 0.0; })) {
+      for (study::SummaryRow row : rows_of([=](double) {
+             return p == 0.5 ? -0.1 : p == 1.0 ? linear : 0.0;
+           })) {
         row["relaxation"] = p;
         all.push_back(row);
       }
@@ -283,4 +285,4 @@ TEST(Claims, FollowTheRowsTheyAreGiven) {
 }
 
 }  // namespace
-}  // namespace rift::study
+}  // namespace rift::claims

@@ -1,20 +1,22 @@
 #pragma once
 
-#include "engine/study/curve.hpp"
+#include "engine/claims/curve.hpp"
+#include "engine/scene/preset.hpp"
 #include "engine/study/store.hpp"
 
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
-namespace rift::study {
+namespace rift::claims {
 
 /// What a claim is judged by: the scenarios of one stiffness, and their series.
 struct Evidence {
-  std::vector<SummaryRow> rows;
-  int elements = paper_elements;                              // of the plate that stands for the paper's
-  std::function<SeriesTable(const SummaryRow&)> series = {};  // empty where it is not stored
+  std::vector<study::SummaryRow> rows;
+  int elements = paper_elements;  // of the plate that stands for the paper's
+  std::function<study::SeriesTable(const study::SummaryRow&)> series = {};  // empty where it is not stored
 };
 
 /// A claim of the paper, one artefact each.
@@ -45,4 +47,23 @@ Curve curve_in(const Evidence& evidence, Selection selection);
 /// Progressive release on lattices of `factor` times the elements.
 Curve curve_of_elements(const Evidence& evidence, double factor);
 
-}  // namespace rift::study
+/// Several presets as one study, so that scenarios of equal lattice and step march side by side whichever
+/// figure they belong to.
+struct PaperStudy {
+  scene::Preset preset;                        // its study: each scene once, all axes named
+  std::map<std::string, std::vector<int>> of;  // rows of each preset, by its name (the file's stem)
+};
+
+/// A fourth of the elements, scenes still larger than 10,000 elements left out, steps given in seconds four
+/// times as long and the ramp in as much time; 0.01 c_r, two thirds of all the work, with the first specimen
+/// only.
+enum class Effort { full, quick };
+
+/// Elements of the plate that stands for the paper's.
+int plate_elements(Effort effort);
+
+/// Merges presets without issues. One without a study stands for its own scene with both stiffnesses, without
+/// frames.
+PaperStudy merge_presets(const std::vector<std::pair<std::string, scene::Preset>>& presets, Effort effort);
+
+}  // namespace rift::claims

@@ -1,4 +1,5 @@
-#include "engine/study/judges.hpp"
+#include "engine/base/statistics.hpp"
+#include "engine/claims/judges.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rift::study::judges {
+namespace rift::claims::judges {
 namespace {
 
 constexpr double paper_step_s = 2.35e-8;
@@ -23,8 +24,8 @@ Selection with_elements(const Evidence& evidence, Selection s) {
 }
 
 /// Fracture energy against tip position over the row's window.
-Line line_over_window(const SeriesTable& series, const SummaryRow& row) {
-  const double length = number_in(row, "length_m"), slack = 0.005 * length;
+Line line_over_window(const study::SeriesTable& series, const study::SummaryRow& row) {
+  const double length = study::number_in(row, "length_m"), slack = 0.005 * length;
   const double from = row.at("window_over_length")[0].get<double>() * length - slack,
                to = row.at("window_over_length")[1].get<double>() * length + slack;
   std::vector<double> x, y;
@@ -40,14 +41,14 @@ Line line_over_window(const SeriesTable& series, const SummaryRow& row) {
 Judgement linear_growth(const Evidence& evidence, const Selection& selection) {
   double least = 1.0, at = 0.0, slope = 0.0;
   int lines = 0;
-  for (const SummaryRow& row : evidence.rows) {
+  for (const study::SummaryRow& row : evidence.rows) {
     if (!selects(selection, row) || !evidence.series) continue;
-    const SeriesTable series = evidence.series(row);
+    const study::SeriesTable series = evidence.series(row);
     const Line line = series.empty() ? Line{0.0, NAN} : line_over_window(series, row);
     if (std::isnan(line.r_squared)) continue;
     ++lines;
     if (lines > 1 && line.r_squared >= least) continue;
-    least = line.r_squared, at = number_in(row, "crack_velocity_over_cr"), slope = line.slope;
+    least = line.r_squared, at = study::number_in(row, "crack_velocity_over_cr"), slope = line.slope;
   }
   if (lines == 0) return {Verdict::not_decidable, "no series"};
   return {yes_or_no(least >= least_r_squared),
@@ -63,7 +64,7 @@ struct Times {
   double stored = 0, change_elastic = 0, change_other = 0, most_kinetic = 0;
 };
 
-Times times_of(const SeriesTable& s) {
+Times times_of(const study::SeriesTable& s) {
   Times t;
   std::size_t start = 0;
   for (std::size_t k = 0; k < s.phase.size(); ++k) {
@@ -86,24 +87,25 @@ Times times_of(const SeriesTable& s) {
 }  // namespace
 
 Judgement fig05(const Evidence& evidence) {
-  for (const SummaryRow& row : evidence.rows) {
-    if (!row.is_object() || text_in(row, "prestress_method") != "ramp" || !evidence.series) continue;
-    const SeriesTable series = evidence.series(row);
+  for (const study::SummaryRow& row : evidence.rows) {
+    if (!row.is_object() || study::text_in(row, "prestress_method") != "ramp" || !evidence.series) continue;
+    const study::SeriesTable series = evidence.series(row);
     if (series.empty()) continue;
     const Times t = times_of(series);
     const auto near_ms = [](double s, double ms) { return std::abs(1e3 * s - ms) < 0.0101; };
     const double inertia = t.most_kinetic / t.stored;
-    return all_of({{"times",
-                    {yes_or_no(near_ms(t.loading, 0.47) && near_ms(t.hold, 0.71) && near_ms(t.end, 1.16)),
-                     fmt::format("tension to {:.3f} ms, stabilisation to {:.3f} ms, fracture to {:.3f} ms",
-                                 1e3 * t.loading, 1e3 * t.hold, 1e3 * t.end)}},
-                   {"kinetic and fracture energy rise as elastic falls",
-                    {yes_or_no(t.change_elastic < 0.0 && t.change_other > 0.0),
-                     fmt::format("{:+.2f} J against {:+.2f} J", t.change_other, t.change_elastic)}},
-                   {"inertia of the loading below 1 %",
-                    {yes_or_no(inertia < 0.01),
-                     fmt::format("at most {:.2f} % of the stored energy, {:.3g} % when the crack starts",
-                                 100.0 * inertia, 100.0 * number_in(row, "prestress_kinetic_fraction"))}}});
+    return all_of(
+        {{"times",
+          {yes_or_no(near_ms(t.loading, 0.47) && near_ms(t.hold, 0.71) && near_ms(t.end, 1.16)),
+           fmt::format("tension to {:.3f} ms, stabilisation to {:.3f} ms, fracture to {:.3f} ms",
+                       1e3 * t.loading, 1e3 * t.hold, 1e3 * t.end)}},
+         {"kinetic and fracture energy rise as elastic falls",
+          {yes_or_no(t.change_elastic < 0.0 && t.change_other > 0.0),
+           fmt::format("{:+.2f} J against {:+.2f} J", t.change_other, t.change_elastic)}},
+         {"inertia of the loading below 1 %",
+          {yes_or_no(inertia < 0.01),
+           fmt::format("at most {:.2f} % of the stored energy, {:.3g} % when the crack starts",
+                       100.0 * inertia, 100.0 * study::number_in(row, "prestress_kinetic_fraction"))}}});
   }
   return {Verdict::not_decidable, "no series"};
 }
@@ -129,18 +131,19 @@ Judgement sec3_specimens(const Evidence& evidence) {
 }
 
 Judgement sec3_damping(const Evidence& evidence) {
-  for (const SummaryRow& row : evidence.rows) {
+  for (const study::SummaryRow& row : evidence.rows) {
     if (!selects(with_elements(evidence, simple_release("all")), row)) continue;
-    if (std::abs(number_in(row, "crack_velocity_over_cr") - 0.1) > 1e-9) continue;
-    const double dt = number_in(row, "dt_critical_s"), damped = number_in(row, "dt_critical_damped_s");
+    if (std::abs(study::number_in(row, "crack_velocity_over_cr") - 0.1) > 1e-9) continue;
+    const double dt = study::number_in(row, "dt_critical_s"),
+                 damped = study::number_in(row, "dt_critical_damped_s");
     const double zeta_top = 0.5 * (dt / damped - damped / dt);  // damped = dt (sqrt(1 + zeta^2) - zeta)
     const double omega_top = 2.0 / dt;
-    const double shear_speed =
-        std::sqrt(number_in(row, "young_modulus_pa") / (2.0 * (1.0 + number_in(row, "poisson_ratio"))) /
-                  number_in(row, "density_kg_m3"));
-    const double omega_first = std::numbers::pi * shear_speed / number_in(row, "height_m");
+    const double shear_speed = std::sqrt(study::number_in(row, "young_modulus_pa") /
+                                         (2.0 * (1.0 + study::number_in(row, "poisson_ratio"))) /
+                                         study::number_in(row, "density_kg_m3"));
+    const double omega_first = std::numbers::pi * shear_speed / study::number_in(row, "height_m");
     const double zeta_first = zeta_top * omega_first / omega_top;
-    const double time = number_in(row, "steps") * number_in(row, "dt_s");
+    const double time = study::number_in(row, "steps") * study::number_in(row, "dt_s");
     const double top = lost(zeta_top, omega_top, time), first = lost(zeta_first, omega_first, time);
     return {
         yes_or_no(first <= influence_margin && top > influence_margin),
@@ -156,11 +159,12 @@ Judgement sec4_time_step(const Evidence& evidence) {
   Selection paper = with_elements(evidence, {}), half = paper;
   paper.dt_fraction = "0.17", half.dt_fraction = "0.085";
   const auto row = std::find_if(evidence.rows.begin(), evidence.rows.end(),
-                                [&](const SummaryRow& r) { return selects(paper, r); });
+                                [&](const study::SummaryRow& r) { return selects(paper, r); });
   if (row == evidence.rows.end()) return {Verdict::not_decidable, "no result"};
-  const double zone = number_in(*row, "mean_radius_m"), over_length = zone / number_in(*row, "length_m");
+  const double zone = study::number_in(*row, "mean_radius_m"),
+               over_length = zone / study::number_in(*row, "length_m");
   const double steps =
-      zone / (number_in(*row, "rayleigh_speed_m_s") * paper_step_s);  // for a beam at 1.0 c_r
+      zone / (study::number_in(*row, "rayleigh_speed_m_s") * paper_step_s);  // for a beam at 1.0 c_r
   const bool about = std::abs(steps / 10.0 - 1.0) <= about_margin;
   const auto of_paper = [&](bool yes) {  // lengths are those of 20,000 elements
     return evidence.elements == paper_elements ? yes_or_no(yes) : Verdict::not_decidable;
@@ -205,9 +209,9 @@ Judgement sec5_paths(const Evidence& evidence) {
     double scatter = specimen_scatter(curve);
     for (const CurvePoint& p : curve)
       for (const CurvePoint& same : within(middle, p.v, p.v))
-        distances.push_back(std::abs(mean_of(p.ratio) - mean_of(same.ratio)));
+        distances.push_back(std::abs(base::mean_of(p.ratio) - base::mean_of(same.ratio)));
     if (distances.empty()) return {Verdict::not_decidable, "no result"};
-    const double distance = mean_of(distances), allowed = std::max(scatter, influence_margin);
+    const double distance = base::mean_of(distances), allowed = std::max(scatter, influence_margin);
     parts.push_back({path,
                      {yes_or_no(distance <= allowed),
                       fmt::format("mean |difference| {:.3f} over {} velocities, scatter {:.3f}", distance,
@@ -223,16 +227,17 @@ Judgement sec5_residual(const Evidence& evidence) {
     std::vector<double> at_one;
     for (double v : {0.1, 0.5, 1.0}) {
       std::vector<double> energies;  // per released beam [J]
-      for (const SummaryRow& row : evidence.rows) {
+      for (const study::SummaryRow& row : evidence.rows) {
         if (!selects(with_elements(evidence, s), row)) continue;
-        if (std::abs(number_in(row, "crack_velocity_over_cr") - v) > 1e-9) continue;
+        if (std::abs(study::number_in(row, "crack_velocity_over_cr") - v) > 1e-9) continue;
         energies.push_back(release_energy_per_beam(row));
       }
       if (energies.empty()) return {Verdict::not_decidable, fmt::format("no result at {:g} c_r", v)};
-      list += fmt::format("{}{:.3g} mJ at {:.1f}", list.empty() ? "" : ", ", 1e3 * mean_of(energies), v);
+      list +=
+          fmt::format("{}{:.3g} mJ at {:.1f}", list.empty() ? "" : ", ", 1e3 * base::mean_of(energies), v);
       at_one = energies;
     }
-    const double least = mean_of(at_one), scatter = deviation_of(at_one);
+    const double least = base::mean_of(at_one), scatter = base::deviation_of(at_one);
     parts.push_back({s.technique,
                      {scatter > std::abs(least) ? Verdict::not_decidable : yes_or_no(least > 0.0),
                       fmt::format("a beam's release takes {}, scatter {:.2g} mJ", list, 1e3 * scatter)}});
@@ -243,15 +248,15 @@ Judgement sec5_residual(const Evidence& evidence) {
 Judgement sec5_bending(const Evidence& evidence) {
   constexpr double slight = 0.05;  // of the thickness
   std::vector<double> slow, fast;
-  for (const SummaryRow& row : evidence.rows) {
-    const double moved = number_in(row, "out_of_plane_m") / number_in(row, "thickness_m");
-    const double v = number_in(row, "crack_velocity_over_cr");
+  for (const study::SummaryRow& row : evidence.rows) {
+    const double moved = study::number_in(row, "out_of_plane_m") / study::number_in(row, "thickness_m");
+    const double v = study::number_in(row, "crack_velocity_over_cr");
     if (!selects(with_elements(evidence, {}), row) || std::isnan(moved)) continue;
     if (v < 0.1 + 1e-9) slow.push_back(moved);
     if (v > 0.5 - 1e-9) fast.push_back(moved);
   }
   if (slow.empty() || fast.empty()) return {Verdict::not_decidable, "no result"};
-  const double low = mean_of(slow), high = mean_of(fast), scatter = deviation_of(slow);
+  const double low = base::mean_of(slow), high = base::mean_of(fast), scatter = base::deviation_of(slow);
   const std::string text = fmt::format(
       "largest motion along z of a region 8 radii wide: {:.2f} % of the thickness at 0.1 c_r and below "
       "(scatter "
@@ -261,4 +266,4 @@ Judgement sec5_bending(const Evidence& evidence) {
   return {yes_or_no(low <= slight && low > high), text};
 }
 
-}  // namespace rift::study::judges
+}  // namespace rift::claims::judges
