@@ -56,8 +56,9 @@ bool is_film_name(const std::filesystem::path& path) {
 Film::Film(const std::filesystem::path& path, int width, int height, double frames_per_second, bool idle)
     : file_(path) {
   try {
-    ffmpeg_ = std::make_unique<Child>(
-        command_for(file_.temporary(), path.extension().string(), width, height, frames_per_second), idle);
+    ffmpeg_ = std::make_unique<base::ChildProcess>(
+        command_for(file_.temporary(), path.extension().string(), width, height, frames_per_second),
+        base::ChildOptions{.piped = true, .idle = idle});
   } catch (const base::WorldError& error) {
     throw FilmFailed(error.what());
   }
@@ -70,7 +71,7 @@ void Film::add(const Image& frame) {
 void Film::finish() {
   ffmpeg_->close_input();
   // ffmpeg also ends with 0 where it could not write the file's end; at this level it only speaks of errors.
-  const Child::End& end = ffmpeg_->wait();
+  const base::ChildProcess::End& end = ffmpeg_->wait();
   if (end.code != 0 || !end.words.empty()) fail();
   std::error_code error;
   if (std::filesystem::file_size(file_.temporary(), error) == 0 || error)

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/base/child_process.hpp"
 #include "engine/base/files.hpp"
-#include "viz/child.hpp"
 #include "viz/png.hpp"
 
 #include <filesystem>
@@ -36,7 +36,7 @@ class Film {
   [[noreturn]] void fail();
 
   base::PendingFile file_;
-  std::unique_ptr<Child> ffmpeg_;
+  std::unique_ptr<base::ChildProcess> ffmpeg_;
 };
 
 }  // namespace rift::viz

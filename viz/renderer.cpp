@@ -27,7 +27,8 @@ Renderer::Renderer(Job job, Gl gl, bool idle, std::filesystem::path programs)
 
 void Renderer::start(const std::string& gl) {
   program_ = programs_ / ("rift-frames-" + gl);
-  child_ = std::make_unique<Child>(std::vector{program_.string()}, idle_);
+  child_ = std::make_unique<base::ChildProcess>(std::vector{program_.string()},
+                                                base::ChildOptions{.piped = true, .idle = idle_});
   (void)child_->write(bytes_of(to_json(job_) + "\n"));  // where it has ended, next() tells
 }
 
@@ -45,7 +46,7 @@ Image Renderer::next() {
     may_turn_to_egl_ = false;
     return image;
   }
-  const Child::End end = child_->wait();
+  const base::ChildProcess::End end = child_->wait();
   if ((end.code != no_opengl && end.code != no_library) || !may_turn_to_egl_)
     throw base::WorldError("draw with", program_, "it " + end.text);
   may_turn_to_egl_ = false;

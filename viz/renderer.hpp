@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/child.hpp"
+#include "engine/base/child_process.hpp"
 #include "viz/job.hpp"
 #include "viz/png.hpp"
 
@@ -36,7 +36,7 @@ class Renderer {
   Job job_;
   bool idle_, may_turn_to_egl_;
   std::filesystem::path programs_, program_;
-  std::unique_ptr<Child> child_;
+  std::unique_ptr<base::ChildProcess> child_;
   std::deque<double> asked_;
 };
 

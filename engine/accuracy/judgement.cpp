@@ -1,6 +1,6 @@
 #include "engine/accuracy/judgement.hpp"
 
-#include "engine/base/statistics.hpp"
+#include "engine/base/numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -89,7 +89,7 @@ void measure(Judging& j, AccuracyLine& line) {
   }
   line.ratio = base::mean_of(ratios);
   line.specimens = static_cast<int>(ratios.size());
-  line.scatter = ratios.size() > 1 ? base::deviation_of(ratios) : nan;
+  line.scatter = base::deviation_of(ratios);
   line.error_broberg = base::mean_of(broberg);
   line.wall_s = base::mean_of(wall);
   line.error = line.step_error = line.converged = nan;

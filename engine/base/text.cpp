@@ -3,15 +3,20 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cstddef>
+#include <algorithm>
 
 namespace rift::base {
 namespace {
 
 constexpr unsigned first_byte(std::string_view text) { return static_cast<unsigned char>(text.front()); }
 
-/// How many bytes the letter takes with which the text begins, 0 where it begins with none: overlong forms,
-/// surrogates and values beyond U+10FFFF are none.   [RFC 3629, section 4]
+bool is_control(std::string_view letter) {
+  if (letter.size() == 1) return first_byte(letter) < 0x20 || first_byte(letter) == 0x7F;
+  return letter.size() == 2 && first_byte(letter) == 0xC2 && static_cast<unsigned char>(letter[1]) < 0xA0;
+}
+
+}  // namespace
+
 std::size_t bytes_of_first_letter(std::string_view text) {
   const unsigned first = first_byte(text);
   if (first < 0x80) return 1;
@@ -25,12 +30,36 @@ std::size_t bytes_of_first_letter(std::string_view text) {
   return overlong || beyond ? 0 : count;
 }
 
-bool is_control(std::string_view letter) {
-  if (letter.size() == 1) return first_byte(letter) < 0x20 || first_byte(letter) == 0x7F;
-  return letter.size() == 2 && first_byte(letter) == 0xC2 && static_cast<unsigned char>(letter[1]) < 0xA0;
+std::u32string letters_of(std::string_view text) {
+  std::u32string letters;
+  while (!text.empty()) {
+    const std::size_t count = bytes_of_first_letter(text);
+    char32_t letter = count == 0   ? U'?'
+                      : count == 1 ? first_byte(text)
+                                   : first_byte(text) & (0xFFU >> (count + 1));
+    for (std::size_t k = 1; k < count; ++k)
+      letter = letter << 6U | (static_cast<unsigned char>(text[k]) & 0x3FU);
+    letters += letter;
+    text.remove_prefix(std::max<std::size_t>(1, count));
+  }
+  return letters;
 }
 
-}  // namespace
+std::size_t count_letters(std::string_view text) {
+  return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_letter));
+}
+
+void append_letter(std::string& text, char32_t letter) {
+  const int more = letter < 0x80 ? 0 : letter < 0x800 ? 1 : letter < 0x10000 ? 2 : 3;
+  constexpr unsigned first[] = {0, 0xC0, 0xE0, 0xF0};
+  text += static_cast<char>(first[more] | letter >> (6 * more));
+  for (int k = more - 1; k >= 0; --k) text += static_cast<char>(0x80U | (letter >> (6 * k) & 0x3FU));
+}
+
+std::string without_quotes(std::string_view text) {
+  const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+  return std::string(quoted ? text.substr(1, text.size() - 2) : text);
+}
 
 std::string escaped(std::string_view text, std::string_view kept) {
   std::string out;

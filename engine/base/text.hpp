@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,26 @@ namespace rift::base {
 /// are no UTF-8 become \xNN, all else stays. Twice escaped is once escaped.
 /// @param kept  control characters that stay, such as "\n\t"
 [[nodiscard]] std::string escaped(std::string_view text, std::string_view kept = {});
+
+// Letters of UTF-8.
+
+/// How many bytes the letter takes with which the text begins, 0 where it begins with none: overlong forms,
+/// surrogates and values beyond U+10FFFF are none.   [RFC 3629, section 4]
+[[nodiscard]] std::size_t bytes_of_first_letter(std::string_view text);
+
+/// Whether a byte belongs to a letter that began before it.
+constexpr bool continues_letter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+/// The text's letters; each byte that is no UTF-8 becomes '?'.
+[[nodiscard]] std::u32string letters_of(std::string_view text);
+
+/// Letters of a text: the cells that it takes on a terminal.
+[[nodiscard]] std::size_t count_letters(std::string_view text);
+
+void append_letter(std::string& text, char32_t letter);
+
+/// A text of TOML without the quotes around it, anything else as it is.
+[[nodiscard]] std::string without_quotes(std::string_view text);
 
 /// The value as JSON text: valid UTF-8 without control characters whatever its strings hold. Bytes that are
 /// no UTF-8 become U+FFFD, DEL and C1 characters \u00NN; a number that is not finite becomes null.

@@ -1,5 +1,6 @@
 #include "engine/calibration/calibrate.hpp"
 
+#include "engine/base/numbers.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/scene/derived.hpp"
 
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace rift::calibration {
 namespace {
@@ -63,12 +63,7 @@ Calibrated selected(const std::vector<CylinderResult>& packings, double young_mo
 }  // namespace
 
 Scattered scattered(const std::vector<double>& values) {
-  Scattered s;
-  const auto n = static_cast<double>(values.size());
-  for (double v : values) s.mean += v / n;
-  for (double v : values) s.deviation += (v - s.mean) * (v - s.mean) / (n - 1.0);
-  s.deviation = values.size() > 1 ? std::sqrt(s.deviation) : std::numeric_limits<double>::quiet_NaN();
-  return s;
+  return {base::mean_of(values), base::deviation_of(values)};
 }
 
 OutOfReach::OutOfReach(double wanted, std::array<double, 2> range)

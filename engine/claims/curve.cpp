@@ -1,6 +1,6 @@
 #include "engine/claims/curve.hpp"
 
-#include "engine/base/statistics.hpp"
+#include "engine/base/numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -86,6 +86,10 @@ double release_energy_per_beam(const study::SummaryRow& row) {
   return per_length * study::number_in(row, "length_m") / study::number_in(row, "beams_crossed");
 }
 
+double scatter_of(const std::vector<double>& numbers) {
+  return numbers.size() == 1 ? 0.0 : base::deviation_of(numbers);
+}
+
 Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
   if (x.size() < 3) return {NAN, NAN};
   const auto n = static_cast<double>(x.size());
@@ -143,7 +147,7 @@ Difference difference_of(const CurvePoint& a, const CurvePoint& b) {
     const auto other = std::find(b.seed.begin(), b.seed.end(), a.seed[k]);
     if (other != b.seed.end()) differences.push_back(a.ratio[k] - b.ratio[other - b.seed.begin()]);
   }
-  return {base::mean_of(differences), base::deviation_of(differences), static_cast<int>(differences.size())};
+  return {base::mean_of(differences), scatter_of(differences), static_cast<int>(differences.size())};
 }
 
 enum class Side { below, above };
@@ -187,7 +191,7 @@ double mean_offset(const Curve& curve) {
 double specimen_scatter(const Curve& curve) {
   std::vector<double> deviations;
   for (const CurvePoint& p : curve)
-    if (p.ratio.size() > 1) deviations.push_back(base::deviation_of(p.ratio));
+    if (p.ratio.size() > 1) deviations.push_back(scatter_of(p.ratio));
   return deviations.empty() ? 0.0 : base::mean_of(deviations);
 }
 
@@ -221,7 +225,7 @@ Judgement is_better(const Curve& curve, const Curve& than, Span span) {
   for (const auto& [seed, distance] : of_a)
     if (of_b.contains(seed)) gains.push_back(of_b.at(seed) - distance);
   const double gain = mean_distance(b) - mean_distance(a);
-  const double scatter = gains.size() > 1 ? base::deviation_of(gains) : 0.0;
+  const double scatter = gains.empty() ? 0.0 : scatter_of(gains);
   return {verdict_of(gain > 0.0, scatter, std::abs(gain)),
           fmt::format("{}: mean |delta| {:.3f} against {:.3f}, scatter of the difference {:.3f}",
                       span_text(span), mean_distance(a), mean_distance(b), scatter)};
@@ -246,7 +250,7 @@ Judgement has_no_influence(const Curve& curve, const Curve& reference, Span span
 Judgement is_quasi_constant(const CurvePoint& point) {
   if (point.plateau_scatter.empty()) return nothing_to_judge("no result");
   const double along = base::mean_of(point.plateau_scatter);
-  return {verdict_of(along <= constant_margin, base::deviation_of(point.plateau_scatter), constant_margin),
+  return {verdict_of(along <= constant_margin, scatter_of(point.plateau_scatter), constant_margin),
           fmt::format("{:g}: {:.3f}", point.v, along)};
 }
 

@@ -49,6 +49,9 @@ Curve outside(const Curve& curve, double from, double to);
 /// Energy that the release of one beam takes, the mean over those that the crack crosses [J].
 double release_energy_per_beam(const study::SummaryRow& row);
 
+/// Standard deviation of numbers; 0 of a single one, which shows none.
+double scatter_of(const std::vector<double>& numbers);
+
 /// Straight line through points by least squares, and the share of the variance it explains (R^2; 1 for
 /// points on a line). NaN for less than three points.
 struct Line {

@@ -1,4 +1,4 @@
-#include "engine/base/statistics.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/calibration/calibrate.hpp"
 #include "engine/claims/judges.hpp"
 #include "engine/fracture/release.hpp"

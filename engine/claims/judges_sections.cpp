@@ -1,4 +1,4 @@
-#include "engine/base/statistics.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/claims/judges.hpp"
 
 #include <fmt/format.h>
@@ -237,7 +237,7 @@ Judgement sec5_residual(const Evidence& evidence) {
           fmt::format("{}{:.3g} mJ at {:.1f}", list.empty() ? "" : ", ", 1e3 * base::mean_of(energies), v);
       at_one = energies;
     }
-    const double least = base::mean_of(at_one), scatter = base::deviation_of(at_one);
+    const double least = base::mean_of(at_one), scatter = scatter_of(at_one);
     parts.push_back({s.technique,
                      {scatter > std::abs(least) ? Verdict::not_decidable : yes_or_no(least > 0.0),
                       fmt::format("a beam's release takes {}, scatter {:.2g} mJ", list, 1e3 * scatter)}});
@@ -256,7 +256,7 @@ Judgement sec5_bending(const Evidence& evidence) {
     if (v > 0.5 - 1e-9) fast.push_back(moved);
   }
   if (slow.empty() || fast.empty()) return {Verdict::not_decidable, "no result"};
-  const double low = base::mean_of(slow), high = base::mean_of(fast), scatter = base::deviation_of(slow);
+  const double low = base::mean_of(slow), high = base::mean_of(fast), scatter = scatter_of(slow);
   const std::string text = fmt::format(
       "largest motion along z of a region 8 radii wide: {:.2f} % of the thickness at 0.1 c_r and below "
       "(scatter "

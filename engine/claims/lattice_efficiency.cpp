@@ -1,6 +1,6 @@
 #include "engine/claims/lattice_efficiency.hpp"
 
-#include "engine/base/statistics.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/claims/judges.hpp"
 
 #include <fmt/format.h>
@@ -126,7 +126,7 @@ std::vector<BrobergProblem> broberg_problem(const Evidence& evidence) {
         0.5 * study::number_in(row, "length_m") * (window[0].get<double>() + window[1].get<double>());
     const auto strip = zones.find(key_of(zone));
     const EfficiencyPoint* eta = strip == zones.end() ? nullptr : find_point(strip->second, v);
-    if (eta) p.efficiency = base::mean_of(eta->ratio), p.efficiency_scatter = base::deviation_of(eta->ratio);
+    if (eta) p.efficiency = base::mean_of(eta->ratio), p.efficiency_scatter = scatter_of(eta->ratio);
   }
   std::vector<BrobergProblem> list;
   for (auto& [place, point] : points) {
@@ -146,7 +146,7 @@ std::vector<Extrapolated> extrapolated(const std::vector<BrobergProblem>& points
     const double limit = fine.over_efficiency() + on * (fine.over_efficiency() - coarse.over_efficiency());
     if (!std::isfinite(limit)) continue;
     const auto relative = [](const BrobergProblem& p) {
-      return base::deviation_of(p.ratio) / base::mean_of(p.ratio);
+      return scatter_of(p.ratio) / base::mean_of(p.ratio);
     };
     const double of_coarse = relative(coarse), of_fine = fine.ratio.size() > 1 ? relative(fine) : of_coarse;
     const double of_efficiency = fine.efficiency_scatter / fine.efficiency;
@@ -190,7 +190,7 @@ Judgement beyond_efficiency(const Evidence& evidence) {
   double farthest = 0.0, scatter = 0.0;
   for (const EfficiencyPoint& p : zones.rbegin()->second) {
     farthest = std::max(farthest, std::abs(base::mean_of(p.ratio) - 1.0));
-    scatter = std::max(scatter, std::max(base::deviation_of(p.ratio), base::mean_of(p.along)));
+    scatter = std::max(scatter, std::max(scatter_of(p.ratio), base::mean_of(p.along)));
   }
   if (zones.rbegin()->second.empty()) return {Verdict::not_decidable, "no result"};
   return {farthest <= near_margin ? Verdict::holds : Verdict::does_not_hold,

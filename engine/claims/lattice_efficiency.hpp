@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/base/statistics.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/claims/claims.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "engine/experiment/application.hpp"
 
+#include "engine/base/numbers.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/summary.hpp"
@@ -116,10 +117,8 @@ double expected_error(const Experiment& found) {
 
 /// When the tip of the run was at a position, between two rows [s].
 double time_at(const std::vector<Sample>& rows, double position) {
-  const auto after = std::lower_bound(rows.begin() + 1, rows.end() - 1, position,
-                                      [](const Sample& s, double a) { return s.tip_m < a; });
-  const Sample &a = *(after - 1), &b = *after;
-  return a.time_s + (b.time_s - a.time_s) * (position - a.tip_m) / (b.tip_m - a.tip_m);
+  const auto [k, part] = base::interval_at(rows, position, &Sample::tip_m);
+  return rows[k - 1].time_s + part * (rows[k].time_s - rows[k - 1].time_s);
 }
 
 /// Clocks are set alike where both cracks are at the first point.

@@ -1,5 +1,6 @@
 #include "engine/experiment/efficiency.hpp"
 
+#include "engine/base/numbers.hpp"
 #include "engine/simulation/summary.hpp"
 
 #include <algorithm>
@@ -77,13 +78,10 @@ std::vector<EfficiencyPoint> efficiency_of(const scene::Preset& preset, double p
 
 EfficiencyPoint efficiency_at(const std::vector<EfficiencyPoint>& points, double over_cr) {
   if (over_cr <= points.front().over_cr) return points.front();
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    if (over_cr > points[k].over_cr) continue;
-    const EfficiencyPoint &a = points[k - 1], &b = points[k];
-    const double part = (over_cr - a.over_cr) / (b.over_cr - a.over_cr);
-    return {over_cr, std::lerp(a.efficiency, b.efficiency, part), std::lerp(a.scatter, b.scatter, part)};
-  }
-  return points.back();
+  if (over_cr > points.back().over_cr) return points.back();
+  const auto [k, part] = base::interval_at(points, over_cr, &EfficiencyPoint::over_cr);
+  const EfficiencyPoint &a = points[k - 1], &b = points[k];
+  return {over_cr, std::lerp(a.efficiency, b.efficiency, part), std::lerp(a.scatter, b.scatter, part)};
 }
 
 }  // namespace rift::experiment

@@ -1,6 +1,7 @@
 #include "engine/experiment/experiment.hpp"
 
 #include "engine/base/interrupted.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/kept_parts.hpp"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace rift::experiment {
@@ -29,19 +29,6 @@ std::vector<Sample> crack_rows(const simulation::LaneResult& lane) {
   for (const Sample& row : lane.books)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
   return rows;
-}
-
-/// Mean and standard deviation of those that are numbers; NaN of none.
-struct Spread {
-  double mean = std::numeric_limits<double>::quiet_NaN(), deviation = 0;
-};
-Spread spread_of(const std::vector<double>& values) {
-  double sum = 0.0, squares = 0.0, count = 0.0;
-  for (const double v : values)
-    if (std::isfinite(v)) sum += v, squares += v * v, count += 1.0;
-  if (count == 0.0) return {};
-  const double mean = sum / count;
-  return {mean, count > 1.0 ? std::sqrt(std::max(0.0, squares - count * mean * mean) / (count - 1.0)) : 0.0};
 }
 
 /// What one lane shows at the points, in J/m2.
@@ -241,11 +228,15 @@ class Laboratory {
     }
   }
 
+  /// Of the curves that have a number there; NaN and 0 of none, 0 of a single one.
+  struct Spread {
+    double mean, deviation;
+  };
   static Spread at(const std::vector<std::vector<double>>& curves, std::size_t k) {
     std::vector<double> values;
-    values.reserve(curves.size());
-    for (const std::vector<double>& curve : curves) values.push_back(curve[k]);
-    return spread_of(values);
+    for (const std::vector<double>& curve : curves)
+      if (std::isfinite(curve[k])) values.push_back(curve[k]);
+    return {base::mean_of(values), values.size() < 2 ? 0.0 : base::deviation_of(values)};
   }
 
   void conclude() {

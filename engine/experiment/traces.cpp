@@ -1,5 +1,6 @@
 #include "engine/experiment/traces.hpp"
 
+#include "engine/base/numbers.hpp"
 #include "engine/scene/contradictions_rows.hpp"
 #include "engine/scene/csv_table.hpp"
 #include "engine/scene/issue.hpp"
@@ -63,12 +64,10 @@ Trace intensity_trace(const Instruments& seen, const char* name, scene::Dimensio
 
 /// Straight between the points; NaN beyond them.
 double value_at(const Trace& trace, double time) {
-  const auto after = std::lower_bound(trace.time.begin(), trace.time.end(), time);
-  if (after == trace.time.end()) return std::nan("");
-  const auto k = after - trace.time.begin();
-  if (*after == time) return trace.value[k];
-  if (k == 0) return std::nan("");
-  const double part = (time - trace.time[k - 1]) / (trace.time[k] - trace.time[k - 1]);
+  if (trace.time.empty() || !(time >= trace.time.front() && time <= trace.time.back())) return std::nan("");
+  if (time == trace.time.front()) return trace.value.front();
+  const auto [k, part] = base::interval_at(trace.time, time);
+  if (time == trace.time[k]) return trace.value[k];
   return trace.value[k - 1] + part * (trace.value[k] - trace.value[k - 1]);  // NaN of NaN, unlike std::lerp
 }
 

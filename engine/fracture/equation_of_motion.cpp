@@ -1,5 +1,7 @@
 #include "engine/fracture/equation_of_motion.hpp"
 
+#include "engine/base/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,11 +38,10 @@ double critical_rate(const CriticalRate& toughness, double over_cr, double rayle
                                                                            : over_cr;
   const auto& row = toughness.row;
   if (at <= row.front()[0]) return row.front()[1];
-  const auto after =
-      std::find_if(row.begin(), row.end(), [&](const std::array<double, 2>& r) { return r[0] >= at; });
-  if (after == row.end()) return row.back()[1];
-  const auto& [x0, y0] = *(after - 1);
-  const auto& [x1, y1] = *after;
+  if (at > row.back()[0]) return row.back()[1];
+  const std::size_t k = base::interval_at(row, at, [](const auto& r) { return r[0]; }).k;
+  const auto& [x0, y0] = row[k - 1];
+  const auto& [x1, y1] = row[k];
   return y0 + (y1 - y0) * (at - x0) / (x1 - x0);
 }
 

@@ -1,5 +1,7 @@
 #include "engine/fracture/release_rate.hpp"
 
+#include "engine/base/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,17 +44,15 @@ double released(const Sample& s) {
 
 /// The books at a tip position between two rows, each column interpolated.
 Sample books_at(const std::vector<Sample>& lane, double tip) {
-  const auto after = std::lower_bound(lane.begin() + 1, lane.end() - 1, tip,
-                                      [](const Sample& s, double a) { return s.tip_m < a; });
-  const Sample &p = *(after - 1), &q = *after;
-  const double t = (tip - p.tip_m) / (q.tip_m - p.tip_m);
+  const auto [k, part] = base::interval_at(lane, tip, &Sample::tip_m);
+  const Sample &p = lane[k - 1], &q = lane[k];
   Sample s = p;
   s.tip_m = tip;
   for (double Sample::*column :
        {&Sample::elastic_j, &Sample::kinetic_translation_j, &Sample::kinetic_rotation_j,
         &Sample::step_correction_j, &Sample::fracture_j, &Sample::damping_j, &Sample::numerical_damping_j,
         &Sample::contact_j, &Sample::work_external_j})
-    s.*column += t * (q.*column - p.*column);
+    s.*column += part * (q.*column - p.*column);
   return s;
 }
 

@@ -1,7 +1,7 @@
 #include "engine/results/archive_check.hpp"
 
+#include "engine/base/child_process.hpp"
 #include "engine/base/text.hpp"
-#include "engine/results/child.hpp"
 #include "engine/results/hdf5.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/series.hpp"
@@ -210,7 +210,8 @@ ArchiveCheck check_archive(const std::filesystem::path& path) try {
 }
 
 ArchiveCheck check_archive_in_child(const std::filesystem::path& path, unsigned seconds) {
-  const Told told = told_by_child([&] { return to_text(check_archive(path)); }, seconds);
+  const base::SandboxResult told =
+      base::run_in_sandbox([&] { return to_text(check_archive(path)); }, seconds);
   if (told.text) return from_text(*told.text);
   return {{fmt::format("reading {} was given up: {}", path.string(), told.death)}, {}};
 }

@@ -1,5 +1,6 @@
 #include "engine/scene/derived.hpp"
 
+#include "engine/base/numbers.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/spline.hpp"
 #include "engine/theory/references.hpp"
@@ -90,10 +91,9 @@ double load_time(const Scene& scene) {
 double load_at(const LoadCurve& curve, double time) {
   const auto& rows = curve.row;
   if (time <= rows.front()[0]) return rows.front()[1];
-  for (std::size_t k = 1; k < rows.size(); ++k)
-    if (time <= rows[k][0])
-      return std::lerp(rows[k - 1][1], rows[k][1], (time - rows[k - 1][0]) / (rows[k][0] - rows[k - 1][0]));
-  return rows.back()[1];
+  if (time > rows.back()[0]) return rows.back()[1];
+  const auto [k, part] = base::interval_at(rows, time, [](const auto& row) { return row[0]; });
+  return std::lerp(rows[k - 1][1], rows[k][1], part);
 }
 
 std::optional<double> force_at_start(const Scene& scene) {

@@ -28,13 +28,12 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
-bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
-
 }  // namespace
 
 std::string printable(std::string_view text, std::size_t limit) {
   std::size_t end = std::min(text.size(), limit);
-  while (end < text.size() && end > 0 && continues_utf8(text[end])) --end;  // never cut a letter in two
+  while (end < text.size() && end > 0 && base::continues_letter(text[end]))
+    --end;  // never cut a letter in two
   const std::string out = base::escaped(text.substr(0, end));
   return end < text.size() ? out + "..." : out;
 }

@@ -1,5 +1,6 @@
 #include "engine/scene/scenarios.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/scene/contradictions.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/scene/scenario.hpp"
@@ -55,10 +56,6 @@ std::string axis_of_key(const std::string& name) {
   return {};
 }
 
-std::string without_quotes(const std::string& text) {
-  return text.starts_with('"') ? text.substr(1, text.size() - 2) : text;
-}
-
 }  // namespace
 
 std::span<const Axis> axes() { return table; }
@@ -83,7 +80,7 @@ bool applies(const Scene& scene, const Axis& axis) {
 
 std::string axis_text(const Scene& scene, const Axis& axis) {
   const std::string value = applies(scene, axis) ? toml_value(scene, parameter_of(axis)) : std::string{};
-  return value.empty() ? "-" : without_quotes(value);
+  return value.empty() ? "-" : base::without_quotes(value);
 }
 
 std::string unknown_axis(const std::string& name) {

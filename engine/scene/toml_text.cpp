@@ -1,5 +1,6 @@
 #include "engine/scene/toml_text.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/scene/issue.hpp"
 
 #include <fmt/format.h>
@@ -28,25 +29,11 @@ std::string_view wide_encoding(std::string_view text) {
   return one_way || (zero(0) && !zero(1) && zero(2) && !zero(3)) ? "UTF-16" : std::string_view{};
 }
 
-/// Bytes of the letter that begins at `at`; 0 where no letter of UTF-8 does   [RFC 3629].
-std::size_t length_of_letter(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  const unsigned char first = byte(at);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || at + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if ((byte(at + k) & 0xC0u) != 0x80u) return 0;
-  const unsigned char second = byte(at + 1);
-  const bool too_long = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool no_letter = (first == 0xED && second > 0x9F) || (first == 0xF4 && second > 0x8F);
-  return too_long || no_letter ? 0 : length;
-}
-
 /// ", in Windows-1252 'µ'" of a byte that is a letter there; above 0xA0 its numbers are those of Unicode.
 std::string in_windows_1252(unsigned char byte) {
   if (byte < 0xA1) return {};
-  const char letter[] = {static_cast<char>(0xC0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3F)), '\0'};
+  std::string letter;
+  base::append_letter(letter, byte);
   return fmt::format(", in Windows-1252 '{}'", letter);
 }
 
@@ -58,7 +45,7 @@ std::optional<TextTrouble> trouble_with_text(std::string_view text) {
   for (std::size_t k = 0; k < text.size();) {
     const auto byte = static_cast<unsigned char>(text[k]);
     if (byte == 0) return TextTrouble{line_at(text, k), "holds a zero byte: the file is no text"};
-    const std::size_t length = length_of_letter(text, k);
+    const std::size_t length = base::bytes_of_first_letter(text.substr(k));
     if (length == 0)
       return TextTrouble{line_at(text, k),
                          fmt::format("the byte 0x{:02X} is no UTF-8{}: the file is of another "

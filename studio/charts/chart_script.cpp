@@ -104,11 +104,7 @@ std::string script_string(std::string_view label) {
   return out + "'";
 }
 
-std::size_t letters(std::string_view label) {
-  const std::string text = plain_text(label);
-  const auto begins_a_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_a_letter));
-}
+std::size_t letters(std::string_view label) { return base::count_letters(plain_text(label)); }
 
 std::string csv_field(std::string text) {
   text = base::escaped(text, "\n\r");

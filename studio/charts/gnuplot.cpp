@@ -1,74 +1,20 @@
 #include "studio/charts/gnuplot.hpp"
 
+#include "engine/base/child_process.hpp"
 #include "engine/base/files.hpp"
 #include "engine/base/world_error.hpp"
 #include "studio/text/html.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 namespace rift::studio {
 
 namespace fs = std::filesystem;
 using base::WorldError;
 namespace {
-
-std::string errno_text(int error) { return std::generic_category().message(error); }
-
-/// How a child process ended, and what it wrote to stdout and stderr.
-struct Ended {
-  int spawn_error = 0;  // errno where it never began
-  int status = 0;       // as of waitpid
-  std::string said;
-};
-
-std::string read_to_the_end(int descriptor) {
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (true) {
-    const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
-    if (count > 0)
-      text.append(buffer.data(), static_cast<std::size_t>(count));
-    else if (count == 0 || errno != EINTR)
-      return text;
-  }
-}
-
-/// Runs a program of the PATH in `folder`, without a shell and without input.
-Ended run_child(std::vector<std::string> words, const fs::path& folder) {
-  std::array<int, 2> pipe{};
-  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return {errno, 0, {}};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, pipe[1], STDERR_FILENO);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  Ended ended;
-  ended.spawn_error = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  ::close(pipe[1]);
-  if (ended.spawn_error == 0) {
-    ended.said = read_to_the_end(pipe[0]);
-    while (::waitpid(child, &ended.status, 0) < 0 && errno == EINTR) {
-    }
-  }
-  ::close(pipe[0]);
-  return ended;
-}
 
 /// gnuplot's message on one line: it repeats the command and points at the fault with a caret, over several
 /// lines.
@@ -85,18 +31,23 @@ std::string on_one_line(const std::string& said) {
   return out;
 }
 
-void require_success(const Ended& ended, const fs::path& picture, const fs::path& script) {
-  if (ended.spawn_error == ENOENT)
+/// Runs gnuplot in the folder. Throws WorldError.
+void run_gnuplot(const std::string& outputs, const fs::path& picture, const fs::path& script) try {
+  // --default-settings: a user's own ~/.gnuplot does not change the charts of a report.
+  base::ChildProcess gnuplot({"gnuplot", "--default-settings", "-e", outputs, script.filename().string()},
+                             {.folder = script.parent_path()});
+  const base::ChildProcess::End& end = gnuplot.wait();
+  if (end.signal != 0) throw WorldError("draw", picture, fmt::format("signal {} ended gnuplot", end.signal));
+  if (end.code != 0)
+    throw WorldError("draw", picture,
+                     fmt::format("gnuplot on {}: {}", script.string(), on_one_line(gnuplot.said())));
+} catch (const base::StartError& none) {
+  if (none.error == ENOENT)
     throw WorldError(
         "draw", picture,
         fmt::format("gnuplot is not installed: apt install gnuplot-nox; the data and the script are in {}",
                     script.parent_path().string()));
-  if (ended.spawn_error != 0) throw WorldError("start gnuplot for", picture, errno_text(ended.spawn_error));
-  if (WIFSIGNALED(ended.status))
-    throw WorldError("draw", picture, fmt::format("signal {} ended gnuplot", WTERMSIG(ended.status)));
-  if (WEXITSTATUS(ended.status) != 0)
-    throw WorldError("draw", picture,
-                     fmt::format("gnuplot on {}: {}", script.string(), on_one_line(ended.said)));
+  throw WorldError("start gnuplot for", picture, std::generic_category().message(none.error));
 }
 
 /// gnuplot does not notice a full disk: a picture must have its end.
@@ -119,9 +70,7 @@ void run_script(const fs::path& folder, const std::string& name) {
   const fs::path script = folder / (name + ".gp");
   const std::string outputs = fmt::format("svg = '{}'; png = '{}'", svg.temporary().filename().string(),
                                           png.temporary().filename().string());
-  // --default-settings: a user's own ~/.gnuplot does not change the charts of a report.
-  const Ended ended = run_child({"gnuplot", "--default-settings", "-e", outputs, name + ".gp"}, folder);
-  require_success(ended, folder / (name + ".svg"), script);
+  run_gnuplot(outputs, folder / (name + ".svg"), script);
   require_end(svg.temporary(), "</svg>");
   require_end(png.temporary(), "IEND");
   svg.commit();

@@ -1,6 +1,6 @@
 #include "studio/reports/beyond_charts.hpp"
 
-#include "engine/base/statistics.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/claims/lattice_efficiency.hpp"
 #include "studio/charts/curves.hpp"
 
@@ -79,7 +79,7 @@ ChartSeries efficiency_series(const std::string& label, const std::vector<claims
   for (const claims::EfficiencyPoint& p : points) {
     series.x.push_back(p.v);
     series.y.push_back(base::mean_of(p.ratio));
-    series.error.push_back(p.ratio.size() > 1 ? base::deviation_of(p.ratio) : nothing);
+    series.error.push_back(base::deviation_of(p.ratio));
   }
   return series;
 }
@@ -106,7 +106,7 @@ Chart efficiency_against_zone(const claims::Evidence& evidence) {
       ChartSeries& curve = curves[p.v];
       curve.x.push_back(zone);
       curve.y.push_back(base::mean_of(p.ratio));
-      curve.error.push_back(p.ratio.size() > 1 ? base::deviation_of(p.ratio) : nothing);
+      curve.error.push_back(base::deviation_of(p.ratio));
     }
   int colour = 0;
   for (auto& [v, curve] : curves) {
@@ -240,8 +240,7 @@ Chart size_chart(const std::vector<claims::BrobergProblem>& points) {
     ChartSeries& curve = curves[{p.v, p.zone}];
     curve.x.push_back(p.radius_m / p.half_length_m);
     curve.y.push_back(p.over_efficiency() / p.broberg);
-    curve.error.push_back(p.ratio.size() > 1 ? base::deviation_of(p.ratio) / p.efficiency / p.broberg
-                                             : nothing);
+    curve.error.push_back(base::deviation_of(p.ratio) / p.efficiency / p.broberg);
   }
   for (const claims::Extrapolated& e : claims::extrapolated(points)) {
     curves[{e.v, e.zone}].x.push_back(0.0);

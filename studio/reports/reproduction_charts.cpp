@@ -1,6 +1,6 @@
 #include "studio/reports/reproduction_charts.hpp"
 
-#include "engine/base/statistics.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/fracture/release.hpp"
 #include "studio/charts/curves.hpp"
 
@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace rift::studio {
@@ -85,8 +84,7 @@ ChartSeries series_of(const std::string& label, const claims::Curve& curve, int 
   for (const claims::CurvePoint& p : curve) {
     series.x.push_back(p.v);
     series.y.push_back(base::mean_of(p.ratio));
-    series.error.push_back(p.ratio.size() > 1 ? base::deviation_of(p.ratio)
-                                              : std::numeric_limits<double>::quiet_NaN());
+    series.error.push_back(base::deviation_of(p.ratio));
   }
   return series;
 }

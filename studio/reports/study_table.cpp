@@ -1,5 +1,6 @@
 #include "studio/reports/study_table.hpp"
 
+#include "engine/base/numbers.hpp"
 #include "engine/base/text.hpp"
 #include "studio/text/progress.hpp"
 
@@ -77,13 +78,7 @@ MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, const std::strin
   std::vector<double> values;
   for (const study::SummaryRow& row : rows)
     if (row.at(name).is_number()) values.push_back(row.at(name).get<double>());
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  if (values.empty()) return {nan, nan, 0};
-  const auto n = static_cast<double>(values.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double v : values) sum += v;
-  for (const double v : values) squares += (v - sum / n) * (v - sum / n);
-  return {sum / n, n > 1.0 ? std::sqrt(squares / (n - 1.0)) : nan, static_cast<int>(values.size())};
+  return {base::mean_of(values), base::deviation_of(values), static_cast<int>(values.size())};
 }
 
 Table scenario_table(const std::vector<study::SummaryRow>& rows) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/base/text.hpp"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -72,8 +74,7 @@ class Canvas {
   std::vector<Cell> cell_;
 };
 
-/// The letters of a UTF-8 text; what is no UTF-8 becomes '?'.
-[[nodiscard]] std::u32string letters_of(std::string_view text);
+using base::letters_of;
 
 /// The least size on which the screens make sense.
 inline constexpr int least_width = 60, least_height = 16;

@@ -1,5 +1,6 @@
 #include "studio/screen/prompt.hpp"
 
+#include "engine/base/text.hpp"
 #include "studio/screen/canvas.hpp"
 
 #include <algorithm>
@@ -7,26 +8,8 @@
 namespace rift::studio {
 namespace {
 
-std::string utf8(char32_t c) {
-  std::string out;
-  if (c < 0x80) return {static_cast<char>(c)};
-  if (c < 0x800) {
-    out += static_cast<char>(0xC0 | (c >> 6));
-  } else {
-    if (c < 0x10000) {
-      out += static_cast<char>(0xE0 | (c >> 12));
-    } else {
-      out += static_cast<char>(0xF0 | (c >> 18));
-      out += static_cast<char>(0x80 | ((c >> 12) & 0x3F));
-    }
-    out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
-  }
-  out += static_cast<char>(0x80 | (c & 0x3F));
-  return out;
-}
-
 void drop_last_letter(std::string& text) {
-  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+  while (!text.empty() && base::continues_letter(text.back())) text.pop_back();
   if (!text.empty()) text.pop_back();
 }
 
@@ -41,7 +24,7 @@ Prompt::State Prompt::press(const Press& press) {
   if (press.key == key_backspace) drop_last_letter(text_);
   if (press.key == control_u) text_.clear();
   if (press.key >= 32 && press.key < key_up && text_.size() < longest)
-    text_ += utf8(static_cast<char32_t>(press.key));
+    base::append_letter(text_, static_cast<char32_t>(press.key));
   return state_;
 }
 

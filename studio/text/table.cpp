@@ -45,10 +45,7 @@ std::string number_cell(double value, std::string_view format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
+std::size_t width_of(const std::string& text) { return base::count_letters(text); }
 
 bool is_numeric(const std::string& cell) {
   constexpr std::string_view of_numbers = "0123456789.+-e \xC2\xB1";

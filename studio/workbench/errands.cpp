@@ -1,77 +1,10 @@
 #include "studio/workbench/errands.hpp"
 
-#include "engine/base/world_error.hpp"
+#include "engine/base/child_process.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
-extern char** environ;
 
 namespace rift::studio {
-namespace {
-
-std::string new_file() {
-  std::string name = (std::filesystem::temp_directory_path() / "rift_errand_XXXXXX").string();
-  const int descriptor = mkstemp(name.data());
-  if (descriptor < 0) throw base::WorldError("create", name, std::strerror(errno));
-  close(descriptor);
-  return name;
-}
-
-/// The last line that says something.
-std::string last_line(const std::string& text) {
-  const std::size_t end = text.find_last_not_of("\n\r ");
-  if (end == std::string::npos) return {};
-  const std::size_t start = text.find_last_of("\n\r", end);
-  return text.substr(start == std::string::npos ? 0 : start + 1,
-                     end - (start == std::string::npos ? 0 : start + 1) + 1);
-}
-
-}  // namespace
-
-Errand::Errand(const std::vector<std::string>& command, std::string what)
-    : what_(std::move(what)), output_(new_file()) {
-  std::vector<char*> arguments;
-  for (const std::string& part : command) arguments.push_back(const_cast<char*>(part.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, output_.c_str(), O_WRONLY | O_APPEND, 0);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  posix_spawnattr_t attributes;  // a group of its own: a Ctrl-C in the terminal does not reach it
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  const int error = posix_spawnp(&pid_, arguments[0], &files, &attributes, arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  if (error != 0) throw base::WorldError("start", command.front(), std::strerror(error));
-}
-
-bool Errand::ended() {
-  if (pid_ < 0) return true;
-  int status = 0;
-  if (waitpid(pid_, &status, WNOHANG) == 0) return false;
-  pid_ = -1;
-  std::ifstream file(output_, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  std::error_code ignored;
-  std::filesystem::remove(output_, ignored);
-  const bool well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  const std::string said = last_line(text);
-  what_ = well ? fmt::format("{}: {}", what_, said.empty() ? "done" : said)
-               : fmt::format("{} failed: {}", what_, said.empty() ? "no word why" : said);
-  return true;
-}
 
 namespace fs = std::filesystem;
 namespace {
@@ -88,7 +21,8 @@ fs::path free_file(const fs::path& folder, const std::string& stem, const std::s
 std::string Errands::send(const std::vector<std::string>& arguments, const std::string& what) try {
   std::vector<std::string> command{program_.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  under_way_.emplace_back(command, what);
+  under_way_.push_back(
+      {what, std::make_unique<base::ChildProcess>(std::move(command), base::ChildOptions{.outlives = true})});
   return what + ": under way";
 } catch (const base::WorldError& error) {
   return error.what();
@@ -96,9 +30,12 @@ std::string Errands::send(const std::vector<std::string>& arguments, const std::
 
 std::string Errands::news() {
   std::string said;
-  std::erase_if(under_way_, [&](Errand& errand) {
-    if (!errand.ended()) return false;
-    said = errand.what();
+  std::erase_if(under_way_, [&](const Errand& errand) {
+    if (!errand.child->has_ended()) return false;
+    const base::ChildProcess::End& end = errand.child->wait();
+    const bool well = end.code == 0;
+    const std::string words = !end.words.empty() ? end.words : well ? "done" : "no word why";
+    said = fmt::format("{}{}: {}", errand.what, well ? "" : " failed", words);
     return true;
   });
   return said;

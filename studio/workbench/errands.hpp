@@ -1,33 +1,17 @@
 #pragma once
 
+#include "engine/base/child_process.hpp"
 #include "studio/workbench/screen.hpp"
 
-#include <sys/types.h>
-
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace rift::studio {
 
-/// Another call of rift that works in the background, such as the drawing of a film: nobody waits for it, and
-/// it goes on when its object goes.
-class Errand {
- public:
-  /// @param command  program and arguments;  @param what  for people: "film of plate_pnrt"
-  /// Throws WorldError where it cannot be started.
-  Errand(const std::vector<std::string>& command, std::string what);
-
-  /// Looks once whether it has ended; from then on what() says how.
-  [[nodiscard]] bool ended();
-  [[nodiscard]] const std::string& what() const { return what_; }
-
- private:
-  std::string what_, output_;
-  pid_t pid_ = -1;
-};
-
-/// Pictures, films and tables that a screen has asked for.
+/// Pictures, films and tables that a screen has asked for: other calls of rift that work in the background.
+/// Nobody waits for them, and they go on when this object goes.
 class Errands {
  public:
   explicit Errands(std::filesystem::path program) : program_(std::move(program)) {}
@@ -45,6 +29,10 @@ class Errands {
   std::string tables(const std::filesystem::path& run);
 
  private:
+  struct Errand {
+    std::string what;  // for people: "film"
+    std::unique_ptr<base::ChildProcess> child;
+  };
   std::filesystem::path program_;
   std::vector<Errand> under_way_;
 };

@@ -18,11 +18,6 @@ namespace {
 
 constexpr auto before_dry_run = std::chrono::milliseconds(500);  // nothing was typed for so long
 
-std::string without_quotes(std::string text) {
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') return text.substr(1, text.size() - 2);
-  return text;
-}
-
 /// What follows from the scene at once, before any lattice.
 DryRunThread::Rows at_once(const scene::Scene& scene) {
   return {{"c_R", fmt::format("{:.0f} m/s", scene::rayleigh_speed(scene))},
@@ -112,7 +107,7 @@ void FormScreen::take_back(const std::string& key) {
 std::string FormScreen::shown_value(const scene::Parameter& row) const {
   for (const Change& change : changes_)
     if (change.key == row.key) return change.value;
-  return without_quotes(scene::toml_value(preset_.scene, row));
+  return base::without_quotes(scene::toml_value(preset_.scene, row));
 }
 
 std::string FormScreen::issue_of(const scene::Parameter& row) const {
@@ -273,7 +268,7 @@ Turn FormScreen::type(const Press& press) {
       else
         take_back(key);
     } else if (value_.text() ==
-                   without_quotes(scene::toml_value(scene::read_preset(path_).scene, *chosen())) &&
+                   base::without_quotes(scene::toml_value(scene::read_preset(path_).scene, *chosen())) &&
                !had_change_) {
       take_back(key);  // as it stands in the file
     } else {

@@ -5,7 +5,6 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/archive_check.hpp"
 #include "engine/results/checkpoint.hpp"
-#include "engine/results/child.hpp"
 #include "engine/results/journal.hpp"
 #include "engine/results/run_writer.hpp"
 #include "tests/engine/results/small_run.hpp"
@@ -16,7 +15,6 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdlib>
 
 namespace rift::results {
@@ -236,36 +234,6 @@ TEST(ArchiveCheck, OfAFileThatIsNoArchiveIsAProblem) {
   const TemporaryFolder scratch;
   write_text(scratch / "x", "no archive");
   EXPECT_FALSE(check_archive_in_child(scratch / "x").problems.empty());
-}
-
-TEST(Child, TellsWhatItsWorkReturns) {
-  EXPECT_EQ(told_by_child([] { return std::string(200'000, 'x'); }, 10).text, std::string(200'000, 'x'));
-}
-
-TEST(Child, ThatDiesHangsThrowsOrEatsMemoryIsOutlived) {
-  EXPECT_NE(told_by_child(
-                []() -> std::string {
-                  std::raise(SIGSEGV);
-                  return "";
-                },
-                10)
-                .death.find("signal 11"),
-            std::string::npos);
-  EXPECT_EQ(told_by_child(
-                []() -> std::string {
-                  for (;;) usleep(1000);
-                },
-                1)
-                .death,
-            "it did not come to an end in 1 s");
-  EXPECT_EQ(told_by_child([]() -> std::string { throw std::runtime_error("no"); }, 10).death, "no");
-  const Told greedy = told_by_child([] { return std::string(std::size_t{6} << 30, 'x'); }, 20);
-  EXPECT_FALSE(greedy.text);
-#ifdef __SANITIZE_ADDRESS__
-  EXPECT_FALSE(greedy.death.empty());  // the sanitizer's allocator ends the child by itself
-#else
-  EXPECT_EQ(greedy.death, "std::bad_alloc");
-#endif
 }
 
 }  // namespace
