@@ -1,11 +1,13 @@
 #include "studio/charts/curves.hpp"
 
+#include "engine/study/curve.hpp"
 #include "engine/theory/references.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace rift::studio {
@@ -18,8 +20,7 @@ void mark_echo(ChartSeries& marks, const ChartSeries& curve, double echo) {
   const auto k = static_cast<std::size_t>(after);
   if (k >= curve.x.size()) return;
   const double part = (echo - curve.x[k - 1]) / (curve.x[k] - curve.x[k - 1]);
-  marks.x.push_back(echo);
-  marks.y.push_back(curve.y[k - 1] + part * (curve.y[k] - curve.y[k - 1]));
+  marks.add(echo, curve.y[k - 1] + part * (curve.y[k] - curve.y[k - 1]));
 }
 
 namespace {
@@ -69,7 +70,7 @@ ChartSeries running_mean(const std::string& label, const std::vector<Points>& sp
     int count = 0;
     for (const auto& [at, value] : all)
       if (std::abs(at - x) <= half_width) sum += value, ++count;
-    if (count > 0) curve.x.push_back(x), curve.y.push_back(sum / count);
+    if (count > 0) curve.add(x, sum / count);
   }
   return curve;
 }
@@ -77,7 +78,6 @@ ChartSeries running_mean(const std::string& label, const std::vector<Points>& sp
 void set_up(Chart& chart) {
   chart.x_label = "tip position / length [-]";
   chart.x_range = {0.0, {}};
-  chart.key_outside = true;
 }
 
 std::string velocity_label(double v) { return fmt::format("{:g} c_r", v); }
@@ -110,9 +110,11 @@ bool draw_fracture_against_position(Chart& chart, const study::Evidence& evidenc
   int colour = 0;
   ChartSeries echo = echo_marks();
   for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
-    ChartSeries curve{velocity_label(v), {}, {}, {}, Style::line, colour++};
-    for (const auto& [x, y] : fracture_points(evidence, rows.front(), "energy_fracture_j"))
-      curve.x.push_back(x), curve.y.push_back(y);
+    ChartSeries curve =
+        series_of(velocity_label(v), Style::line, colour++,
+                  fracture_points(evidence, rows.front(), "energy_fracture_j"), [](const auto& p) {
+                    return ChartPoint{p.first, p.second};
+                  });
     if (curve.x.empty()) continue;
     mark_echo(echo, curve, study::number_in(rows.front(), "echo_free_over_length"));
     chart.series.push_back(std::move(curve));
@@ -121,30 +123,30 @@ bool draw_fracture_against_position(Chart& chart, const study::Evidence& evidenc
   return !chart.series.empty();
 }
 
-namespace {
-
-ChartSeries reference(const std::string& label, theory::Factor (*of)(double, double, theory::Plane)) {
-  ChartSeries series{label, {}, {}, {}, ChartSeries::Style::dashed, -1};
+std::vector<ChartSeries> theory_curves(double poisson_ratio, theory::Plane plane) {
+  std::vector<ChartSeries> curves{{.label = "Broberg"}, {.label = "Freund"}, {.label = "strip"}};
+  for (ChartSeries& curve : curves) curve.style = Style::dashed, curve.colour = -1;
   for (int k = 0; k <= 100; ++k) {
-    series.x.push_back(0.01 * k);
-    series.y.push_back(of(0.01 * k, 0.3, theory::Plane::stress).g);
+    const double v = 0.01 * k;
+    curves[0].add(v, theory::broberg(v, poisson_ratio, plane).g);
+    curves[1].add(v, theory::freund(v, poisson_ratio, plane).g);
+    curves[2].add(v, theory::strip(v, poisson_ratio, plane).g);
   }
-  return series;
+  return curves;
 }
 
-}  // namespace
-
 Chart chart_of_references(const std::string& title) {
-  Chart chart;
-  chart.title = title;
-  chart.x_label = "crack velocity v / c_r [-]";
-  chart.y_label = "G_{ID} / G_{I0} [-]";
-  chart.x_range = {0.0, 1.05};
-  chart.y_range = {0.0, {}};
-  chart.key_outside = true;
-  chart.series = {reference("Broberg", theory::broberg), reference("Freund", theory::freund),
-                  reference("strip", theory::strip)};
-  return chart;
+  return {.title = title,
+          .x_label = "crack velocity v / c_r [-]",
+          .y_label = "G_{ID} / G_{I0} [-]",
+          .x_range = {0.0, 1.05},
+          .y_range = {.min = 0.0},
+          .series = theory_curves(0.3, theory::Plane::stress)};
+}
+
+ChartPoint mean_point(double x, const std::vector<double>& values) {
+  return {x, study::mean_of(values),
+          values.size() > 1 ? study::deviation_of(values) : std::numeric_limits<double>::quiet_NaN()};
 }
 
 }  // namespace rift::studio
