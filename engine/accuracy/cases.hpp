@@ -19,7 +19,7 @@ struct Case {
   Factor factor = Factor::scene;
   std::string label;  // "0.4 of critical, single"
   scene::Scene scene;
-  std::string cannot_be = {};  // why it is not tried; empty where it is
+  std::string cannot_be = {};  // why it is not results; empty where it is
 };
 
 struct AccuracyOptions {

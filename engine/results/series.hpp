@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/csv.hpp"
 #include "engine/base/files.hpp"
 #include "engine/results/records.hpp"
 #include "engine/results/schema.hpp"
@@ -68,6 +69,22 @@ inline constexpr std::array event_columns{
     Column<ReleaseEvent>{"energy_j", &ReleaseEvent::energy_j},
 };
 
+/// The names of columns, a comma before each.
+template <typename Columns>
+[[nodiscard]] std::string names_of(const Columns& columns) {
+  std::string names;
+  for (const auto& column : columns) names += ',' + base::csv_field(column.name);
+  return names;
+}
+
+/// A row's numbers in columns, a comma before each.
+template <typename Row, typename Columns>
+[[nodiscard]] std::string numbers_of(const Row& row, const Columns& columns) {
+  std::string numbers;
+  for (const auto& column : columns) numbers += ',' + base::csv_field(row.*column.value);
+  return numbers;
+}
+
 // `series.csv`: one row per sample and lane. Numbers are the shortest text that reads back to the same bits;
 // what is not defined (NaN, a release rate where none is known) is an empty field.
 
@@ -79,9 +96,6 @@ std::string gauges_csv(std::span<const GaugeRow> rows);
 
 /// "loading", "hold" or "fracture".
 [[nodiscard]] std::string_view phase_name(Phase phase);
-
-/// A double as a CSV field: shortest round-trip form, empty where it is NaN.
-[[nodiscard]] std::string csv_number(double value);
 
 /// One line, with its end; the rate columns empty without `rate`.
 [[nodiscard]] std::string series_row(const Sample& sample, const RatePoint* rate = nullptr);

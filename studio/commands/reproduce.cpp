@@ -12,10 +12,8 @@
 #include "studio/commands/commands.hpp"
 #include "studio/commands/draw_claim.hpp"
 #include "studio/commands/scene_options.hpp"
-#include "studio/reports/beyond_charts.hpp"
 #include "studio/reports/calibration_report.hpp"
 #include "studio/reports/reproduction.hpp"
-#include "studio/reports/reproduction_charts.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -114,6 +112,10 @@ double computing_time(const study::SummaryRow& row) {
   return study::number_in(row, "wall_fracture_s") + (ramp ? study::number_in(row, "wall_prestress_s") : 0.0);
 }
 
+void draw_figures(JudgedClaim& claim, const std::vector<NamedChart>& charts, const fs::path& folder) {
+  for (const NamedChart& named : charts) claim.figures.push_back({draw_chart(named, folder), named.caption});
+}
+
 JudgedClaim judged(const claims::Claim& claim, const claims::PaperStudy& study,
                    const study::StudyResult& result, int elements, const fs::path& folder) {
   JudgedClaim out;
@@ -129,16 +131,14 @@ JudgedClaim judged(const claims::Claim& claim, const claims::PaperStudy& study,
     (study::text_in(row, "stiffness") == "bulk" ? bulk : in_situ).rows.push_back(std::move(row));
   }
   const fs::path charts = folder / "charts";
+  out.in_situ = claim.judge(in_situ);
   if (claim.beyond) {
-    out.in_situ = claim.judge(in_situ);
-    out.figures = draw_beyond(claim, in_situ, charts);
+    draw_figures(out, beyond_charts(claim, in_situ), charts);
     return out;
   }
   out.bulk = claim.judge(bulk);
-  out.in_situ = claim.judge(in_situ);
-  out.figures = draw_figures(claim, bulk, "bulk", charts);
-  for (Figure& figure : draw_figures(claim, in_situ, "in-situ", charts))
-    out.figures.push_back(std::move(figure));
+  draw_figures(out, claim_charts(claim, bulk, "bulk"), charts);
+  draw_figures(out, claim_charts(claim, in_situ, "in-situ"), charts);
   return out;
 }
 
@@ -178,10 +178,8 @@ JudgedClaim calibrated(const claims::Claim& claim, const ReproduceOptions& optio
   std::vector<NamedChart> charts =
       calibration_charts(evidence.rows, lattice::bulk_micro_material.young_modulus);
   if (claim.name == "table2") charts.resize(1);  // the others are Fig. 17's
-  for (const NamedChart& named : charts)
-    out.figures.push_back(
-        {draw_chart(named.chart, fs::path(options.out) / "charts", claim.name + "_" + named.name),
-         named.caption});
+  for (NamedChart& named : charts) named.name = claim.name + "_" + named.name;
+  draw_figures(out, charts, fs::path(options.out) / "charts");
   out.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   return out;
 }
@@ -217,9 +215,8 @@ void add_own_speed(JudgedClaim& claim, const claims::PaperStudy& study, const st
     for (study::SummaryRow& row : rows_for(*claim.claim, study, result))
       if (study::text_in(row, "stiffness") == stiffness) evidence.rows.push_back(std::move(row));
     const bool bulk = std::string_view(stiffness) == "bulk";
-    for (Figure& figure : draw_against_own_speed(evidence, stiffness, bulk ? own.bulk : own.in_situ,
-                                                 fs::path(options.out) / "charts"))
-      claim.figures.push_back(std::move(figure));
+    draw_figures(claim, charts_over_own_speed(evidence, stiffness, bulk ? own.bulk : own.in_situ),
+                 fs::path(options.out) / "charts");
   }
 }
 
@@ -263,7 +260,7 @@ study::StudyResult compute(const ReproduceOptions& options, const claims::PaperS
   return result;
 }
 
-void write_report(const Reproduction& report, const ReproduceOptions& options) {
+void write_reproduction(const Reproduction& report, const ReproduceOptions& options) {
   const fs::path folder = options.out;
   base::make_folder(folder);
   base::write_whole_file(folder / "report.html", reproduction_html(report));
@@ -317,7 +314,7 @@ ExitCode reproduce(const ReproduceOptions& options) {
     return static_cast<ExitCode>(128 + stop.received());
   }
   report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  write_report(report, options);
+  write_reproduction(report, options);
   return result.outcome == simulation::Outcome::diverged ? ExitCode::diverged : ExitCode::done;
 }
 

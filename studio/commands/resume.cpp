@@ -51,7 +51,7 @@ std::optional<simulation::Recorded> go_on_plainly(const ResumeOptions& options, 
 
 std::optional<simulation::Recorded> go_on_live(const ResumeOptions& options, const scene::Preset& preset,
                                                const base::Cache& cache, const StopSignal& stop) {
-  RunWish wish{.preset = preset, .folder = options.run};
+  RunRequest wish{.preset = preset, .folder = options.run};
   wish.resume = true;
   wish.threads = options.threads;
   wish.cache = cache;

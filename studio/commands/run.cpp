@@ -97,7 +97,7 @@ std::optional<simulation::Recorded> run_plainly(const Way& way, const fs::path& 
 
 /// In the live panel.
 std::optional<simulation::Recorded> run_live(const Way& way, const fs::path& path, const base::Cache& cache) {
-  RunWish wish{.preset = way.preset, .folder = path, .force = way.options.force};
+  RunRequest wish{.preset = way.preset, .folder = path, .force = way.options.force};
   wish.threads = way.options.scene.threads;
   wish.checkpoint_s = way.checkpoint_s;
   wish.cache = cache;

@@ -23,7 +23,7 @@ Workshop workshop_here(int threads) {
 
 bool panel_there() { return Terminal::there(); }
 
-std::optional<simulation::Recorded> run_in_panel(RunWish wish, bool color, const StopSignal& stop) {
+std::optional<simulation::Recorded> run_in_panel(RunRequest wish, bool color, const StopSignal& stop) {
   Workshop workshop = workshop_here(wish.threads);
   auto screen = std::make_unique<RunScreen>(workshop, std::move(wish), true);
   const RunScreen& panel = *screen;

@@ -17,6 +17,6 @@ bool panel_there();
 /// Runs in the live panel, which goes when the run has ended. While another job has the terminal, or when it
 /// is gone, lines of progress stand for the panel. @return nothing where it was stopped before its first
 /// step. Throws what the run threw.
-std::optional<simulation::Recorded> run_in_panel(RunWish wish, bool color, const StopSignal& stop);
+std::optional<simulation::Recorded> run_in_panel(RunRequest wish, bool color, const StopSignal& stop);
 
 }  // namespace rift::studio

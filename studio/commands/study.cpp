@@ -11,7 +11,6 @@
 #include "studio/commands/scene_options.hpp"
 #include "studio/commands/stop_signal.hpp"
 #include "studio/reports/study_report.hpp"
-#include "studio/reports/study_table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "engine/accuracy/judgement.hpp"
-#include "studio/reports/study_report.hpp"
+#include "engine/simulation/record.hpp"
+#include "studio/charts/chart.hpp"
 #include "studio/text/table.hpp"
 
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 
 #include "engine/calibration/calibrate.hpp"
 #include "engine/simulation/record.hpp"
-#include "engine/study/store.hpp"
-#include "studio/reports/study_report.hpp"
+#include "engine/study/runner.hpp"
+#include "studio/charts/chart.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -44,6 +44,22 @@ struct Reproduction {
   std::vector<JudgedClaim> claims;
 };
 
+/// A claim's charts for one stiffness, none where there is nothing to draw: ratio against velocity with error
+/// bars over the specimens and Broberg's, Freund's and the strip's curves, ratio against tip position of the
+/// first specimen, energies against time.
+/// @param stiffness  "bulk" or "in-situ", in titles and file names
+std::vector<NamedChart> claim_charts(const claims::Claim& claim, const claims::Evidence& evidence,
+                                     const std::string& stiffness);
+
+/// The ratio of progressive and simple release against the velocity over the specimen's own Rayleigh speed;
+/// none where there are no results.
+/// @param nominal_over_own  c_r of the material over the measured c_R
+std::vector<NamedChart> charts_over_own_speed(const claims::Evidence& evidence, const std::string& stiffness,
+                                              double nominal_over_own);
+
+/// The charts and maps of a finding beyond the paper; none where there is nothing to draw.
+std::vector<NamedChart> beyond_charts(const claims::Claim& claim, const claims::Evidence& evidence);
+
 /// One self-contained page: the verdicts in one table, then a section per claim with its charts as inline
 /// SVG.
 std::string reproduction_html(const Reproduction& reproduction);

@@ -1,11 +1,10 @@
 #include "studio/text/run_table.hpp"
 
 #include "studio/text/progress.hpp"
+#include "studio/text/table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace rift::studio {
 namespace {
@@ -14,17 +13,12 @@ using Json = nlohmann::ordered_json;
 
 /// A number with a format, or a dash where it is undefined.
 std::string shown(const Json& j, const char* key, const char* format = "{:.3f}") {
-  if (!j.at(key).is_number() || !std::isfinite(j.at(key).get<double>())) return "-";
-  return fmt::format(fmt::runtime(format), j.at(key).get<double>());
+  return j.at(key).is_number() ? number_cell(j.at(key).get<double>(), format) : "-";
 }
 
 double value(const Json& j, const char* key) { return j.at(key).get<double>(); }
 
 std::string text(const Json& j, const char* key) { return j.at(key).get<std::string>(); }
-
-std::string row(const std::string& label, const std::string& content) {
-  return fmt::format("  {:<22}{}\n", label, content);
-}
 
 std::string by_itself(const Json& s) {
   return s.at("arrest_m").is_number()
@@ -56,25 +50,26 @@ std::string ratios(const Json& s) {
   const auto& window = s.at("window_over_length");
   const char* position = value(s, "tips") == 2 ? "half length" : "tip at";
   std::string out =
-      row("G_ID / G_I0",
-          fmt::format("{} ± {}   {} {:.4g} to {:.4g} of the length", shown(s, "ratio_with_damping"),
-                      shown(s, "ratio_scatter"), position, window[0].get<double>(), window[1].get<double>()));
-  if (text(s, "damping_region") != "none") out += row("  without damping", shown(s, "ratio"));
-  out += row("  released by beams", shown(s, "ratio_release"));
-  out += row("  no rotation in K", shown(s, "ratio_translation_only"));
-  out += row("theory", fmt::format("Broberg {}   Freund {}   strip {}   first echo back at {} of the length",
-                                   shown(s, "broberg"), shown(s, "freund"), shown(s, "strip", "{:g}"),
-                                   shown(s, "echo_free_over_length")));
+      label_line("G_ID / G_I0", fmt::format("{} ± {}   {} {:.4g} to {:.4g} of the length",
+                                            shown(s, "ratio_with_damping"), shown(s, "ratio_scatter"),
+                                            position, window[0].get<double>(), window[1].get<double>()));
+  if (text(s, "damping_region") != "none") out += label_line("  without damping", shown(s, "ratio"));
+  out += label_line("  released by beams", shown(s, "ratio_release"));
+  out += label_line("  no rotation in K", shown(s, "ratio_translation_only"));
+  out += label_line("theory",
+                    fmt::format("Broberg {}   Freund {}   strip {}   first echo back at {} of the length",
+                                shown(s, "broberg"), shown(s, "freund"), shown(s, "strip", "{:g}"),
+                                shown(s, "echo_free_over_length")));
   const char* reference = text(s, "g_i0_reference") == "griffith" ? " (griffith, mean)" : "";
-  out += row("G_I0", fmt::format("{:.5g} kJ/m²{}   G_ID {} J/m²", 1e-3 * value(s, "g_i0_j_m2"), reference,
-                                 shown(s, "g_id_j_m2", "{:.5g}")));
+  out += label_line("G_I0", fmt::format("{:.5g} kJ/m²{}   G_ID {} J/m²", 1e-3 * value(s, "g_i0_j_m2"),
+                                        reference, shown(s, "g_id_j_m2", "{:.5g}")));
   return out;
 }
 
 std::string books(const Json& s, bool color) {
   const bool closes = s.at("ledger_closes").get<bool>();
   const char *red = color && !closes ? "\x1b[31m" : "", *plain = color && !closes ? "\x1b[0m" : "";
-  std::string out = row(
+  std::string out = label_line(
       "energy [J]",
       fmt::format("{:.2f} stored, now {:.2f} elastic + {:.2f} kinetic; {:.2f} fracture, {:.2f} damping",
                   value(s, "energy_initial_j"), value(s, "energy_elastic_j"),
@@ -83,44 +78,47 @@ std::string books(const Json& s, bool color) {
                   value(s, "energy_damping_j") + value(s, "energy_numerical_damping_j")) +
           (s.contains("friction") ? fmt::format(", {:.2f} between the faces", value(s, "energy_contact_j"))
                                   : ""));
-  out += row("books", fmt::format("{}{} to {} of the energy{}", red, closes ? "close" : "DO NOT CLOSE:",
-                                  shown(s, "ledger_residual", "{:.1e}"), plain));
+  out += label_line(
+      "books", fmt::format("{}{} to {} of the energy{}", red,
+                           closes ? "close" : "DO NOT CLOSE:", shown(s, "ledger_residual", "{:.1e}"), plain));
   if (text(s, "prestress_method") == "ramp")
-    out += row("ramp",
-               fmt::format("stored energy {:.4f} of static, kinetic {:.1e} of it",
-                           value(s, "prestress_energy_over_static"), value(s, "prestress_kinetic_fraction")));
+    out += label_line("ramp", fmt::format("stored energy {:.4f} of static, kinetic {:.1e} of it",
+                                          value(s, "prestress_energy_over_static"),
+                                          value(s, "prestress_kinetic_fraction")));
   return out;
 }
 
 std::string lattice(const Json& s) {
   std::string out =
-      row("lattice", fmt::format("{} elements, {} beams ({} crossed), {} rattlers, coordination {}",
-                                 s.at("elements").get<int>(), s.at("beams").get<long>(),
-                                 s.at("beams_crossed").get<long>(), s.at("rattlers").get<int>(),
-                                 shown(s, "coordination")));
-  out += row("", fmt::format("mean radius {:.4f} mm, micro modulus {:.1f} GPa, {} kg/m³",
-                             1e3 * value(s, "mean_radius_m"), 1e-9 * value(s, "micro_young_modulus_pa"),
-                             shown(s, "density_kg_m3", "{:.1f}")));
+      label_line("lattice", fmt::format("{} elements, {} beams ({} crossed), {} rattlers, coordination {}",
+                                        s.at("elements").get<int>(), s.at("beams").get<long>(),
+                                        s.at("beams_crossed").get<long>(), s.at("rattlers").get<int>(),
+                                        shown(s, "coordination")));
   out +=
-      row("step", fmt::format("{:.3e} s, {:.3g} of critical; {} steps{}", value(s, "dt_s"),
-                              value(s, "dt_fraction"), s.at("steps").get<long>(),
-                              s.at("steps_per_beam").is_number()
-                                  ? fmt::format(", {:.1f} for a beam to soften", value(s, "steps_per_beam"))
-                                  : std::string()));
+      label_line("", fmt::format("mean radius {:.4f} mm, micro modulus {:.1f} GPa, {} kg/m³",
+                                 1e3 * value(s, "mean_radius_m"), 1e-9 * value(s, "micro_young_modulus_pa"),
+                                 shown(s, "density_kg_m3", "{:.1f}")));
+  out += label_line("step",
+                    fmt::format("{:.3e} s, {:.3g} of critical; {} steps{}", value(s, "dt_s"),
+                                value(s, "dt_fraction"), s.at("steps").get<long>(),
+                                s.at("steps_per_beam").is_number()
+                                    ? fmt::format(", {:.1f} for a beam to soften", value(s, "steps_per_beam"))
+                                    : std::string()));
   return out;
 }
 
 std::string costs(const Json& s) {
   const auto cached = [&](const char* key) { return s.at(key).get<bool>() ? " (cached)" : ""; };
-  return row("time",
+  return label_line(
+             "time",
              fmt::format("packing {}{}, pre-stress {}{}, crack {}; {} in all, {:.0f} MB",  //
                          duration_text(value(s, "wall_packing_s")), cached("packing_from_cache"),
                          duration_text(value(s, "wall_prestress_s")), cached("prestress_from_cache"),
                          duration_text(value(s, "wall_fracture_s")), duration_text(value(s, "wall_total_s")),
                          1e-6 * value(s, "memory_peak_bytes"))) +
-         row("", fmt::format("{} element-steps/s, {} beam-steps/s",
-                             magnitude_text(value(s, "element_steps_per_s")),
-                             magnitude_text(value(s, "beam_steps_per_s"))));
+         label_line("", fmt::format("{} element-steps/s, {} beam-steps/s",
+                                    magnitude_text(value(s, "element_steps_per_s")),
+                                    magnitude_text(value(s, "beam_steps_per_s"))));
 }
 
 }  // namespace
@@ -128,7 +126,7 @@ std::string costs(const Json& s) {
 std::string run_table(const Json& scenario, bool color) {
   std::string out = heading(title(scenario), color) + "\n";
   if (const auto& where = scenario.at("outcome_where"); where.is_string())
-    out += row(text(scenario, "outcome"), where.get<std::string>());
+    out += label_line(text(scenario, "outcome"), where.get<std::string>());
   return out + ratios(scenario) + books(scenario, color) + lattice(scenario) + costs(scenario);
 }
 

@@ -12,11 +12,12 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The lesson's run, without the frames that nobody will look at again.
-RunWish wish_of(Workshop& workshop, const Lesson& lesson) {
+RunRequest wish_of(Workshop& workshop, const Lesson& lesson) {
   const scene::Preset preset =
       scene::read_preset(workshop.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=0"});
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
-  RunWish wish{.preset = preset, .folder = free_folder(workshop.runs, fmt::format("lesson_{}", lesson.name))};
+  RunRequest wish{.preset = preset,
+                  .folder = free_folder(workshop.runs, fmt::format("lesson_{}", lesson.name))};
   wish.threads = workshop.threads;
   wish.cache = workshop.cache;
   wish.build = workshop.build;

@@ -3,7 +3,6 @@
 #include "engine/base/files.hpp"
 #include "engine/theory/references.hpp"
 #include "studio/reports/study_report.hpp"
-#include "studio/reports/study_table.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/curves.hpp"
 #include "studio/screen/layouts.hpp"

@@ -45,13 +45,13 @@ TEST(AccuracyCharts, LeaveOutAnErrorOfZeroAndSaySo) {
   for (const char* name : {"work_precision", "error_step"}) {
     const NamedChart& named = chart_of(charts, name);
     EXPECT_TRUE(contains(named.caption, "1 with an error below 1e-07"));
-    for (const ChartSeries& series : not_empty(named.chart.series))
+    for (const ChartSeries& series : not_empty(std::get<Chart>(named.chart).series))
       for (const double y : not_empty(series.y)) EXPECT_GT(y, 0.0);
   }
 }
 
 TEST(AccuracyCharts, DrawTheGoalAndTheScatterBesideWorkAndPrecision) {
-  const Chart chart = chart_of(accuracy_charts({}, steps(), 0.01), "work_precision").chart;
+  const auto chart = std::get<Chart>(chart_of(accuracy_charts({}, steps(), 0.01), "work_precision").chart);
   std::vector<std::string> labels;
   for (const ChartSeries& series : chart.series) labels.push_back(series.label);
   EXPECT_EQ(labels, (std::vector<std::string>{"time step, double", "the scene as it is", "goal 0.01",
@@ -59,7 +59,7 @@ TEST(AccuracyCharts, DrawTheGoalAndTheScatterBesideWorkAndPrecision) {
 }
 
 TEST(AccuracyCharts, TellTheObservedOrder) {
-  const Chart chart = chart_of(accuracy_charts({}, steps(), 0.01), "error_step").chart;
+  const auto chart = std::get<Chart>(chart_of(accuracy_charts({}, steps(), 0.01), "error_step").chart);
   ASSERT_EQ(chart.series.size(), 2u);
   EXPECT_EQ(chart.series[0].label, "double, observed order 2.00");
   EXPECT_NEAR(chart.series[1].y.front() / chart.series[1].y.back(), 0.25, 1e-12);  // 0.2 and 0.4
