@@ -3,6 +3,7 @@
 #include "engine/scene/contradictions.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/scene/parameters.hpp"
 #include "engine/study/plan.hpp"
 
 #include <fmt/format.h>
@@ -129,7 +130,7 @@ void add_kinematics(Planning& p) {
        {lattice::Kinematics::linear, lattice::Kinematics::corotational}) {
     scene::Scene scene = p.base();
     scene.solver.kinematics = kinematics;
-    p.add(Factor::kinematics, kinematics == lattice::Kinematics::linear ? "linear" : "corotational", scene);
+    p.add(Factor::kinematics, scene::word_of("solver.kinematics", kinematics), scene);
   }
 }
 
@@ -303,7 +304,7 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
   double all = 0.0, before = 0.0;
   for (const Case& v : plan.cases) all += cost_of(v);
   for (const Case& v : plan.cases) {
-    run.results.push_back({v, nullptr});
+    run.results.push_back({v, std::nullopt});
     CaseResult& now = run.results.back();
     if (!v.cannot_be.empty() || run.outcome == simulation::Outcome::stopped) continue;
     study::StudyObserver part;
@@ -324,9 +325,8 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
       if (run.results.size() == 1) throw;
       now.setup.cannot_be = reasons(error);
     }
-    if (now.row.is_object() &&
-        study::text_in(now.row, "outcome") == simulation::name_of(simulation::Outcome::diverged))
-      now.setup.cannot_be = "diverged: " + study::text_in(now.row, "outcome_where");
+    if (now.row && now.row->outcome == simulation::name_of(simulation::Outcome::diverged))
+      now.setup.cannot_be = "diverged: " + now.row->outcome_where;
     before += cost_of(v);
   }
   return run;
@@ -339,7 +339,11 @@ std::vector<study::SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene:
   const int lanes = study::lanes_of_many(scene.solver.precision);
   const study::StudyResult result = study::run_study(study_of(plan, side_by_side(scene, lanes)),
                                                      in_shared_folder(options), cache, build, observer);
-  return result.outcome == simulation::Outcome::stopped ? std::vector<study::SummaryRow>{} : result.rows;
+  std::vector<study::SummaryRow> rows;
+  if (result.outcome != simulation::Outcome::stopped)
+    for (const std::optional<study::SummaryRow>& row : result.rows)
+      if (row) rows.push_back(*row);
+  return rows;
 }
 
 }  // namespace rift::accuracy

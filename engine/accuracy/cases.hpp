@@ -3,6 +3,7 @@
 #include "engine/scene/preset.hpp"
 #include "engine/study/runner.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 /// costs in accuracy.
 namespace rift::accuracy {
 
-/// What is varied from the scene. `together` holds combinations worth recommending.
+/// A property of the scene that is varied. `together` holds combinations worth recommending.
 enum class Factor { scene, time_step, precision, elements, kinematics, prestress, samples, together };
 const char* name_of(Factor factor);  // "time step"
 
@@ -55,7 +56,7 @@ std::vector<scene::Scene> side_by_side(const scene::Scene& scene, int count);
 /// A case and what came of it.
 struct CaseResult {
   Case setup;
-  study::SummaryRow row;  // null where it cannot be, or is not computed yet
+  std::optional<study::SummaryRow> row;  // none where it cannot be, or is not computed yet
 };
 
 struct AccuracyRun {

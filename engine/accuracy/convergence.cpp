@@ -9,11 +9,11 @@
 namespace rift::accuracy {
 namespace {
 
-constexpr double smallest_difference = 1e-6;  // below it rounding and the sum of the books would be measured
+constexpr double smallest_difference = 1e-6;  // below it rounding and the balance error would be measured
 constexpr double lowest_order = 0.5, highest_order = 4.5, same_order = 0.5;
 constexpr double same_factor = 0.01;  // relative
 
-/// Of the levels `first`, `first` + 1, `first` + 2, finest first.
+/// Differences of the levels `first`, `first` + 1 and `first` + 2, finest first.
 struct Triple {
   double factor = 0, fine = 0, coarse = 0;  // r, f_2 - f_1, f_3 - f_2
   double order() const { return std::log(coarse / fine) / std::log(factor); }

@@ -5,7 +5,7 @@
 
 namespace rift::accuracy {
 
-// What a number tends to as its resolution is refined, and whether that can be told.
+// The limit to which a number tends as its resolution is refined, where it can be told.
 
 /// A number at a resolution.
 struct Level {

@@ -14,12 +14,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double wall_of(const study::SummaryRow& row) {
-  const bool ramp = study::text_in(row, "prestress_method") == "ramp";
-  return study::number_in(row, "wall_fracture_s") + (ramp ? study::number_in(row, "wall_prestress_s") : 0.0);
-}
-
-/// What a factor varies, as a number.
+/// The value of the varied property, as a number.
 double value_of(const Case& v) {
   switch (v.factor) {
     case Factor::time_step:
@@ -55,9 +50,8 @@ struct Judging {
 /// The scene's own step and precision are part of what it is called.
 std::string label_of(const CaseResult& result) {
   const std::string& label = result.setup.label;
-  if (result.setup.factor != Factor::scene || !result.row.is_object()) return label;
-  return fmt::format("{}: {:.3g} of critical, {}", label, study::number_in(result.row, "dt_fraction"),
-                     study::text_in(result.row, "precision"));
+  if (result.setup.factor != Factor::scene || !result.row) return label;
+  return fmt::format("{}: {:.3g} of critical, {}", label, result.row->dt_fraction, result.row->precision);
 }
 
 /// Cases of one factor and label side by side.
@@ -79,13 +73,11 @@ void gather_lines(Judging& j) {
 void measure(Judging& j, AccuracyLine& line) {
   std::vector<double> ratios, broberg, wall;
   for (const int k : line.results) {
-    const study::SummaryRow& row = j.results[static_cast<std::size_t>(k)].row;
-    if (!row.is_object() || study::text_in(row, "outcome") != "finished") continue;
-    const double ratio = study::number_in(row, "ratio_with_damping");
-    if (!std::isfinite(ratio)) continue;
-    ratios.push_back(ratio);
-    broberg.push_back(study::number_in(row, "error_broberg"));
-    wall.push_back(wall_of(row));
+    const std::optional<study::SummaryRow>& row = j.results[static_cast<std::size_t>(k)].row;
+    if (!row || row->outcome != "finished" || !std::isfinite(row->ratio_with_damping)) continue;
+    ratios.push_back(row->ratio_with_damping);
+    broberg.push_back(row->error_broberg);
+    wall.push_back(study::marching_time(*row));
   }
   line.ratio = base::mean_of(ratios);
   line.specimens = static_cast<int>(ratios.size());

@@ -26,11 +26,11 @@ struct AccuracyLine {
   double error_broberg = 0;  // of the ratio; NaN where the theory has no value
   bool reference = false;    // whether the others of its factor are compared with it
   double wall_s = 0;         // marching the crack, and the ramp where there is one; mean over its specimens
-  /// Whether the error is more than the difference of a few specimens drawn at random.
+  /// True where the error is more than the difference of a few specimens drawn at random.
   bool resolved() const;
 };
 
-/// What the lines of a factor are compared with.
+/// The reference of the lines of a factor.
 struct FactorReference {
   Factor factor = Factor::scene;
   std::string text;         // "0.05 of critical, double, same lattice"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/calibration/cylinders.hpp"
 #include "engine/claims/curve.hpp"
 #include "engine/scene/preset.hpp"
 #include "engine/study/store.hpp"
@@ -12,11 +13,12 @@
 
 namespace rift::claims {
 
-/// What a claim is judged by: the scenarios of one stiffness, and their series.
+/// A claim is judged by the scenarios of one stiffness and their series, or by cylinders.
 struct Evidence {
   std::vector<study::SummaryRow> rows;
   int elements = paper_elements;  // of the plate that stands for the paper's
   std::function<study::SeriesTable(const study::SummaryRow&)> series = {};  // empty where it is not stored
+  std::vector<calibration::CylinderResult> cylinders = {};  // of all sizes, with the paper's beams
 };
 
 /// A claim of the paper, one artefact each.
@@ -28,7 +30,7 @@ struct Claim {
   /// The verdict for one stiffness; empty for a picture.
   std::function<Judgement(const Evidence&)> judge = {};
   std::string standing = {};  // of a picture: what stands for a verdict
-  /// Of a claim that is a picture: at which fractions of the moments of the preset that it needs.
+  /// A claim that is a picture shows the preset that it needs at these fractions of its moments.
   std::vector<double> pictures_at = {};
   /// It looks at cylinders that its one preset calibrates, with the paper's beams, and not at cracked plates.
   bool calibration = false;

@@ -24,14 +24,21 @@ Curve filtered(const Curve& curve, double from, double to, bool inside) {
   return out;
 }
 
+/// The text of an axis of a row, or `absent` where the study does not name it.
+std::string axis_of(const study::SummaryRow& row, std::string_view axis, const char* absent) {
+  for (const auto& [name, text] : row.axes)
+    if (name == axis && !text.empty()) return text;
+  return absent;
+}
+
 void add_row(CurvePoint& point, const study::SummaryRow& row) {
-  point.seed.push_back(row.at("seed").get<long>());
-  point.ratio.push_back(study::number_in(row, "ratio_with_damping"));
-  point.plateau_scatter.push_back(study::number_in(row, "ratio_scatter"));
-  point.broberg = study::number_in(row, "broberg");
-  point.freund = study::number_in(row, "freund");
-  point.strip = study::number_in(row, "strip");
-  point.wall_s += study::number_in(row, "wall_fracture_s");
+  point.seed.push_back(std::lround(row.seed));
+  point.ratio.push_back(row.ratio_with_damping);
+  point.plateau_scatter.push_back(row.ratio_scatter);
+  point.broberg = row.broberg;
+  point.freund = row.freund;
+  point.strip = row.strip;
+  point.wall_s += row.wall_fracture_s;
 }
 
 }  // namespace
@@ -44,28 +51,22 @@ Selection simple_release(const std::string& region) {
 }
 
 bool selects(const Selection& s, const study::SummaryRow& row) {
-  if (!row.is_object() || std::isnan(study::number_in(row, "crack_velocity_over_cr"))) return false;
-  if (study::text_in(row, "technique") != s.technique ||
-      study::text_in(row, "damping_region") != s.damping_region)
-    return false;
+  if (std::isnan(row.crack_velocity_over_cr)) return false;
+  if (row.technique != s.technique || row.damping_region != s.damping_region) return false;
   if (s.technique == "progressive" &&
-      !(same(study::number_in(row, "relaxation"), s.relaxation) &&
-        same(study::number_in(row, "damage_zone_ratio"), s.damage_zone_ratio)))
+      !(same(row.relaxation, s.relaxation) && same(row.damage_zone_ratio, s.damage_zone_ratio)))
     return false;
-  const std::string prestress = study::text_in(row, "prestress_method");
-  return same(study::number_in(row, "elements"), s.elements == 0 ? paper_elements : s.elements) &&
-         same(study::number_in(row, "length_m"), s.length_m) &&
-         study::axis_in(row, "path", "0.5 H") == s.path &&
-         study::axis_in(row, "dt_fraction", "-") == s.dt_fraction &&
-         (prestress.empty() || prestress == "static");
+  return same(row.elements, s.elements == 0 ? paper_elements : s.elements) &&
+         same(row.length_m, s.length_m) && axis_of(row, "path", "0.5 H") == s.path &&
+         axis_of(row, "dt_fraction", "-") == s.dt_fraction &&
+         (row.prestress_method.empty() || row.prestress_method == "static");
 }
 
 Curve curve_of(const std::vector<study::SummaryRow>& rows, const Selection& selection) {
   std::map<long, std::map<long, const study::SummaryRow*>> by_velocity;  // in 1e-6 c_r, then by seed
   for (const study::SummaryRow& row : rows) {
-    if (!selects(selection, row) || std::isnan(study::number_in(row, "ratio_with_damping"))) continue;
-    by_velocity[std::lround(1e6 * study::number_in(row, "crack_velocity_over_cr"))]
-               [row.at("seed").get<long>()] = &row;
+    if (!selects(selection, row) || std::isnan(row.ratio_with_damping)) continue;
+    by_velocity[std::lround(1e6 * row.crack_velocity_over_cr)][std::lround(row.seed)] = &row;
   }
   Curve curve;
   for (const auto& [v, of_seed] : by_velocity) {
@@ -81,9 +82,8 @@ Curve within(const Curve& curve, double from, double to) { return filtered(curve
 Curve outside(const Curve& curve, double from, double to) { return filtered(curve, from, to, false); }
 
 double release_energy_per_beam(const study::SummaryRow& row) {
-  const double per_length = study::number_in(row, "ratio_release") * study::number_in(row, "g_i0_j_m2") *
-                            study::number_in(row, "thickness_m");
-  return per_length * study::number_in(row, "length_m") / study::number_in(row, "beams_crossed");
+  const double per_length = row.ratio_release * row.g_i0_j_m2 * row.thickness_m;
+  return per_length * row.length_m / row.beams_crossed;
 }
 
 double scatter_of(const std::vector<double>& numbers) {

@@ -10,7 +10,7 @@ namespace rift::claims {
 /// Elements of the paper's plate.
 inline constexpr int paper_elements = 20000;
 
-/// Which scenarios of a study a curve is drawn through; the defaults are the paper's progressive release.
+/// The scenarios of a study that a curve is drawn through; the defaults are the paper's progressive release.
 struct Selection {
   std::string technique = "progressive";
   double relaxation = 1.0, damage_zone_ratio = 1.0;  // of a progressive release
@@ -24,7 +24,7 @@ struct Selection {
 /// Simple release of the paper, its damping in `region`.
 Selection simple_release(const std::string& region = "none");
 
-/// Whether a row is of the selection. A row that is null, or whose crack changes its velocity, is of none.
+/// True where a row is of the selection; a row whose crack changes its velocity is of none.
 bool selects(const Selection& selection, const study::SummaryRow& row);
 
 /// Ratio at one velocity, one entry per specimen; the same number of specimens need not be at all velocities.
@@ -59,8 +59,8 @@ struct Line {
 };
 Line line_through(const std::vector<double>& x, const std::vector<double>& y);
 
-// What the words of a claim mean, fixed before any result was seen. Each judgement tells what was measured,
-// whichever way it goes.
+// The words of a claim mean what follows, fixed before any result was seen. Each judgement tells what was
+// measured, whichever way it goes.
 
 /// "near", "agrees": mean |ratio - Broberg| over the named velocities at most this.
 inline constexpr double near_margin = 0.05;

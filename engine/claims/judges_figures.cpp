@@ -34,8 +34,7 @@ Judgement few_beams_damped(const Evidence& evidence) {
   Selection surface = simple_release("surface");
   surface.elements = evidence.elements;
   for (const study::SummaryRow& row : evidence.rows)
-    if (selects(surface, row))
-      shares.push_back(study::number_in(row, "beams_damped") / study::number_in(row, "beams"));
+    if (selects(surface, row)) shares.push_back(row.beams_damped / row.beams);
   if (shares.empty() || std::isnan(base::mean_of(shares))) return {Verdict::not_decidable, "no result"};
   const double most = *std::max_element(shares.begin(), shares.end());
   return {most < 0.06 ? Verdict::holds : Verdict::does_not_hold, fmt::format("{:.1f} %", 100.0 * most)};
@@ -185,10 +184,10 @@ Judgement fig15(const Evidence& evidence) {
 Judgement table1(const Evidence& evidence) {
   constexpr double rounding = 1e-10;
   for (const study::SummaryRow& row : evidence.rows) {
-    const double residual = study::number_in(row, "ledger_residual");
-    if (study::text_in(row, "precision") != "double" || std::isnan(residual)) continue;
+    const double residual = row.ledger_residual;
+    if (row.precision != "double" || std::isnan(residual)) continue;
     return {residual <= rounding ? Verdict::holds : Verdict::does_not_hold,
-            fmt::format("books close to {:.1e} over {:.0f} steps", residual, study::number_in(row, "steps"))};
+            fmt::format("books close to {:.1e} over {:.0f} steps", residual, row.steps)};
   }
   return {Verdict::not_decidable, "no result"};
 }
@@ -200,12 +199,12 @@ constexpr double table_young = 10.3, table_margin = 0.03;               // [GPa]
 constexpr double least_poisson = 0.30, most_poisson = 0.33;
 constexpr double micro_gpa = lattice::bulk_micro_material.young_modulus / 1e9;
 
-/// A number of the cylinders with the paper's beams, by size.
-std::map<double, calibration::Scattered> by_size(const Evidence& evidence, const char* number, double scale) {
+/// A number of the cylinders, by size.
+std::map<double, calibration::Scattered> by_size(const Evidence& evidence,
+                                                 double calibration::Response::*number, double scale) {
   std::map<double, std::vector<double>> values;
-  for (const study::SummaryRow& row : evidence.rows)
-    if (study::text_in(row, "series") == "size")
-      values[study::number_in(row, "elements")].push_back(scale * study::number_in(row, number));
+  for (const calibration::CylinderResult& cylinder : evidence.cylinders)
+    values[cylinder.packing.elements].push_back(scale * cylinder.responses.front().*number);
   std::map<double, calibration::Scattered> means;
   for (const auto& [elements, all] : values) means[elements] = calibration::scattered(all);
   return means;
@@ -242,7 +241,7 @@ Judgement converges(const std::map<double, calibration::Scattered>& all, const c
 }
 
 Judgement young_of_table(const Evidence& evidence) {
-  const auto sizes = large_ones(by_size(evidence, "young_over_micro", micro_gpa));
+  const auto sizes = large_ones(by_size(evidence, &calibration::Response::young_over_micro, micro_gpa));
   if (sizes.empty()) return {Verdict::not_decidable, "no cylinder of 15,000 elements"};
   const double mean = mean_over(sizes);
   return {std::abs(mean / table_young - 1.0) <= table_margin ? Verdict::holds : Verdict::does_not_hold,
@@ -251,7 +250,7 @@ Judgement young_of_table(const Evidence& evidence) {
 }
 
 Judgement poisson_of_table(const Evidence& evidence) {
-  const auto sizes = large_ones(by_size(evidence, "poisson_ratio", 1.0));
+  const auto sizes = large_ones(by_size(evidence, &calibration::Response::poisson_ratio, 1.0));
   if (sizes.empty()) return {Verdict::not_decidable, "no cylinder of 15,000 elements"};
   const bool all_within = std::ranges::all_of(sizes, [](const auto& size) {
     return size.second.mean >= least_poisson && size.second.mean <= most_poisson;
@@ -263,8 +262,9 @@ Judgement poisson_of_table(const Evidence& evidence) {
 }  // namespace
 
 Judgement fig17(const Evidence& evidence) {
-  return all_of({{"E [GPa]", converges(by_size(evidence, "young_over_micro", micro_gpa), "E", 2)},
-                 {"nu", converges(by_size(evidence, "poisson_ratio", 1.0), "nu", 3)}});
+  return all_of(
+      {{"E [GPa]", converges(by_size(evidence, &calibration::Response::young_over_micro, micro_gpa), "E", 2)},
+       {"nu", converges(by_size(evidence, &calibration::Response::poisson_ratio, 1.0), "nu", 3)}});
 }
 
 Judgement table2(const Evidence& evidence) {

@@ -25,9 +25,9 @@ Selection with_elements(const Evidence& evidence, Selection s) {
 
 /// Fracture energy against tip position over the row's window.
 Line line_over_window(const study::SeriesTable& series, const study::SummaryRow& row) {
-  const double length = study::number_in(row, "length_m"), slack = 0.005 * length;
-  const double from = row.at("window_over_length")[0].get<double>() * length - slack,
-               to = row.at("window_over_length")[1].get<double>() * length + slack;
+  const double length = row.length_m, slack = 0.005 * length;
+  const double from = row.window_over_length[0] * length - slack,
+               to = row.window_over_length[1] * length + slack;
   std::vector<double> x, y;
   for (std::size_t k = 0; k < series.phase.size(); ++k) {
     const double tip = series.at("tip_m")[k];
@@ -48,7 +48,7 @@ Judgement linear_growth(const Evidence& evidence, const Selection& selection) {
     if (std::isnan(line.r_squared)) continue;
     ++lines;
     if (lines > 1 && line.r_squared >= least) continue;
-    least = line.r_squared, at = study::number_in(row, "crack_velocity_over_cr"), slope = line.slope;
+    least = line.r_squared, at = row.crack_velocity_over_cr, slope = line.slope;
   }
   if (lines == 0) return {Verdict::not_decidable, "no series"};
   return {yes_or_no(least >= least_r_squared),
@@ -88,24 +88,23 @@ Times times_of(const study::SeriesTable& s) {
 
 Judgement fig05(const Evidence& evidence) {
   for (const study::SummaryRow& row : evidence.rows) {
-    if (!row.is_object() || study::text_in(row, "prestress_method") != "ramp" || !evidence.series) continue;
+    if (row.prestress_method != "ramp" || !evidence.series) continue;
     const study::SeriesTable series = evidence.series(row);
     if (series.empty()) continue;
     const Times t = times_of(series);
     const auto near_ms = [](double s, double ms) { return std::abs(1e3 * s - ms) < 0.0101; };
     const double inertia = t.most_kinetic / t.stored;
-    return all_of(
-        {{"times",
-          {yes_or_no(near_ms(t.loading, 0.47) && near_ms(t.hold, 0.71) && near_ms(t.end, 1.16)),
-           fmt::format("tension to {:.3f} ms, stabilisation to {:.3f} ms, fracture to {:.3f} ms",
-                       1e3 * t.loading, 1e3 * t.hold, 1e3 * t.end)}},
-         {"kinetic and fracture energy rise as elastic falls",
-          {yes_or_no(t.change_elastic < 0.0 && t.change_other > 0.0),
-           fmt::format("{:+.2f} J against {:+.2f} J", t.change_other, t.change_elastic)}},
-         {"inertia of the loading below 1 %",
-          {yes_or_no(inertia < 0.01),
-           fmt::format("at most {:.2f} % of the stored energy, {:.3g} % when the crack starts",
-                       100.0 * inertia, 100.0 * study::number_in(row, "prestress_kinetic_fraction"))}}});
+    return all_of({{"times",
+                    {yes_or_no(near_ms(t.loading, 0.47) && near_ms(t.hold, 0.71) && near_ms(t.end, 1.16)),
+                     fmt::format("tension to {:.3f} ms, stabilisation to {:.3f} ms, fracture to {:.3f} ms",
+                                 1e3 * t.loading, 1e3 * t.hold, 1e3 * t.end)}},
+                   {"kinetic and fracture energy rise as elastic falls",
+                    {yes_or_no(t.change_elastic < 0.0 && t.change_other > 0.0),
+                     fmt::format("{:+.2f} J against {:+.2f} J", t.change_other, t.change_elastic)}},
+                   {"inertia of the loading below 1 %",
+                    {yes_or_no(inertia < 0.01),
+                     fmt::format("at most {:.2f} % of the stored energy, {:.3g} % when the crack starts",
+                                 100.0 * inertia, 100.0 * row.prestress_kinetic_fraction)}}});
   }
   return {Verdict::not_decidable, "no series"};
 }
@@ -133,17 +132,15 @@ Judgement sec3_specimens(const Evidence& evidence) {
 Judgement sec3_damping(const Evidence& evidence) {
   for (const study::SummaryRow& row : evidence.rows) {
     if (!selects(with_elements(evidence, simple_release("all")), row)) continue;
-    if (std::abs(study::number_in(row, "crack_velocity_over_cr") - 0.1) > 1e-9) continue;
-    const double dt = study::number_in(row, "dt_critical_s"),
-                 damped = study::number_in(row, "dt_critical_damped_s");
+    if (std::abs(row.crack_velocity_over_cr - 0.1) > 1e-9) continue;
+    const double dt = row.dt_critical_s, damped = row.dt_critical_damped_s;
     const double zeta_top = 0.5 * (dt / damped - damped / dt);  // damped = dt (sqrt(1 + zeta^2) - zeta)
     const double omega_top = 2.0 / dt;
-    const double shear_speed = std::sqrt(study::number_in(row, "young_modulus_pa") /
-                                         (2.0 * (1.0 + study::number_in(row, "poisson_ratio"))) /
-                                         study::number_in(row, "density_kg_m3"));
-    const double omega_first = std::numbers::pi * shear_speed / study::number_in(row, "height_m");
+    const double shear_speed =
+        std::sqrt(row.young_modulus_pa / (2.0 * (1.0 + row.poisson_ratio)) / row.density_kg_m3);
+    const double omega_first = std::numbers::pi * shear_speed / row.height_m;
     const double zeta_first = zeta_top * omega_first / omega_top;
-    const double time = study::number_in(row, "steps") * study::number_in(row, "dt_s");
+    const double time = row.steps * row.dt_s;
     const double top = lost(zeta_top, omega_top, time), first = lost(zeta_first, omega_first, time);
     return {
         yes_or_no(first <= influence_margin && top > influence_margin),
@@ -161,10 +158,8 @@ Judgement sec4_time_step(const Evidence& evidence) {
   const auto row = std::find_if(evidence.rows.begin(), evidence.rows.end(),
                                 [&](const study::SummaryRow& r) { return selects(paper, r); });
   if (row == evidence.rows.end()) return {Verdict::not_decidable, "no result"};
-  const double zone = study::number_in(*row, "mean_radius_m"),
-               over_length = zone / study::number_in(*row, "length_m");
-  const double steps =
-      zone / (study::number_in(*row, "rayleigh_speed_m_s") * paper_step_s);  // for a beam at 1.0 c_r
+  const double zone = row->mean_radius_m, over_length = zone / row->length_m;
+  const double steps = zone / (row->rayleigh_speed_m_s * paper_step_s);  // for a beam at 1.0 c_r
   const bool about = std::abs(steps / 10.0 - 1.0) <= about_margin;
   const auto of_paper = [&](bool yes) {  // lengths are those of 20,000 elements
     return evidence.elements == paper_elements ? yes_or_no(yes) : Verdict::not_decidable;
@@ -229,7 +224,7 @@ Judgement sec5_residual(const Evidence& evidence) {
       std::vector<double> energies;  // per released beam [J]
       for (const study::SummaryRow& row : evidence.rows) {
         if (!selects(with_elements(evidence, s), row)) continue;
-        if (std::abs(study::number_in(row, "crack_velocity_over_cr") - v) > 1e-9) continue;
+        if (std::abs(row.crack_velocity_over_cr - v) > 1e-9) continue;
         energies.push_back(release_energy_per_beam(row));
       }
       if (energies.empty()) return {Verdict::not_decidable, fmt::format("no result at {:g} c_r", v)};
@@ -249,8 +244,8 @@ Judgement sec5_bending(const Evidence& evidence) {
   constexpr double slight = 0.05;  // of the thickness
   std::vector<double> slow, fast;
   for (const study::SummaryRow& row : evidence.rows) {
-    const double moved = study::number_in(row, "out_of_plane_m") / study::number_in(row, "thickness_m");
-    const double v = study::number_in(row, "crack_velocity_over_cr");
+    const double moved = row.out_of_plane_m / row.thickness_m;
+    const double v = row.crack_velocity_over_cr;
     if (!selects(with_elements(evidence, {}), row) || std::isnan(moved)) continue;
     if (v < 0.1 + 1e-9) slow.push_back(moved);
     if (v > 0.5 - 1e-9) fast.push_back(moved);

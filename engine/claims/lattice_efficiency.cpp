@@ -18,10 +18,7 @@ constexpr double broberg_goal = 0.02;  // of G_ID / eta, relative
 
 long key_of(double number) { return std::lround(1e6 * number); }
 
-bool of_strip(const study::SummaryRow& row) {
-  return row.is_object() && study::text_in(row, "technique") == "progressive" &&
-         !(study::number_in(row, "tips") > 1.5);
-}
+bool of_strip(const study::SummaryRow& row) { return row.technique == "progressive" && !(row.tips > 1.5); }
 
 /// "0.97 at 0.1, 0.62 at 0.5"
 std::string listed_at(const std::vector<EfficiencyPoint>& points) {
@@ -49,15 +46,14 @@ std::map<long, std::vector<EfficiencyPoint>> by_zone(const Evidence& evidence) {
 std::vector<MapCell> map_of(const Evidence& evidence) {
   std::map<std::pair<long, long>, MapCell> cells;
   for (const study::SummaryRow& row : evidence.rows) {
-    if (!of_strip(row) || std::isnan(study::number_in(row, "ratio_with_damping"))) continue;
-    const double power = study::number_in(row, "relaxation"),
-                 zone = study::number_in(row, "damage_zone_ratio");
+    if (!of_strip(row) || std::isnan(row.ratio_with_damping)) continue;
+    const double power = row.relaxation, zone = row.damage_zone_ratio;
     MapCell& cell = cells[{key_of(power), key_of(zone)}];
     cell.relaxation = power, cell.zone = zone;
-    cell.v.push_back(study::number_in(row, "crack_velocity_over_cr"));
-    cell.ratio.push_back(study::number_in(row, "ratio_with_damping"));
-    cell.distance.push_back(std::abs(study::number_in(row, "error_broberg")));
-    cell.wall_s += study::number_in(row, "wall_fracture_s");
+    cell.v.push_back(row.crack_velocity_over_cr);
+    cell.ratio.push_back(row.ratio_with_damping);
+    cell.distance.push_back(std::abs(row.error_broberg));
+    cell.wall_s += row.wall_fracture_s;
   }
   std::vector<MapCell> list;
   for (auto& [place, cell] : cells) list.push_back(std::move(cell));
@@ -67,8 +63,7 @@ std::vector<MapCell> map_of(const Evidence& evidence) {
 std::vector<double> zones_of(const Evidence& evidence) {
   std::map<long, double> zones;
   for (const study::SummaryRow& row : evidence.rows)
-    if (of_strip(row))
-      zones[key_of(study::number_in(row, "damage_zone_ratio"))] = study::number_in(row, "damage_zone_ratio");
+    if (of_strip(row)) zones[key_of(row.damage_zone_ratio)] = row.damage_zone_ratio;
   std::vector<double> list;
   for (const auto& [key, zone] : zones) list.push_back(zone);
   return list;
@@ -77,15 +72,14 @@ std::vector<double> zones_of(const Evidence& evidence) {
 std::vector<EfficiencyPoint> efficiency(const Evidence& evidence, double relaxation, double zone) {
   std::map<long, EfficiencyPoint> points;
   for (const study::SummaryRow& row : evidence.rows) {
-    if (!of_strip(row) || std::isnan(study::number_in(row, "ratio_with_damping"))) continue;
-    if (key_of(study::number_in(row, "relaxation")) != key_of(relaxation) ||
-        key_of(study::number_in(row, "damage_zone_ratio")) != key_of(zone))
+    if (!of_strip(row) || std::isnan(row.ratio_with_damping)) continue;
+    if (key_of(row.relaxation) != key_of(relaxation) || key_of(row.damage_zone_ratio) != key_of(zone))
       continue;
-    const double v = study::number_in(row, "crack_velocity_over_cr");
+    const double v = row.crack_velocity_over_cr;
     EfficiencyPoint& point = points[key_of(v)];
     point.v = v;
-    point.ratio.push_back(study::number_in(row, "ratio_with_damping"));
-    point.along.push_back(study::number_in(row, "ratio_scatter"));
+    point.ratio.push_back(row.ratio_with_damping);
+    point.along.push_back(row.ratio_scatter);
   }
   std::vector<EfficiencyPoint> list;
   for (auto& [key, point] : points) list.push_back(std::move(point));
@@ -94,12 +88,11 @@ std::vector<EfficiencyPoint> efficiency(const Evidence& evidence, double relaxat
 
 std::vector<WakeBand> wake_bands(const study::SummaryRow& row) {
   std::vector<WakeBand> bands;
-  if (!row.contains("wake_kinetic_j") || row.at("wake_kinetic_j").empty()) return bands;
-  const auto energy = row.at("wake_kinetic_j").get<std::vector<double>>();
-  const auto cell = row.at("wake_cell_m").get<std::vector<double>>();
-  double all = study::number_in(row, "wake_rotation_j");
+  const std::vector<double>&energy = row.wake_kinetic_j, &cell = row.wake_cell_m;
+  if (energy.empty()) return bands;
+  double all = row.wake_rotation_j;
   for (double e : energy) all += e;
-  const double radius = study::number_in(row, "mean_radius_m");
+  const double radius = row.mean_radius_m;
   for (std::size_t k = 0; k + 1 < energy.size(); ++k) bands.push_back({cell[k] / radius, energy[k] / all});
   bands.push_back({2.0 * cell.back() / radius, energy.back() / all});
   return bands;
@@ -111,19 +104,15 @@ std::vector<BrobergProblem> broberg_problem(const Evidence& evidence) {
       points;  // the smallest elements of a velocity and zone last
   std::map<std::tuple<long, long, long>, std::vector<double>> radii;
   for (const study::SummaryRow& row : evidence.rows) {
-    if (!(study::number_in(row, "tips") > 1.5) || std::isnan(study::number_in(row, "ratio_with_damping")))
-      continue;
-    const double v = study::number_in(row, "crack_velocity_over_cr"),
-                 zone = study::number_in(row, "damage_zone_ratio");
-    const std::tuple place(key_of(v), key_of(zone), std::lround(study::number_in(row, "elements")));
+    if (!(row.tips > 1.5) || std::isnan(row.ratio_with_damping)) continue;
+    const double v = row.crack_velocity_over_cr, zone = row.damage_zone_ratio;
+    const std::tuple place(key_of(v), key_of(zone), std::lround(row.elements));
     BrobergProblem& p = points[place];
-    p.v = v, p.zone = zone, p.elements = study::number_in(row, "elements");
-    p.broberg = study::number_in(row, "broberg");
-    p.ratio.push_back(study::number_in(row, "ratio_with_damping"));
-    radii[place].push_back(study::number_in(row, "mean_radius_m"));
-    const auto& window = row.at("window_over_length");
-    p.half_length_m =
-        0.5 * study::number_in(row, "length_m") * (window[0].get<double>() + window[1].get<double>());
+    p.v = v, p.zone = zone, p.elements = row.elements;
+    p.broberg = row.broberg;
+    p.ratio.push_back(row.ratio_with_damping);
+    radii[place].push_back(row.mean_radius_m);
+    p.half_length_m = 0.5 * row.length_m * (row.window_over_length[0] + row.window_over_length[1]);
     const auto strip = zones.find(key_of(zone));
     const EfficiencyPoint* eta = strip == zones.end() ? nullptr : find_point(strip->second, v);
     if (eta) p.efficiency = base::mean_of(eta->ratio), p.efficiency_scatter = scatter_of(eta->ratio);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-/// What goes beyond the paper: which damage zone agrees best, what the lattice itself takes, and Broberg's
-/// own problem   [physics.md §9].
+/// Findings beyond the paper: the damage zone that agrees best, the energy that the lattice itself takes, and
+/// Broberg's own problem   [physics.md §9].
 namespace rift::claims {
 
 /// One relaxation and damage zone in the paper's plate, at several velocities.

@@ -22,7 +22,7 @@ struct Column {
   double Row::*value;
 };
 
-/// What follows step, time_s, phase and lane.
+/// Columns of series.csv behind step, time_s, phase and lane.
 inline constexpr std::array sample_columns{
     Column<Sample>{"tip_m", &Sample::tip_m},
     Column<Sample>{"velocity_m_s", &Sample::velocity_m_s},
@@ -39,7 +39,7 @@ inline constexpr std::array sample_columns{
     Column<Sample>{"grip_force_n", &Sample::grip_force_n},
 };
 
-/// What follows step, time_s, lane and gauge.
+/// Columns of gauges.csv behind step, time_s, lane and gauge.
 inline constexpr std::array gauge_columns{
     Column<GaugeRow>{"x_m", &GaugeRow::x_m},
     Column<GaugeRow>{"y_m", &GaugeRow::y_m},
@@ -54,7 +54,7 @@ inline constexpr std::array gauge_columns{
     Column<GaugeRow>{"strain_xy", &GaugeRow::strain_xy},
 };
 
-/// What follows a tip position.
+/// Columns of a rate curve behind the tip position.
 inline constexpr std::array rate_columns{
     Column<RatePoint>{"ratio", &RatePoint::ratio},
     Column<RatePoint>{"ratio_release", &RatePoint::ratio_release},
@@ -62,7 +62,7 @@ inline constexpr std::array rate_columns{
     Column<RatePoint>{"ratio_translation_only", &RatePoint::ratio_translation_only},
 };
 
-/// What follows beam and lane.
+/// Columns of the events behind beam and lane.
 inline constexpr std::array event_columns{
     Column<ReleaseEvent>{"time_s", &ReleaseEvent::time_s},
     Column<ReleaseEvent>{"position_m", &ReleaseEvent::position_m},

@@ -254,7 +254,7 @@ StudyRow study_row(const Scene& scene, const std::vector<Mention>& mentions) {
   return row;
 }
 
-/// What nobody varies is checked as it stands, but for the axes of scenarios which could not be made.
+/// The base is checked as it stands, but for the axes of scenarios which could not be made.
 void check_base(ScenarioReading& reading, const std::vector<Mention>& mentions) {
   std::set<std::string> unsound = reading.base.unsound;
   for (const Mention& m : mentions) unsound.emplace(m.axis->key);

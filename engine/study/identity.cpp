@@ -12,7 +12,7 @@
 namespace rift::study {
 namespace {
 
-/// How a scene is shown says nothing of its numbers.
+/// The scene as text without how it is shown, which changes none of its numbers.
 std::string text_without_film(scene::Scene scene) {
   scene.film = scene::default_scene().film;
   return scene::preset_text(scene);

@@ -10,7 +10,7 @@
 
 namespace rift::study {
 
-// What makes a scenario of a study the same one again: its effective preset and the program.
+// A scenario of a study is the same one again by its effective preset and the program that computes it.
 
 /// XXH3-64 of a text as 16 hex digits.
 std::string hash_text(std::string_view text);
@@ -24,7 +24,7 @@ scene::StudyRow study_row_of(const scene::Scene& scene);
 /// All that the bits of a scenario's result depend on: effective preset, version and instruction set.
 std::string result_key(const scene::Scene& scene, const std::string& version);
 
-/// Of the scenarios, in their order, and of this program's version; what study.json is known by.
+/// Hash of the scenarios, in their order, and of this program's version, by which study.json is known.
 std::string study_hash(const scene::Preset& preset);
 
 }  // namespace rift::study

@@ -30,7 +30,7 @@ std::vector<StudyItem> part_of(const std::vector<StudyItem>& items, int shard, i
 /// so that a pass then holds no more than march side by side.
 std::vector<std::vector<std::size_t>> passes_of(const std::vector<simulation::LanePlan>& lanes);
 
-/// How a queue of scenarios is done soonest.
+/// The way in which a queue of scenarios is done soonest.
 struct Queue {
   int lanes = 1;    // side by side
   double time = 0;  // in steps of a kernel whose lanes fill half of 64 bytes
@@ -53,7 +53,7 @@ struct StepCount {
 };
 StepCount estimated_steps(const scene::Scene& scene);
 
-/// What a step costs: the scene's beams, as many times as its damping and its kinematics make them dearer
+/// The cost of a step: the scene's beams, as many times as its damping and its kinematics make them dearer
 /// [rift bench --needs]. The unit is a walk over one beam for as many lanes as march side by side.
 double estimated_step_cost(const scene::Scene& scene);
 

@@ -31,11 +31,10 @@ std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const claims::
   selection.elements = evidence.elements;
   std::map<double, std::vector<study::SummaryRow>> rows;
   for (const study::SummaryRow& row : evidence.rows)
-    if (claims::selects(selection, row)) rows[study::number_in(row, "crack_velocity_over_cr")].push_back(row);
+    if (claims::selects(selection, row)) rows[row.crack_velocity_over_cr].push_back(row);
   for (auto& [v, of_v] : rows)
-    std::sort(of_v.begin(), of_v.end(), [](const study::SummaryRow& a, const study::SummaryRow& b) {
-      return a.at("seed") < b.at("seed");
-    });
+    std::sort(of_v.begin(), of_v.end(),
+              [](const study::SummaryRow& a, const study::SummaryRow& b) { return a.seed < b.seed; });
   return rows;
 }
 
@@ -45,7 +44,7 @@ Points fracture_points(const claims::Evidence& evidence, const study::SummaryRow
   for (std::size_t k = 0; k < table.phase.size(); ++k) {
     const double value = table.at(column)[k];
     if (table.phase[k] == "fracture" && !std::isnan(value))
-      points.emplace_back(table.at("tip_m")[k] / study::number_in(row, "length_m"), value);
+      points.emplace_back(table.at("tip_m")[k] / row.length_m, value);
   }
   return points;
 }
@@ -93,7 +92,7 @@ bool draw_ratio_against_position(Chart& chart, const claims::Evidence& evidence,
       specimens.push_back(fracture_points(evidence, row, "ratio_with_damping"));
     ChartSeries curve = running_mean(velocity_label(v), specimens, colour++);
     if (curve.x.empty()) continue;
-    mark_echo(echo, curve, study::number_in(rows.front(), "echo_free_over_length"));
+    mark_echo(echo, curve, rows.front().echo_free_over_length);
     chart.series.push_back(std::move(curve));
   }
   if (!echo.x.empty()) chart.series.push_back(std::move(echo));
@@ -113,7 +112,7 @@ bool draw_fracture_against_position(Chart& chart, const claims::Evidence& eviden
                     return ChartPoint{p.first, p.second};
                   });
     if (curve.x.empty()) continue;
-    mark_echo(echo, curve, study::number_in(rows.front(), "echo_free_over_length"));
+    mark_echo(echo, curve, rows.front().echo_free_over_length);
     chart.series.push_back(std::move(curve));
   }
   if (!echo.x.empty()) chart.series.push_back(std::move(echo));

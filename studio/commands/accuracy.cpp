@@ -99,8 +99,7 @@ void tell_finished(const AccuracyCommand& command, ProgressLine& line, const acc
     return;
   }
   base::message("[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, accuracy::name_of(variant.factor),
-                variant.label, study::number_in(row, "ratio_with_damping"),
-                study::number_in(row, "wall_fracture_s"));
+                variant.label, row.ratio_with_damping, row.wall_fracture_s);
 }
 
 std::string command_text(const AccuracyCommand& command) {

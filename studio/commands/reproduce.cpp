@@ -103,13 +103,8 @@ std::vector<study::SummaryRow> rows_for(const claims::Claim& claim, const claims
       places.insert(rows->second.begin(), rows->second.end());
   std::vector<study::SummaryRow> rows;
   for (int place : places)
-    if (result.rows.at(place).is_object()) rows.push_back(result.rows[place]);
+    if (result.rows.at(place)) rows.push_back(*result.rows[place]);
   return rows;
-}
-
-double computing_time(const study::SummaryRow& row) {
-  const bool ramp = study::text_in(row, "prestress_method") == "ramp";
-  return study::number_in(row, "wall_fracture_s") + (ramp ? study::number_in(row, "wall_prestress_s") : 0.0);
 }
 
 void draw_figures(JudgedClaim& claim, const std::vector<NamedChart>& charts, const fs::path& folder) {
@@ -122,13 +117,13 @@ JudgedClaim judged(const claims::Claim& claim, const claims::PaperStudy& study,
   out.claim = &claim;
   if (!claim.judge) return out;
   claims::Evidence bulk{.rows = {}, .elements = elements, .series = [&](const study::SummaryRow& row) {
-                          return study::read_series(folder / study::text_in(row, "series"));
+                          return study::read_series(folder / row.series);
                         }};
   claims::Evidence in_situ = bulk;
   for (study::SummaryRow& row : rows_for(claim, study, result)) {
     ++out.scenarios;
-    out.wall_s += computing_time(row);
-    (study::text_in(row, "stiffness") == "bulk" ? bulk : in_situ).rows.push_back(std::move(row));
+    out.wall_s += study::marching_time(row);
+    (row.stiffness == "bulk" ? bulk : in_situ).rows.push_back(std::move(row));
   }
   const fs::path charts = folder / "charts";
   out.in_situ = claim.judge(in_situ);
@@ -171,12 +166,13 @@ JudgedClaim calibrated(const claims::Claim& claim, const ReproduceOptions& optio
       options.threads);
   JudgedClaim out;
   out.claim = &claim;
-  const claims::Evidence evidence{.rows = calibration::rows_of(study),
-                                  .elements = claims::plate_elements(effort)};
+  const std::vector<nlohmann::ordered_json> rows = calibration::rows_of(study);
+  claims::Evidence evidence{.rows = {}, .elements = claims::plate_elements(effort)};
+  for (const auto& packings : study.by_size)
+    evidence.cylinders.insert(evidence.cylinders.end(), packings.begin(), packings.end());
   out.bulk = claim.judge(evidence);
-  out.scenarios = static_cast<int>(evidence.rows.size());
-  std::vector<NamedChart> charts =
-      calibration_charts(evidence.rows, lattice::bulk_micro_material.young_modulus);
+  out.scenarios = static_cast<int>(rows.size());
+  std::vector<NamedChart> charts = calibration_charts(rows, lattice::bulk_micro_material.young_modulus);
   if (claim.name == "table2") charts.resize(1);  // the others are Fig. 17's
   for (NamedChart& named : charts) named.name = claim.name + "_" + named.name;
   draw_figures(out, charts, fs::path(options.out) / "charts");
@@ -213,7 +209,7 @@ void add_own_speed(JudgedClaim& claim, const claims::PaperStudy& study, const st
   for (const char* stiffness : {"bulk", "in-situ"}) {
     claims::Evidence evidence{.rows = {}, .elements = elements};
     for (study::SummaryRow& row : rows_for(*claim.claim, study, result))
-      if (study::text_in(row, "stiffness") == stiffness) evidence.rows.push_back(std::move(row));
+      if (row.stiffness == stiffness) evidence.rows.push_back(std::move(row));
     const bool bulk = std::string_view(stiffness) == "bulk";
     draw_figures(claim, charts_over_own_speed(evidence, stiffness, bulk ? own.bulk : own.in_situ),
                  fs::path(options.out) / "charts");

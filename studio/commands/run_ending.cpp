@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <csignal>
 
 namespace rift::studio {
@@ -36,15 +37,15 @@ void print_run(const nlohmann::ordered_json& summary, const std::filesystem::pat
     base::print_text(base::json_text(summary, 2) + "\n");
     return;
   }
-  for (const auto& scenario : summary.at("scenarios")) base::print_text(run_table(scenario, color));
+  const auto lanes = results::lane_summaries_of(summary.at("scenarios"));
+  for (const results::LaneSummary& lane : lanes) base::print_text(run_table(lane, color));
   base::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
               folder.string());
   if (!film.empty()) base::print("  {:<22}{}\n", "film", film);
-  for (const auto& scenario : summary.at("scenarios"))
-    if (scenario.value("outcome", std::string()) == simulation::name_of(simulation::Outcome::stopped)) {
-      base::print("  {:<22}rift resume {}\n", "to go on", folder.string());
-      break;
-    }
+  if (std::any_of(lanes.begin(), lanes.end(), [](const results::LaneSummary& lane) {
+        return lane.outcome == simulation::name_of(simulation::Outcome::stopped);
+      }))
+    base::print("  {:<22}rift resume {}\n", "to go on", folder.string());
 }
 
 ExitCode stopped_by(const StopSignal& stop) {

@@ -84,14 +84,13 @@ double estimated_seconds(const scene::Preset& preset, const study::StudyOptions&
 std::string finished_text(const study::SummaryRow& row, int done, int of) {
   const Table table = scenario_table({row});
   std::string text = fmt::format("[{}/{}]", done, of);
-  const std::size_t axes = row.at("axes").size();
+  const std::size_t axes = row.axes.size();
   for (std::size_t k = 0; k < axes; ++k)
     if (table.rows[0][k] != "-")
       text += fmt::format(" {} {}", table.head[k], table.rows[0][k]) + (k + 1 < axes ? "," : ":");
-  const std::string outcome = row.at("outcome").get<std::string>();
   text += fmt::format("  ratio {}  {} s", table.rows[0][axes], table.rows[0][axes + 3]);
-  return outcome == "finished" ? text
-                               : text + "  " + outcome + ": " + base::json_text(row.at("outcome_where"));
+  const Json where = row.outcome_where.empty() ? Json(nullptr) : Json(row.outcome_where);
+  return row.outcome == "finished" ? text : text + "  " + row.outcome + ": " + base::json_text(where);
 }
 
 void tell_finished(const StudyCommand& command, ProgressLine& line, const study::SummaryRow& row, int done,
@@ -99,7 +98,7 @@ void tell_finished(const StudyCommand& command, ProgressLine& line, const study:
   line.clear();
   if (command.scene.quiet) return;
   if (command.scene.json) {
-    const Json told{{"finished", row.at("row")}, {"axes", row.at("axes")}, {"done", done}, {"of", of}};
+    const Json told{{"finished", row.row}, {"axes", to_json(row).at("axes")}, {"done", done}, {"of", of}};
     base::message("{}\n", base::json_text(told));
   } else {
     base::message("{}\n", finished_text(row, done, of));
@@ -117,7 +116,8 @@ std::string files_in(const fs::path& folder) {
 void print_result(const StudyCommand& command, const scene::Preset& preset, const study::StudyResult& result,
                   const fs::path& folder) {
   if (command.scene.json) {
-    base::print_text(base::json_text(Json{{"preset", preset.name}, {"scenarios", result.rows}}, 2) + "\n");
+    base::print_text(base::json_text(Json{{"preset", preset.name}, {"scenarios", to_json(result.rows)}}, 2) +
+                     "\n");
     return;
   }
   const bool color = wants_color(command.scene.color, stdout);
@@ -139,7 +139,7 @@ void print_result(const StudyCommand& command, const scene::Preset& preset, cons
 ExitCode write_files(const StudyCommand& command, const scene::Preset& preset,
                      const study::StudyResult& result, const fs::path& folder) {
   if (!command.shard.empty()) return ExitCode::done;
-  const std::string csv = study_csv(result.rows);
+  const std::string csv = study_csv(to_json(result.rows));
   if (csv.empty()) return ExitCode::done;
   base::write_whole_file(folder / "table.csv", csv);
   if (result.outcome == simulation::Outcome::stopped) return ExitCode::done;

@@ -38,7 +38,7 @@ std::string remark(const accuracy::Accuracy& accuracy, const accuracy::AccuracyL
 
 double lane_wall(const AccuracyReport& report) {
   double sum = 0.0;
-  for (const study::SummaryRow& row : report.lanes) sum += study::number_in(row, "wall_fracture_s");
+  for (const study::SummaryRow& row : report.lanes) sum += row.wall_fracture_s;
   return sum / static_cast<double>(report.lanes.size());
 }
 
@@ -130,12 +130,13 @@ std::string accuracy_text(const AccuracyReport& report, bool color) {
   return text + "the lattice itself: " + lattice_text(report) + "\n";
 }
 
-std::vector<study::SummaryRow> accuracy_rows(const AccuracyReport& report) {
-  std::vector<study::SummaryRow> rows;
+Json accuracy_rows(const AccuracyReport& report) {
+  Json rows = Json::array();
   for (const accuracy::AccuracyLine& line : report.accuracy.lines)
     for (const int k : line.results) {
-      study::SummaryRow row = report.results[static_cast<std::size_t>(k)].row;
-      if (!row.is_object()) continue;
+      const std::optional<study::SummaryRow>& computed = report.results[static_cast<std::size_t>(k)].row;
+      if (!computed) continue;
+      Json row = to_json(*computed);
       row["row"] = k;
       row["error_converged"] = line.converged;
       row["knob"] = accuracy::name_of(line.factor);
@@ -334,11 +335,11 @@ NamedChart ratio_elements(const std::vector<accuracy::CaseResult>& results,
     if (line.factor != accuracy::Factor::elements || !std::isfinite(line.ratio)) continue;
     mean.add(line.value, line.ratio, line.scatter);
     for (const int k : line.results)
-      if (const study::SummaryRow& row = results[static_cast<std::size_t>(k)].row; row.is_object())
-        each.add(line.value, study::number_in(row, "ratio_with_damping"));
+      if (const auto& row = results[static_cast<std::size_t>(k)].row)
+        each.add(line.value, row->ratio_with_damping);
   }
   if (mean.x.size() >= 2) {
-    const double broberg = study::number_in(results.front().row, "broberg");
+    const double broberg = results.front().row.value_or(study::SummaryRow{}).broberg;
     const double first = mean.x.front(), last = mean.x.back();
     chart.series = {std::move(mean), std::move(each)};
     if (std::isfinite(broberg)) chart.series.push_back(level("Broberg", broberg, first, last));

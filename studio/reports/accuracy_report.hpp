@@ -38,9 +38,9 @@ std::string lattice_text(const AccuracyReport& report);
 /// Table, what each factor is compared with, and the recommendation.
 std::string accuracy_text(const AccuracyReport& report, bool color);
 
-/// The rows of table.csv: those that were computed, with factor, variant, error of the factor, its
+/// The rows of table.csv: those that were computed, with knob, variant, error of the knob, its
 /// uncertainty and error_converged, of the mean over a line's specimens.
-std::vector<study::SummaryRow> accuracy_rows(const AccuracyReport& report);
+nlohmann::ordered_json accuracy_rows(const AccuracyReport& report);
 
 /// The same for programs: lines, what they are compared with, recommendation, scenarios.
 nlohmann::ordered_json accuracy_json(const AccuracyReport& report);

@@ -127,9 +127,8 @@ Chart wake_chart(const std::string& title,
 std::map<std::pair<double, double>, study::SummaryRow> strip_rows(const claims::Evidence& evidence) {
   std::map<std::pair<double, double>, study::SummaryRow> rows;
   for (const study::SummaryRow& row : evidence.rows)
-    if (row.is_object() && study::number_in(row, "relaxation") == 1.0 && row.at("seed") == 1)
-      rows[{study::number_in(row, "crack_velocity_over_cr"), study::number_in(row, "damage_zone_ratio")}] =
-          row;
+    if (row.relaxation == 1.0 && row.seed == 1)
+      rows[{row.crack_velocity_over_cr, row.damage_zone_ratio}] = row;
   return rows;
 }
 

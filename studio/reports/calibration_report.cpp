@@ -144,7 +144,7 @@ Json calibration_json(const Calibration& c) {
 }
 
 void write_calibration_report(const Calibration& c, const std::filesystem::path& folder) {
-  const std::vector<study::SummaryRow> rows = calibration::rows_of(*c.study);
+  const std::vector<Json> rows = calibration::rows_of(*c.study);
   write_report(
       {.title = "Calibration",
        .files = {{"table.csv", rows_csv(rows)},
@@ -171,11 +171,11 @@ struct Drawn {
 };
 
 /// Mean and deviation of one number over the rows that share another.
-ChartSeries means_of(const std::vector<study::SummaryRow>& rows, const Drawn& d) {
+ChartSeries means_of(const std::vector<Json>& rows, const Drawn& d) {
   std::map<double, std::vector<double>> values;
-  for (const study::SummaryRow& row : rows)
+  for (const Json& row : rows)
     if (row.at("series") == d.series && row.at(d.y).is_number())
-      values[study::number_in(row, d.x)].push_back(d.scale * study::number_in(row, d.y));
+      values[row.at(d.x).get<double>()].push_back(d.scale * row.at(d.y).get<double>());
   return series_of(d.label, Style::line_points, d.colour, values, [](const auto& at) {
     const calibration::Scattered s = calibration::scattered(at.second);
     return ChartPoint{at.first, s.mean, s.deviation};
@@ -183,22 +183,22 @@ ChartSeries means_of(const std::vector<study::SummaryRow>& rows, const Drawn& d)
 }
 
 /// One point a packing, for what has no two packings of the same abscissa.
-ChartSeries cloud_of(const std::vector<study::SummaryRow>& rows, const Drawn& d) {
+ChartSeries cloud_of(const std::vector<Json>& rows, const Drawn& d) {
   ChartSeries series{.label = d.label, .style = Style::points, .colour = d.colour};
-  for (const study::SummaryRow& row : rows)
+  for (const Json& row : rows)
     if (row.at("series") == d.series)
-      series.add(study::number_in(row, d.x), d.scale * study::number_in(row, d.y));
+      series.add(row.at(d.x).get<double>(), d.scale * row.at(d.y).get<double>());
   return series;
 }
 
 /// Cylinders against their number of elements, beside the paper's value.
-Chart against_size(const std::vector<study::SummaryRow>& rows, std::string title, std::string y_label,
+Chart against_size(const std::vector<Json>& rows, std::string title, std::string y_label,
                    std::vector<ChartSeries> series, double paper) {
   double low = 1e300, high = 0.0;
-  for (const study::SummaryRow& row : rows)
+  for (const Json& row : rows)
     if (row.at("series") == "size")
-      low = std::min(low, study::number_in(row, "elements")),
-      high = std::max(high, study::number_in(row, "elements"));
+      low = std::min(low, row.at("elements").get<double>()),
+      high = std::max(high, row.at("elements").get<double>());
   low *= 0.8, high *= 1.25;
   series.push_back(level("paper, Table 2", paper, low, high));
   return {.title = std::move(title),
@@ -209,7 +209,7 @@ Chart against_size(const std::vector<study::SummaryRow>& rows, std::string title
           .series = std::move(series)};
 }
 
-NamedChart young_against_size(const std::vector<study::SummaryRow>& rows, double micro) {
+NamedChart young_against_size(const std::vector<Json>& rows, double micro) {
   return {"calibration_young",
           "E of compressed cylinders against their number of elements; bars: standard deviation over the "
           "packings.",
@@ -225,7 +225,7 @@ NamedChart young_against_size(const std::vector<study::SummaryRow>& rows, double
               10.3)};
 }
 
-NamedChart poisson_against_size(const std::vector<study::SummaryRow>& rows) {
+NamedChart poisson_against_size(const std::vector<Json>& rows) {
   return {"calibration_poisson",
           "nu of compressed cylinders against their number of elements; bars: standard deviation over the "
           "packings.",
@@ -233,7 +233,7 @@ NamedChart poisson_against_size(const std::vector<study::SummaryRow>& rows) {
                        {means_of(rows, {"size", "cylinders", "elements", "poisson_ratio", 1.0, 0})}, 0.3)};
 }
 
-NamedChart young_against_core(const std::vector<study::SummaryRow>& rows, double micro) {
+NamedChart young_against_core(const std::vector<Json>& rows, double micro) {
   return {"calibration_core",
           "A coordination of 6 over all elements, which have fewer contacts at the walls, leaves more of "
           "them to the core the smaller the cylinder: this, not the number of elements, is what E follows.",
@@ -246,7 +246,7 @@ NamedChart young_against_core(const std::vector<study::SummaryRow>& rows, double
                                            micro / 1e9, 1})}}};
 }
 
-NamedChart young_of_scan(const std::vector<study::SummaryRow>& rows) {
+NamedChart young_of_scan(const std::vector<Json>& rows) {
   return {"calibration_scan_young",
           "Every modulus is proportional to E_mu, which is not scanned: E_M = E_mu times what is shown.",
           Chart{.title = "Scan of the beams' radius: modulus",
@@ -258,7 +258,7 @@ NamedChart young_of_scan(const std::vector<study::SummaryRow>& rows) {
                                            "micro_radius_ratio", "young_over_micro", 1.0, 0})}}};
 }
 
-NamedChart poisson_of_scan(const std::vector<study::SummaryRow>& rows) {
+NamedChart poisson_of_scan(const std::vector<Json>& rows) {
   return {"calibration_scan_poisson", "nu follows r_mu and hardly knows nu_mu, which only twists beams.",
           Chart{.title = "Scan of the beams' radius: Poisson's ratio",
                 .x_label = "radius ratio r_{/Symbol m} [-]",
@@ -272,8 +272,7 @@ NamedChart poisson_of_scan(const std::vector<study::SummaryRow>& rows) {
 
 }  // namespace
 
-std::vector<NamedChart> calibration_charts(const std::vector<study::SummaryRow>& rows,
-                                           double micro_young_modulus) {
+std::vector<NamedChart> calibration_charts(const std::vector<Json>& rows, double micro_young_modulus) {
   return {young_against_size(rows, micro_young_modulus), poisson_against_size(rows),
           young_against_core(rows, micro_young_modulus), young_of_scan(rows), poisson_of_scan(rows)};
 }

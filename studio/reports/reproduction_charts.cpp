@@ -86,8 +86,8 @@ std::vector<study::SummaryRow> first_specimen(const claims::Evidence& evidence, 
   std::map<double, study::SummaryRow> rows;
   for (const study::SummaryRow& row : evidence.rows) {
     if (!claims::selects(selection, row)) continue;
-    const auto [known, fresh] = rows.emplace(study::number_in(row, "crack_velocity_over_cr"), row);
-    if (!fresh && row.at("seed") < known->second.at("seed")) known->second = row;
+    const auto [known, fresh] = rows.emplace(row.crack_velocity_over_cr, row);
+    if (!fresh && row.seed < known->second.seed) known->second = row;
   }
   std::vector<study::SummaryRow> list;
   for (const auto& [v, row] : rows) list.push_back(row);
@@ -96,7 +96,7 @@ std::vector<study::SummaryRow> first_specimen(const claims::Evidence& evidence, 
 
 bool energies(Chart& chart, const claims::Evidence& evidence) {
   for (const study::SummaryRow& row : evidence.rows) {
-    if (!row.is_object() || study::text_in(row, "prestress_method") != "ramp") continue;
+    if (row.prestress_method != "ramp") continue;
     const study::SeriesTable table = evidence.series(row);
     if (table.empty()) continue;
     chart.x_label = "time [ms]";
@@ -125,8 +125,7 @@ bool release_energies(Chart& chart, const claims::Evidence& evidence) {
     ChartSeries series =
         series_of(named.label, Style::line_points, colour++, first_specimen(evidence, named.selection),
                   [](const study::SummaryRow& row) {
-                    return ChartPoint{study::number_in(row, "crack_velocity_over_cr"),
-                                      1e3 * claims::release_energy_per_beam(row)};
+                    return ChartPoint{row.crack_velocity_over_cr, 1e3 * claims::release_energy_per_beam(row)};
                   });
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }

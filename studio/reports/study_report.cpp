@@ -1,9 +1,9 @@
 #include "studio/reports/study_report.hpp"
 
 #include "engine/base/csv.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
-#include "engine/claims/curve.hpp"
 #include "engine/study/store.hpp"
 #include "studio/charts/chart_script.hpp"
 #include "studio/charts/curves.hpp"
@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace rift::studio {
@@ -23,17 +22,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double number(const Json& row, const char* name) {
-  return row.at(name).is_number() ? row.at(name).get<double>() : std::numeric_limits<double>::quiet_NaN();
+void add_axes(std::vector<std::string>& cells, const study::AxisTexts& axes) {
+  for (const auto& [name, text] : axes) cells.push_back(text);
 }
 
-void add_axes(std::vector<std::string>& cells, const Json& axes) {
-  for (const auto& [name, text] : axes.items()) cells.push_back(text.get<std::string>());
-}
-
-std::vector<std::string> head_of(const Json& axes) {
+std::vector<std::string> head_of(const study::AxisTexts& axes) {
   std::vector<std::string> head;
-  for (const auto& [name, text] : axes.items()) head.push_back(name);
+  for (const auto& [name, text] : axes) head.push_back(name);
   return head;
 }
 
@@ -54,59 +49,51 @@ std::string field_of(const Json& value) {
 
 }  // namespace
 
-std::vector<RowFamily> families(const std::vector<study::SummaryRow>& rows,
+std::vector<RowFamily> families(const std::vector<std::optional<study::SummaryRow>>& rows,
                                 const std::vector<std::string>& without) {
   std::vector<RowFamily> found;
-  for (const study::SummaryRow& row : rows) {
-    if (row.is_null()) continue;
-    Json axes = row.at("axes");
-    for (const std::string& name : without) axes.erase(name);
+  for (const auto& row : rows) {
+    if (!row) continue;
+    study::AxisTexts axes = row->axes;
+    std::erase_if(axes, [&](const auto& axis) {
+      return std::find(without.begin(), without.end(), axis.first) != without.end();
+    });
     const auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.axes == axes; });
-    if (same == found.end()) {
-      found.push_back({axes, {row}});
-    } else {
-      same->rows.push_back(row);
-    }
+    (same == found.end() ? found.emplace_back(RowFamily{axes, {}}) : *same).rows.push_back(*row);
   }
   return found;
 }
 
-MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, const std::string& name) {
+MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, double study::SummaryRow::*number) {
   std::vector<double> values;
   for (const study::SummaryRow& row : rows)
-    if (row.at(name).is_number()) values.push_back(row.at(name).get<double>());
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  if (values.empty()) return {nan, nan, 0};
-  const auto n = static_cast<double>(values.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double v : values) sum += v;
-  for (const double v : values) squares += (v - sum / n) * (v - sum / n);
-  return {sum / n, n > 1.0 ? std::sqrt(squares / (n - 1.0)) : nan, static_cast<int>(values.size())};
+    if (!std::isnan(row.*number)) values.push_back(row.*number);
+  return {base::mean_of(values), base::deviation_of(values), static_cast<int>(values.size())};
 }
 
-Table scenario_table(const std::vector<study::SummaryRow>& rows) {
+Table scenario_table(const std::vector<std::optional<study::SummaryRow>>& rows) {
   Table table;
-  for (const study::SummaryRow& row : rows) {
-    if (row.is_null()) continue;
+  for (const auto& row : rows) {
+    if (!row) continue;
     if (table.head.empty()) {
-      table.head = head_of(row.at("axes"));
+      table.head = head_of(row->axes);
       for (const char* name :
            {"ratio_with_damping", "broberg", "error_broberg", "wall_fracture_s", "outcome"})
         table.head.emplace_back(name);
     }
     std::vector<std::string> cells;
-    add_axes(cells, row.at("axes"));
-    cells.push_back(scatter_cell(number(row, "ratio_with_damping"), number(row, "ratio_scatter")));
-    cells.push_back(number_cell(number(row, "broberg"), "{:.3f}"));
-    cells.push_back(number_cell(number(row, "error_broberg"), "{:+.3f}"));
-    cells.push_back(number_cell(number(row, "wall_fracture_s"), "{:.2f}"));
-    cells.push_back(row.at("outcome").get<std::string>());
+    add_axes(cells, row->axes);
+    cells.push_back(scatter_cell(row->ratio_with_damping, row->ratio_scatter));
+    cells.push_back(number_cell(row->broberg, "{:.3f}"));
+    cells.push_back(number_cell(row->error_broberg, "{:+.3f}"));
+    cells.push_back(number_cell(row->wall_fracture_s, "{:.2f}"));
+    cells.push_back(row->outcome);
     table.rows.push_back(std::move(cells));
   }
   return table;
 }
 
-Table seed_table(const std::vector<study::SummaryRow>& rows) {
+Table seed_table(const std::vector<std::optional<study::SummaryRow>>& rows) {
   Table table;
   const std::vector<RowFamily> found = families(rows, {"seed"});
   if (std::none_of(found.begin(), found.end(), [](const RowFamily& f) { return f.rows.size() > 1; }))
@@ -115,14 +102,14 @@ Table seed_table(const std::vector<study::SummaryRow>& rows) {
   for (const char* name : {"seeds", "ratio_with_damping", "broberg", "error_broberg", "wall_fracture_s"})
     table.head.emplace_back(name);
   for (const RowFamily& family : found) {
-    const MeanScatter ratio = mean_of(family.rows, "ratio_with_damping");
+    const MeanScatter ratio = mean_of(family.rows, &study::SummaryRow::ratio_with_damping);
     std::vector<std::string> cells;
     add_axes(cells, family.axes);
     cells.push_back(std::to_string(ratio.count));
     cells.push_back(scatter_cell(ratio.mean, ratio.scatter));
-    cells.push_back(number_cell(mean_of(family.rows, "broberg").mean, "{:.3f}"));
-    cells.push_back(number_cell(mean_of(family.rows, "error_broberg").mean, "{:+.3f}"));
-    cells.push_back(number_cell(mean_of(family.rows, "wall_fracture_s").mean, "{:.2f}"));
+    cells.push_back(number_cell(mean_of(family.rows, &study::SummaryRow::broberg).mean, "{:.3f}"));
+    cells.push_back(number_cell(mean_of(family.rows, &study::SummaryRow::error_broberg).mean, "{:+.3f}"));
+    cells.push_back(number_cell(mean_of(family.rows, &study::SummaryRow::wall_fracture_s).mean, "{:.2f}"));
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -140,9 +127,9 @@ std::string rows_csv(const std::vector<Json>& rows) {
   return csv;
 }
 
-std::string study_csv(const std::vector<study::SummaryRow>& rows) {
+std::string study_csv(const Json& rows) {
   std::vector<Json> ordered;
-  for (const study::SummaryRow& row : rows) {
+  for (const Json& row : rows) {
     if (row.is_null()) continue;
     Json& to = ordered.emplace_back(Json{{"row", row.at("row")}, {"axes", row.at("axes")}});
     to.update(row);
@@ -177,11 +164,10 @@ std::string numbered(const std::string& name, std::size_t k) {
 ChartSeries against_velocity(const RowFamily& family, int colour) {
   std::map<double, std::vector<study::SummaryRow>> by_velocity;
   for (const study::SummaryRow& row : family.rows)
-    if (row.at("crack_velocity_over_cr").is_number())
-      by_velocity[row.at("crack_velocity_over_cr").get<double>()].push_back(row);
+    if (!std::isnan(row.crack_velocity_over_cr)) by_velocity[row.crack_velocity_over_cr].push_back(row);
   return series_of(axes_label(family.axes), ChartSeries::Style::line_points, colour, by_velocity,
                    [](const auto& at) {
-                     const MeanScatter ratio = mean_of(at.second, "ratio_with_damping");
+                     const MeanScatter ratio = mean_of(at.second, &study::SummaryRow::ratio_with_damping);
                      return ChartPoint{at.first, ratio.mean, ratio.scatter};
                    });
 }
@@ -193,7 +179,7 @@ bool has_points(const ChartSeries& series) {
 ChartSeries against_tip(const study::SummaryRow& row, const std::filesystem::path& csv, int colour) {
   const study::SeriesTable table = study::read_series(csv);
   if (table.empty()) throw base::WorldError("read", csv, "it holds no series");
-  ChartSeries series{.label = axes_label(row.at("axes")),
+  ChartSeries series{.label = axes_label(row.axes),
                      .x = table.at("tip_m"),
                      .y = table.at("ratio_with_damping"),
                      .colour = colour};
@@ -202,30 +188,28 @@ ChartSeries against_tip(const study::SummaryRow& row, const std::filesystem::pat
 }
 
 /// Tip position up to which no echo has come back [mm]; NaN where the row does not know.
-double echo_free_mm(const study::SummaryRow& row) {
-  return 1e3 * study::number_in(row, "echo_free_over_length") * study::number_in(row, "length_m");
-}
+double echo_free_mm(const study::SummaryRow& row) { return 1e3 * row.echo_free_over_length * row.length_m; }
 
 }  // namespace
 
-std::string axes_label(const Json& axes) {
+std::string axes_label(const study::AxisTexts& axes) {
   std::string label;
-  for (const auto& [name, text] : axes.items()) {
-    if (text == "-") continue;
-    label += (label.empty() ? "" : ", ") + part_of_label(name, text.get<std::string>());
-  }
+  for (const auto& [name, text] : axes)
+    if (text != "-") label += (label.empty() ? "" : ", ") + part_of_label(name, text);
   return label.empty() ? "rift" : label;
 }
 
-std::vector<NamedChart> velocity_charts(const std::vector<study::SummaryRow>& rows) {
+std::vector<NamedChart> velocity_charts(const std::vector<std::optional<study::SummaryRow>>& rows) {
   std::vector<NamedChart> charts;
   std::vector<ChartSeries> measured;
   for (const RowFamily& family : families(rows, {"crack_velocity", "seed"})) {
-    if (!family.rows.front().at("axes").contains("crack_velocity")) return charts;
+    const study::AxisTexts& axes = family.rows.front().axes;
+    if (std::none_of(axes.begin(), axes.end(), [](const auto& a) { return a.first == "crack_velocity"; }))
+      return charts;
     measured.push_back(against_velocity(family, static_cast<int>(measured.size() % most_families)));
   }
   std::erase_if(measured, [](const ChartSeries& series) { return !has_points(series); });
-  const auto first = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.is_null(); });
+  const auto first = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
   for (std::size_t from = 0; from < measured.size(); from += most_families) {
     Chart chart{.title = "Release rate against crack velocity",
                 .x_label = "crack velocity [c_r]",
@@ -236,8 +220,8 @@ std::vector<NamedChart> velocity_charts(const std::vector<study::SummaryRow>& ro
     chart.series.assign(measured.begin() + static_cast<std::ptrdiff_t>(from),
                         measured.begin() + static_cast<std::ptrdiff_t>(to));
     for (ChartSeries& reference :
-         theory_curves(first->at("poisson_ratio").get<double>(),
-                       first->at("plane") == "stress" ? theory::Plane::stress : theory::Plane::strain))
+         theory_curves((*first)->poisson_ratio,
+                       (*first)->plane == "stress" ? theory::Plane::stress : theory::Plane::strain))
       chart.series.push_back(std::move(reference));
     charts.push_back(
         {numbered("ratio_velocity", charts.size()),
@@ -247,12 +231,12 @@ std::vector<NamedChart> velocity_charts(const std::vector<study::SummaryRow>& ro
   return charts;
 }
 
-std::vector<NamedChart> tip_charts(const std::vector<study::SummaryRow>& rows,
+std::vector<NamedChart> tip_charts(const std::vector<std::optional<study::SummaryRow>>& rows,
                                    const std::vector<std::filesystem::path>& series) {
   std::vector<Chart> charts;
   std::vector<ChartSeries> echo;  // of each chart
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (rows[k].is_null()) continue;
+    if (!rows[k]) continue;
     if (charts.empty() || charts.back().series.size() == most_curves) {
       charts.push_back({.title = "Release rate against tip position",
                         .x_label = "tip position [mm]",
@@ -260,9 +244,9 @@ std::vector<NamedChart> tip_charts(const std::vector<study::SummaryRow>& rows,
       echo.push_back(echo_marks());
     }
     std::vector<ChartSeries>& drawn = charts.back().series;
-    ChartSeries curve = against_tip(rows[k], series[k], static_cast<int>(drawn.size()));
+    ChartSeries curve = against_tip(*rows[k], series[k], static_cast<int>(drawn.size()));
     if (!has_points(curve)) continue;
-    mark_echo(echo.back(), curve, echo_free_mm(rows[k]));
+    mark_echo(echo.back(), curve, echo_free_mm(*rows[k]));
     drawn.push_back(std::move(curve));
   }
   std::vector<NamedChart> named;
@@ -292,8 +276,8 @@ std::vector<fs::path> series_files(const scene::Preset& preset, const simulation
 std::string timings(const study::StudyResult& result) {
   double marching = 0.0;
   std::size_t there = 0;
-  for (const study::SummaryRow& row : result.rows)
-    if (!row.is_null()) marching += row.at("wall_fracture_s").get<double>(), ++there;
+  for (const auto& row : result.rows)
+    if (row) marching += row->wall_fracture_s, ++there;
   return fmt::format(
       "{} of {} scenarios; the cracks took {} in all, the last call {} ({} computed, {} found).", there,
       result.rows.size(), duration_text(marching), duration_text(result.wall_s), result.computed,

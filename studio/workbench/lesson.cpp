@@ -1,7 +1,6 @@
 #include "studio/workbench/lesson.hpp"
 
 #include "engine/base/files.hpp"
-#include "engine/results/lane_title.hpp"
 #include "engine/scene/issue.hpp"
 #include "studio/reports/report.hpp"
 #include "studio/text/html.hpp"
@@ -14,16 +13,8 @@
 namespace rift::studio {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-double number(const Json& scenario, const char* key) {
-  return scenario.contains(key) && scenario[key].is_number() ? scenario[key].get<double>() : std::nan("");
-}
-
-double ratio(const Json& scenario) { return number(scenario, "ratio"); }
-
-double kinetic(const Json& scenario) {
-  return number(scenario, "energy_kinetic_translation_j") + number(scenario, "energy_kinetic_rotation_j");
+double kinetic(const results::LaneSummary& lane) {
+  return lane.energy_kinetic_translation_j + lane.energy_kinetic_rotation_j;
 }
 
 /// 0: the first is clearly larger; 1: the second; 2: they are within a twentieth.
@@ -32,16 +23,16 @@ int larger(double first, double second) {
   return first > second ? 0 : 1;
 }
 
-Answer of_node_release(const Json& s) {
-  return {larger(ratio(s[0]), ratio(s[1])),
+Answer of_node_release(const Lanes& s) {
+  return {larger(s[0].ratio, s[1].ratio),
           fmt::format("Simple release shows {:.3f} of the static rate, progressive release {:.3f}; Broberg's "
                       "theory says {:.3f}. {:.1f} J of motion are left in the plate of the first, {:.1f} J "
                       "in the second: what rings has not gone into the crack.",
-                      ratio(s[0]), ratio(s[1]), number(s[0], "broberg"), kinetic(s[0]), kinetic(s[1]))};
+                      s[0].ratio, s[1].ratio, s[0].broberg, kinetic(s[0]), kinetic(s[1]))};
 }
 
-Answer of_damping(const Json& s) {
-  const double undamped = number(s[0], "ratio_with_damping"), damped = number(s[2], "ratio_with_damping");
+Answer of_damping(const Lanes& s) {
+  const double undamped = s[0].ratio_with_damping, damped = s[2].ratio_with_damping;
   return {larger(damped, undamped) == 0   ? 0
           : larger(damped, undamped) == 1 ? 1
                                           : 2,
@@ -49,19 +40,19 @@ Answer of_damping(const Json& s) {
               "Counting what the dampers take, the ratio is {:.3f} undamped, {:.3f} damped along the crack "
               "and {:.3f} damped everywhere; what the beams themselves release stays {:.3f}, {:.3f} and "
               "{:.3f}. Broberg's theory says {:.3f}: damping books ringing as if it were fracture.",
-              undamped, number(s[1], "ratio_with_damping"), damped, number(s[0], "ratio_release"),
-              number(s[1], "ratio_release"), number(s[2], "ratio_release"), number(s[0], "broberg"))};
+              undamped, s[1].ratio_with_damping, damped, s[0].ratio_release, s[1].ratio_release,
+              s[2].ratio_release, s[0].broberg)};
 }
 
-Answer of_velocity(const Json& s) {
+Answer of_velocity(const Lanes& s) {
   std::string numbers;
   bool falls = true, grows = true;
   for (std::size_t k = 0; k < s.size(); ++k) {
-    numbers += fmt::format("{}{:.3f} at {:g} c_R (theory {:.3f})", k == 0 ? "" : ", ", ratio(s[k]),
-                           number(s[k], "crack_velocity_over_cr"), number(s[k], "broberg"));
+    numbers += fmt::format("{}{:.3f} at {:g} c_R (theory {:.3f})", k == 0 ? "" : ", ", s[k].ratio,
+                           s[k].crack_velocity_over_cr, s[k].broberg);
     if (k == 0) continue;
-    falls = falls && ratio(s[k]) < ratio(s[k - 1]);
-    grows = grows && ratio(s[k]) > ratio(s[k - 1]);
+    falls = falls && s[k].ratio < s[k - 1].ratio;
+    grows = grows && s[k].ratio > s[k - 1].ratio;
   }
   return {
       falls   ? 0
@@ -156,26 +147,22 @@ const Lesson& lesson_of(const std::string& name) {
                                         scene::listed(names, "and"))}});
 }
 
-Table lesson_table(const Json& scenarios) {
+Table lesson_table(const Lanes& lanes) {
   Table t{
       {"lane", "G_ID / G_I0", "by beams", "with damping", "Broberg", "fracture J", "motion J", "damping J"},
       {}};
-  const std::vector<std::string> titles =
-      results::lane_titles(std::vector<Json>(scenarios.begin(), scenarios.end()));
-  for (std::size_t k = 0; k < scenarios.size(); ++k) {
-    const Json& s = scenarios[k];
-    const auto cell = [&](const char* key, const char* format) {
-      return number_cell(number(s, key), format);
-    };
-    t.rows.push_back({titles[k], cell("ratio", "{:.3f}"), cell("ratio_release", "{:.3f}"),
-                      cell("ratio_with_damping", "{:.3f}"), cell("broberg", "{:.3f}"),
-                      cell("energy_fracture_j", "{:.1f}"), number_cell(kinetic(s), "{:.1f}"),
-                      cell("energy_damping_j", "{:.1f}")});
+  const std::vector<std::string> titles = results::lane_titles(lanes);
+  for (std::size_t k = 0; k < lanes.size(); ++k) {
+    const results::LaneSummary& s = lanes[k];
+    t.rows.push_back({titles[k], number_cell(s.ratio, "{:.3f}"), number_cell(s.ratio_release, "{:.3f}"),
+                      number_cell(s.ratio_with_damping, "{:.3f}"), number_cell(s.broberg, "{:.3f}"),
+                      number_cell(s.energy_fracture_j, "{:.1f}"), number_cell(kinetic(s), "{:.1f}"),
+                      number_cell(s.energy_damping_j, "{:.1f}")});
   }
   return t;
 }
 
-void write_handout(const Lesson& lesson, const Json& scenarios, const Live& live,
+void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
                    const std::filesystem::path& file) {
   std::string body;
   for (const std::string_view page : lesson.before) body += html_paragraph(page);
@@ -186,11 +173,11 @@ void write_handout(const Lesson& lesson, const Json& scenarios, const Live& live
   for (std::size_t k = 0; k < lesson.choices.size(); ++k)
     question += html_paragraph(fmt::format("{}. {}", k + 1, lesson.choices[k]));
   body += html_section("The question", question);
-  const Answer answer = lesson.answer(scenarios);
+  const Answer answer = lesson.answer(lanes);
   body += html_section(
       "The answer of this run",
       html_paragraph(fmt::format("{}. {}. {}", answer.right + 1, lesson.choices[answer.right], answer.why)) +
-          html_table(lesson_table(scenarios)) + curves);
+          html_table(lesson_table(lanes)) + curves);
   body += html_section("What follows", html_paragraph(lesson.after));
   body += html_paragraph(fmt::format("Made by rift studio --lesson {}; the run is that of rift run {}.",
                                      lesson.name, lesson.preset));

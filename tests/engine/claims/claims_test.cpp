@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -15,21 +16,15 @@ namespace {
 
 /// A made-up row: Broberg 0.5 everywhere, so that a ratio of 0.5 + delta is off by delta.
 study::SummaryRow row_at(double v, long seed, double ratio) {
-  return {{"crack_velocity_over_cr", v},
-          {"technique", "progressive"},
-          {"relaxation", 1.0},
-          {"damage_zone_ratio", 1.0},
-          {"damping_region", "none"},
-          {"stiffness", "in-situ"},
-          {"seed", seed},
-          {"elements", 20000},
-          {"length_m", 0.2},
-          {"ratio_with_damping", ratio},
-          {"ratio_scatter", 0.01},
-          {"broberg", 0.5},
-          {"freund", 0.5},
-          {"strip", 1.0},
-          {"wall_fracture_s", 1.0}};
+  study::SummaryRow row;
+  row.crack_velocity_over_cr = v;
+  row.technique = "progressive", row.relaxation = 1.0, row.damage_zone_ratio = 1.0;
+  row.damping_region = "none", row.stiffness = "in-situ";
+  row.seed = static_cast<double>(seed), row.elements = 20000, row.length_m = 0.2;
+  row.ratio_with_damping = ratio, row.ratio_scatter = 0.01;
+  row.broberg = 0.5, row.freund = 0.5, row.strip = 1.0;
+  row.wall_fracture_s = 1.0;
+  return row;
 }
 
 using OfVelocity = std::function<double(double v)>;
@@ -82,7 +77,7 @@ TEST(Near, IsNotDecidableWhereSpecimensScatterBeyondTheMargin) {
 
 TEST(Near, IsNotDecidableWhereAVelocityIsMissing) {
   std::vector<study::SummaryRow> rows = rows_of([](double) { return 0.0; });
-  std::erase_if(rows, [](const study::SummaryRow& r) { return r.at("crack_velocity_over_cr") == 0.7; });
+  std::erase_if(rows, [](const study::SummaryRow& r) { return r.crack_velocity_over_cr == 0.7; });
   const Judgement j = is_near(curve_of(rows, {}), {0.6, 1.0});
   EXPECT_EQ(j.verdict, Verdict::not_decidable);
   EXPECT_EQ(j.measured, "no result at 0.7 c_r");
@@ -179,22 +174,19 @@ TEST(SeveralParts, HoldTogetherAndFailForOne) {
 }
 
 TEST(Curve, TakesTheRowsOfItsSelectionOnly) {
-  std::vector<study::SummaryRow> rows = {row_at(0.5, 1, 0.6), row_at(0.5, 2, 0.7), nullptr};
-  const auto add = [&](const char* name, const study::SummaryRow& value) {
-    rows.push_back(row_at(0.5, 3, 9.0));
-    rows.back()[name] = value;
-  };
-  add("technique", "simple");
-  add("relaxation", 2.0);
-  add("damage_zone_ratio", 1.5);
-  add("damping_region", "all");
-  add("elements", 5000);
-  add("length_m", 0.4);
-  add("prestress_method", "ramp");
-  add("axes", {{"path", "0.4 H"}});
-  add("axes", {{"dt_fraction", "0.17"}});
-  add("ratio_with_damping", nullptr);
-  add("crack_velocity_over_cr", nullptr);
+  std::vector<study::SummaryRow> rows = {row_at(0.5, 1, 0.6), row_at(0.5, 2, 0.7)};
+  const auto other = [&]() -> study::SummaryRow& { return rows.emplace_back(row_at(0.5, 3, 9.0)); };
+  other().technique = "simple";
+  other().relaxation = 2.0;
+  other().damage_zone_ratio = 1.5;
+  other().damping_region = "all";
+  other().elements = 5000;
+  other().length_m = 0.4;
+  other().prestress_method = "ramp";
+  other().axes = {{"path", "0.4 H"}};
+  other().axes = {{"dt_fraction", "0.17"}};
+  other().ratio_with_damping = NAN;
+  other().crack_velocity_over_cr = NAN;
   const Curve curve = curve_of(rows, {});
   ASSERT_EQ(curve.size(), 1u);
   EXPECT_EQ(curve[0].ratio, (std::vector<double>{0.6, 0.7}));
@@ -273,7 +265,7 @@ TEST(Claims, FollowTheRowsTheyAreGiven) {
       for (study::SummaryRow row : rows_of([=](double) {
              return p == 0.5 ? -0.1 : p == 1.0 ? linear : 0.0;
            })) {
-        row["relaxation"] = p;
+        row.relaxation = p;
         all.push_back(row);
       }
     return all;

@@ -9,17 +9,20 @@ namespace rift::claims {
 namespace {
 
 struct Size {
-  double elements, young_gpa, poisson;
+  int elements;
+  double young_gpa, poisson;
 };
 
 Evidence evidence_of(const std::vector<Size>& sizes) {
   Evidence evidence;
   for (const Size& size : sizes)
-    for (const double sign : {-1.0, 1.0})
-      evidence.rows.push_back({{"series", "size"},
-                               {"elements", size.elements},
-                               {"young_over_micro", (size.young_gpa + 0.1 * sign) / 356.0},
-                               {"poisson_ratio", size.poisson + 0.001 * sign}});
+    for (const double sign : {-1.0, 1.0}) {
+      calibration::CylinderResult& cylinder = evidence.cylinders.emplace_back();
+      cylinder.packing.elements = size.elements;
+      cylinder.responses.resize(1);
+      cylinder.responses[0].young_over_micro = (size.young_gpa + 0.1 * sign) / 356.0;
+      cylinder.responses[0].poisson_ratio = size.poisson + 0.001 * sign;
+    }
   return evidence;
 }
 

@@ -69,7 +69,8 @@ TEST(AccuracyReport, RecommendsWithErrorTimeAndGoal) {
   AccuracyReport report;
   report.accuracy = steps();
   EXPECT_EQ(recommendation_text(report), "as it is: error +0.0020 in 0.20 s (goal 0.01)");
-  report.lanes = {{{"wall_fracture_s", 0.03}}, {{"wall_fracture_s", 0.05}}};
+  report.lanes.resize(2);
+  report.lanes[0].wall_fracture_s = 0.03, report.lanes[1].wall_fracture_s = 0.05;
   EXPECT_TRUE(contains(recommendation_text(report), ", 2 lanes side by side 0.040 s each"));
   report.accuracy.recommended = -1;
   EXPECT_EQ(recommendation_text(report),
