@@ -1,7 +1,4 @@
-#include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
-#include "engine/base/interrupted.hpp"
-#include "engine/base/text.hpp"
 #include "engine/calibration/calibrate.hpp"
 #include "engine/claims/claims.hpp"
 #include "engine/lattice/lattice.hpp"
@@ -11,7 +8,7 @@
 #include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/draw_claim.hpp"
-#include "studio/commands/scene_options.hpp"
+#include "studio/commands/session.hpp"
 #include "studio/reports/calibration_report.hpp"
 #include "studio/reports/reproduction.hpp"
 
@@ -19,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -29,19 +25,11 @@ namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-struct ReproduceOptions {
+struct ReproduceOptions : SessionOptions {
   std::vector<std::string> names;
   std::string out = "reproduction";
-  bool quick = false, quiet = false, json = false, no_cache = false;
-  int threads = 0;
-  std::string color;
+  bool quick = false;
 };
-
-scene::Issue issue(std::string text) {
-  return {.file = "rift reproduce", .key = {}, .text = std::move(text)};
-}
 
 /// The claims of the names, in the table's order; for none or "all" all of the paper's, for "beyond" the
 /// others.
@@ -53,10 +41,13 @@ std::vector<const claims::Claim*> chosen_claims(const std::vector<std::string>& 
   for (const std::string& name : wanted) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string nearest = scene::nearest_name(name, known);
-    issues.push_back(issue(nearest.empty() ? fmt::format("unknown name '{}': the names are {}",
-                                                         scene::printable(name), scene::listed(known, "and"))
-                                           : fmt::format("unknown name '{}', did you mean '{}'?",
-                                                         scene::printable(name), nearest)));
+    issues.push_back({.file = "rift reproduce",
+                      .key = {},
+                      .text = nearest.empty()
+                                  ? fmt::format("unknown name '{}': the names are {}", scene::printable(name),
+                                                scene::listed(known, "and"))
+                                  : fmt::format("unknown name '{}', did you mean '{}'?",
+                                                scene::printable(name), nearest)});
   }
   if (!issues.empty()) throw scene::InputError(issues);
   std::vector<const claims::Claim*> chosen;
@@ -73,8 +64,8 @@ void check_folder(const fs::path& folder) {
   if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored) ||
       fs::is_directory(folder / "runs", ignored) || fs::exists(folder / "reproduction.md", ignored))
     return;
-  throw scene::InputError({issue(fmt::format("'{}' is there and holds something else: choose another --out",
-                                             scene::printable(folder.string())))});
+  refuse("rift reproduce", fmt::format("'{}' is there and holds something else: choose another --out",
+                                       scene::printable(folder.string())));
 }
 
 claims::PaperStudy study_of(const std::vector<const claims::Claim*>& chosen, claims::Effort effort) {
@@ -151,19 +142,11 @@ scene::Scene calibration_scene(scene::Scene scene, claims::Effort effort) {
 
 /// Judges a claim about cylinders.
 JudgedClaim calibrated(const claims::Claim& claim, const ReproduceOptions& options, claims::Effort effort,
-                       const StopSignal& stop) {
-  const auto start = Clock::now();
-  ProgressLine line(progress_style(options.quiet, options.json));
-  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
-  const scene::Preset preset = scene::read_preset(resolve_preset(claim.needs.front()));
-  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
+                       Session& session) {
+  const double start_s = session.seconds();
+  const scene::Preset preset = without_mistakes(scene::read_preset(resolve_preset(claim.needs.front())));
   const calibration::CalibrationStudy study = calibration::study_calibration(
-      calibration_scene(preset.scene, effort), cache,
-      [&](const char* stage, double done) {
-        line.tell(stage, done);
-        return stop.received() == 0;
-      },
-      options.threads);
+      calibration_scene(preset.scene, effort), session.cache, session.progress_of_stages(), options.threads);
   JudgedClaim out;
   out.claim = &claim;
   const std::vector<nlohmann::ordered_json> rows = calibration::rows_of(study);
@@ -176,7 +159,7 @@ JudgedClaim calibrated(const claims::Claim& claim, const ReproduceOptions& optio
   if (claim.name == "table2") charts.resize(1);  // the others are Fig. 17's
   for (NamedChart& named : charts) named.name = claim.name + "_" + named.name;
   draw_figures(out, charts, fs::path(options.out) / "charts");
-  out.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  out.wall_s = session.seconds() - start_s;
   return out;
 }
 
@@ -186,17 +169,13 @@ struct OwnSpeed {
   double bulk = 0, in_situ = 0;
 };
 
-OwnSpeed measure_speed(const ReproduceOptions& options, int elements, const StopSignal& stop) {
-  ProgressLine line(progress_style(options.quiet, options.json));
-  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
-  const auto tell = [&](std::string_view stage, double done) {
-    line.tell(stage, done);
-    return stop.received() == 0;
-  };
+OwnSpeed measure_speed(int elements, Session& session) {
+  const auto progress = session.progress_of_stages();
   const simulation::Prepared plate = simulation::prepare(
       scene::read_preset(resolve_preset("plate_pnrt"), {fmt::format("specimen.elements={}", elements)}),
-      cache, tell);
-  const simulation::OwnNumbers own = simulation::measure_own_numbers(plate, cache, tell, options.threads);
+      session.cache, progress);
+  const simulation::OwnNumbers own =
+      simulation::measure_own_numbers(plate, session.cache, progress, session.options.threads);
   const double in_situ = own.nominal.rayleigh / own.speed(calibration::WaveKind::rayleigh);
   return {in_situ * std::sqrt(plate.micro.young_modulus / lattice::bulk_micro_material.young_modulus),
           in_situ};
@@ -204,31 +183,16 @@ OwnSpeed measure_speed(const ReproduceOptions& options, int elements, const Stop
 
 /// Fig. 15 once more, over the plate's own Rayleigh speed.
 void add_own_speed(JudgedClaim& claim, const claims::PaperStudy& study, const study::StudyResult& result,
-                   const ReproduceOptions& options, int elements, const StopSignal& stop) {
-  const OwnSpeed own = measure_speed(options, elements, stop);
+                   const fs::path& folder, int elements, Session& session) {
+  const OwnSpeed own = measure_speed(elements, session);
   for (const char* stiffness : {"bulk", "in-situ"}) {
     claims::Evidence evidence{.rows = {}, .elements = elements};
     for (study::SummaryRow& row : rows_for(*claim.claim, study, result))
       if (row.stiffness == stiffness) evidence.rows.push_back(std::move(row));
     const bool bulk = std::string_view(stiffness) == "bulk";
     draw_figures(claim, charts_over_own_speed(evidence, stiffness, bulk ? own.bulk : own.in_situ),
-                 fs::path(options.out) / "charts");
+                 folder / "charts");
   }
-}
-
-/// Draws the claims that are pictures.
-void draw_pictures(Reproduction& report, const ReproduceOptions& options, const StopSignal& stop) {
-  ProgressLine line(progress_style(options.quiet, options.json));
-  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
-  for (JudgedClaim& claim : report.claims) {
-    if (claim.claim->pictures_at.empty()) continue;
-    draw_claim(claim, options.out, report.elements, cache, options.threads,
-               [&](std::string_view stage, double done) {
-                 line.tell(stage, done);
-                 return stop.received() == 0;
-               });
-  }
-  line.clear();
 }
 
 std::string command_text(const ReproduceOptions& options) {
@@ -238,51 +202,59 @@ std::string command_text(const ReproduceOptions& options) {
 }
 
 study::StudyResult compute(const ReproduceOptions& options, const claims::PaperStudy& study,
-                           const StopSignal& stop) {
+                           Session& session) {
   if (study.preset.study.empty()) return {};
-  ProgressLine line(progress_style(options.quiet, options.json));
-  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
-  const study::StudyObserver observer{.progress =
-                                          [&](std::string_view stage, double done) {
-                                            line.tell(stage, done);
-                                            return stop.received() == 0;
-                                          },
-                                      .finished = {}};
-  study::StudyResult result =
-      study::run_study(study.preset, {.folder = options.out, .threads = options.threads, .shared = true},
-                       cache, build_info(), observer);
-  line.clear();
-  print_notes(cache);
+  study::StudyResult result = study::run_study(
+      study.preset, {.folder = options.out, .threads = options.threads, .shared = true}, session.cache,
+      build_info(), {.progress = session.progress_of_stages(), .finished = {}});
+  session.line.clear();
+  session.print_notes();
   return result;
 }
 
-void write_reproduction(const Reproduction& report, const ReproduceOptions& options) {
-  const fs::path folder = options.out;
+/// Judges and draws the claims; throws Interrupted.
+void fill(Reproduction& report, const std::vector<const claims::Claim*>& chosen,
+          const ReproduceOptions& options, claims::Effort effort, const claims::PaperStudy& study,
+          const study::StudyResult& result, Session& session) {
+  for (const claims::Claim* claim : chosen) {
+    if (claim->calibration && claim->judge) {
+      report.claims.push_back(calibrated(*claim, options, effort, session));
+      continue;
+    }
+    session.progress("charts of " + claim->name, 0.0);
+    report.claims.push_back(judged(*claim, study, result, report.elements, options.out));
+  }
+  for (JudgedClaim& claim : report.claims)
+    if (claim.claim->name == "fig15")
+      add_own_speed(claim, study, result, options.out, report.elements, session);
+  for (JudgedClaim& claim : report.claims)
+    if (!claim.claim->pictures_at.empty()) draw_claim(claim, options.out, report.elements, session);
+  session.line.clear();
+}
+
+void write_reproduction(const Reproduction& report, const fs::path& folder, const Session& session) {
   base::make_folder(folder);
   base::write_whole_file(folder / "report.html", reproduction_html(report));
   base::write_whole_file(folder / "reproduction.md", reproduction_markdown(report));
-  if (options.json) {
-    base::print_text(base::json_text(reproduction_json(report), 2) + "\n");
-    return;
-  }
-  base::print_text(reproduction_text(report, wants_color(options.color, stdout)) + "\n");
-  base::print("{}/  report.html, reproduction.md, charts, runs\n", folder.string());
+  session.print_result(reproduction_json(report), [&] {
+    base::print_text(reproduction_text(report, session.color()) + "\n");
+    base::print("{}/  report.html, reproduction.md, charts, runs\n", folder.string());
+  });
 }
 
 ExitCode reproduce(const ReproduceOptions& options) {
-  const auto start = Clock::now();
   const std::vector<const claims::Claim*> chosen = chosen_claims(options.names);
   const claims::Effort effort = options.quick ? claims::Effort::quick : claims::Effort::full;
   const claims::PaperStudy study = study_of(chosen, effort);
   check_folder(options.out);
   study::open_shared(options.out);
   base::check_target(fs::path(options.out) / "report.html");
-  const StopSignal stop;
-  const study::StudyResult result = compute(options, study, stop);
+  Session session("rift reproduce", options);
+  const study::StudyResult result = compute(options, study, session);
   if (result.outcome == simulation::Outcome::stopped) {
-    base::message("rift reproduce: stopped; {} of {} scenarios are kept in {}: the same call goes on\n",
-                  result.computed + result.found, study.preset.study.size(), options.out);
-    return static_cast<ExitCode>(128 + stop.received());
+    session.message(fmt::format("stopped; {} of {} scenarios are kept in {}: the same call goes on",
+                                result.computed + result.found, study.preset.study.size(), options.out));
+    return session.stopped();
   }
   Reproduction report{.build = build_info(),
                       .command = command_text(options),
@@ -292,26 +264,13 @@ ExitCode reproduce(const ReproduceOptions& options) {
                       .found = result.found,
                       .wall_s = 0,
                       .claims = {}};
-  try {
-    for (const claims::Claim* claim : chosen) {
-      if (claim->calibration && claim->judge) {
-        report.claims.push_back(calibrated(*claim, options, effort, stop));
-        continue;
-      }
-      ProgressLine line(progress_style(options.quiet, options.json));
-      line.tell("charts of " + claim->name, 0.0);
-      report.claims.push_back(judged(*claim, study, result, report.elements, options.out));
-    }
-    for (JudgedClaim& claim : report.claims)
-      if (claim.claim->name == "fig15") add_own_speed(claim, study, result, options, report.elements, stop);
-    draw_pictures(report, options, stop);
-  } catch (const base::Interrupted& interrupted) {
-    base::message("rift reproduce: {}; what was computed is kept in {}\n", interrupted.what(), options.out);
-    return static_cast<ExitCode>(128 + stop.received());
-  }
-  report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  write_reproduction(report, options);
-  return result.outcome == simulation::Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+  const auto work = [&] {
+    fill(report, chosen, options, effort, study, result, session);
+    report.wall_s = session.seconds();
+    write_reproduction(report, options.out, session);
+    return session.ended(result.outcome);
+  };
+  return session.until_stopped(work, "; what was computed is kept in " + options.out);
 }
 
 }  // namespace
@@ -326,13 +285,9 @@ void add_reproduce(CLI::App& app, ExitCode& exit_code) {
   command.add_flag("--quick", options->quick, "The same plate with 5,000 elements, a minute or two");
   command.add_option("--out", options->out, "Folder of runs, charts and report; continued if it is there")
       ->capture_default_str();
-  command
-      .add_option("--threads", options->threads,
-                  "Threads (default: one per CPU that this process may use); the results do not depend on it")
-      ->check(CLI::Range(1, 1024));
-  command.add_flag("--no-cache", options->no_cache,
-                   "Neither read nor write the cache of packings and pre-stresses");
-  command.add_flag("--quiet", options->quiet, "No progress on stderr");
+  add_threads(command, *options);
+  add_no_cache(command, *options);
+  add_quiet(command, *options);
   command.add_flag("--json", options->json,
                    "Progress as JSON lines on stderr, the verdicts as JSON on stdout");
   add_color_option(command, options->color);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studio/commands/scene_options.hpp"
+#include "studio/commands/session.hpp"
 #include "studio/workbench/live_run.hpp"
 #include "studio/workbench/screen.hpp"
 
@@ -10,6 +10,9 @@ namespace rift::studio {
 
 /// What the workbench's screens share, for whoever works in this folder.
 Workshop workshop_here(int threads);
+
+/// Shows a screen, and those that it leads to, until the last one is left or the session is stopped.
+ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session);
 
 /// Whether there is a terminal for a live panel, and this build has one.
 bool panel_there();
