@@ -1,5 +1,6 @@
 #include "engine/base/process_limits.hpp"
 #include "engine/ensemble/benchmark.hpp"
+#include "engine/scene/parameters.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
@@ -45,7 +46,7 @@ void add_kernels(Cases& cases, int elements, int threads) {
   using enum ensemble::Precision;
   for (const lattice::Kinematics kinematics :
        {lattice::Kinematics::linear, lattice::Kinematics::corotational}) {
-    const std::string name = kinematics == lattice::Kinematics::linear ? "linear" : "corotational";
+    const std::string name = scene::word_of("solver.kinematics", kinematics);
     add(name, kinematics, double_precision, 1);
     add(name, kinematics, single_precision, 1);
     for (const int lanes : {4, 8}) add(name, kinematics, double_precision, lanes);
@@ -101,10 +102,6 @@ std::vector<ensemble::BenchResult> time_all(const Cases& cases, const BenchOptio
   return results;
 }
 
-const char* precision_name(ensemble::Precision p) {
-  return p == ensemble::Precision::single_precision ? "single" : "double";
-}
-
 double share_of_arithmetic(const ensemble::BenchResult& r, const ensemble::MachinePeaks& peaks) {
   const double peak =
       r.of.precision == ensemble::Precision::single_precision ? peaks.flops_single : peaks.flops_double;
@@ -114,8 +111,8 @@ double share_of_arithmetic(const ensemble::BenchResult& r, const ensemble::Machi
 Json json_of(const ensemble::BenchResult& r, const ensemble::BenchResult& base,
              const ensemble::MachinePeaks& peaks) {
   return {{"kernel", r.of.name},
-          {"kinematics", r.of.kinematics == lattice::Kinematics::linear ? "linear" : "corotational"},
-          {"precision", precision_name(r.of.precision)},
+          {"kinematics", scene::word_of("solver.kinematics", r.of.kinematics)},
+          {"precision", scene::word_of("solver.precision", r.of.precision)},
           {"scenarios", r.of.scenarios},
           {"threads", r.of.threads},
           {"elements", r.of.elements},
@@ -144,8 +141,8 @@ void print_row(const ensemble::BenchResult& r, const ensemble::BenchResult& base
   base::print(
       "  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>7.1f} ({:.0f}-{:.0f}){:>9.1f}{:>8.2f} x{:>7.0f} B{:>5.0f} %{:>5.0f} "
       "%\n",
-      r.of.name, precision_name(r.of.precision), r.of.scenarios, r.of.threads, r.of.elements,
-      1e-6 * r.median(), 1e-6 * r.beam_steps_per_s.front(), 1e-6 * r.beam_steps_per_s.back(),
+      r.of.name, scene::word_of("solver.precision", r.of.precision), r.of.scenarios, r.of.threads,
+      r.of.elements, 1e-6 * r.median(), 1e-6 * r.beam_steps_per_s.front(), 1e-6 * r.beam_steps_per_s.back(),
       1e-6 * r.element_steps_per_s, r.median() / base.median(), r.bytes_per_beam,
       100 * r.median() * r.bytes_per_beam / peaks.memory_bytes_per_s, 100 * share_of_arithmetic(r, peaks));
 }

@@ -15,11 +15,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Style = ChartSeries::Style;
 
-std::string shape_name(const scene::Scene& scene) {
-  const std::string quoted = scene::toml_value(scene, *scene::find_parameter("specimen.shape"));
-  return quoted.substr(1, quoted.size() - 2);
-}
-
 NamedChart coordination_chart(const Json& summary) {
   ChartSeries series{.style = Style::line_points};
   for (const Json& count : summary.at("coordination_histogram"))
@@ -57,7 +52,7 @@ Json packing_json(const PackedSpecimen& s) {
   for (int r = 0; r < 3; ++r)
     fabric.push_back({structure.fabric(r, 0), structure.fabric(r, 1), structure.fabric(r, 2)});
   return {{"version", s.build.version},
-          {"shape", shape_name(s.scene)},
+          {"shape", scene::word_of("specimen.shape", s.scene.specimen.shape)},
           {"length_m", s.box.length},
           {"height_m", s.box.height},
           {"thickness_m", s.box.thickness},
