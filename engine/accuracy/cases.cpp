@@ -85,8 +85,8 @@ Planning start_from(const scene::Preset& preset, bool quick) {
   if (quick) take_quarter(p);
   if (scene.specimen.thickness)
     p.plan.notes.push_back(
-        "the preset gives a thickness: it stays as it is while the elements are varied, and with them "
-        "how many lie through it");
+        "the preset gives a thickness: it stays as it is while the elements are varied, and with them how "
+        "many lie through it");
   // A variant that sets the one must not be told that it contradicts the other.
   if (scene.solver.dt)
     p.plan.notes.push_back("the preset gives its step in seconds: it holds wherever the step is not varied");
@@ -204,25 +204,9 @@ AccuracyPlan planned(Planning p, const std::set<int>& levels, int seeds) {
 }  // namespace
 
 const char* name_of(Factor factor) {
-  switch (factor) {
-    case Factor::scene:
-      return "scene";
-    case Factor::time_step:
-      return "time step";
-    case Factor::precision:
-      return "precision";
-    case Factor::elements:
-      return "elements";
-    case Factor::kinematics:
-      return "kinematics";
-    case Factor::prestress:
-      return "pre-stress";
-    case Factor::samples:
-      return "samples";
-    case Factor::together:
-      return "together";
-  }
-  return "";
+  constexpr const char* names[] = {"scene",      "time step",  "precision", "elements",
+                                   "kinematics", "pre-stress", "samples",   "together"};
+  return names[static_cast<std::size_t>(factor)];
 }
 
 AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyOptions& wish) {

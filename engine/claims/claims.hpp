@@ -37,6 +37,10 @@ struct Claim {
   bool beyond = false;  // not the paper's but a finding of our own, with in-situ beams only
 };
 
+/// The claims about the paper's figures and tables, and about its sections, each beside its judge.
+std::vector<Claim> claims_of_figures();
+std::vector<Claim> claims_of_sections();
+
 /// All claims, in the order of the paper's artefacts and then of its sections, and what goes beyond it.
 const std::vector<Claim>& claims();
 

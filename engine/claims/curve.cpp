@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace rift::claims {
@@ -118,8 +119,7 @@ std::string missing_in(const Curve& curve, Span span) {
 }
 
 Verdict verdict_of(bool yes, double scatter, double margin) {
-  if (scatter > margin) return Verdict::not_decidable;
-  return yes ? Verdict::holds : Verdict::does_not_hold;
+  return scatter > margin ? Verdict::not_decidable : yes_or_no(yes);
 }
 
 std::string scatter_text(double scatter) { return fmt::format("scatter {:.3f}", scatter); }
@@ -150,6 +150,15 @@ Difference difference_of(const CurvePoint& a, const CurvePoint& b) {
   return {base::mean_of(differences), scatter_of(differences), static_cast<int>(differences.size())};
 }
 
+/// A judgement of the mean ratio at one velocity.
+Judgement judged_at(const Curve& curve, double v, const std::function<bool(double ratio)>& holds) {
+  const Curve at = within(curve, v, v);
+  if (at.empty()) return nothing_to_judge(fmt::format("no result at {:g} c_r", v));
+  const double ratio = base::mean_of(at.front().ratio), scatter = specimen_scatter(at);
+  return {verdict_of(holds(ratio), scatter, near_margin),
+          fmt::format("{:.3f} at {:g}, {}", ratio, v, scatter_text(scatter))};
+}
+
 enum class Side { below, above };
 
 Judgement offset_judgement(const Curve& curve, Span span, Side side) {
@@ -164,9 +173,8 @@ Judgement offset_judgement(const Curve& curve, Span span, Side side) {
 }  // namespace
 
 const char* name_of(Verdict verdict) {
-  return verdict == Verdict::holds           ? "holds"
-         : verdict == Verdict::does_not_hold ? "does not hold"
-                                             : "not decidable";
+  constexpr const char* names[] = {"holds", "does not hold", "not decidable"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 const std::vector<double>& claimed_velocities() {
@@ -272,19 +280,11 @@ Judgement is_mostly_constant(const Curve& curve, Span span) {
 }
 
 Judgement is_near_value(const Curve& curve, double v, double value) {
-  const Curve at = within(curve, v, v);
-  if (at.empty()) return nothing_to_judge(fmt::format("no result at {:g} c_r", v));
-  const double ratio = base::mean_of(at.front().ratio), scatter = specimen_scatter(at);
-  return {verdict_of(std::abs(ratio - value) <= near_margin, scatter, near_margin),
-          fmt::format("{:.3f} at {:g}, {}", ratio, v, scatter_text(scatter))};
+  return judged_at(curve, v, [&](double ratio) { return std::abs(ratio - value) <= near_margin; });
 }
 
 Judgement is_below(const Curve& curve, double v, double value) {
-  const Curve at = within(curve, v, v);
-  if (at.empty()) return nothing_to_judge(fmt::format("no result at {:g} c_r", v));
-  const double ratio = base::mean_of(at.front().ratio), scatter = specimen_scatter(at);
-  return {verdict_of(ratio < value, scatter, near_margin),
-          fmt::format("{:.3f} at {:g}, {}", ratio, v, scatter_text(scatter))};
+  return judged_at(curve, v, [&](double ratio) { return ratio < value; });
 }
 
 Judgement all_of(const std::vector<Part>& parts) {

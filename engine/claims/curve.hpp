@@ -73,6 +73,7 @@ inline constexpr double constant_margin = 0.05;
 
 enum class Verdict { holds, does_not_hold, not_decidable };
 const char* name_of(Verdict verdict);  // "holds", "does not hold", "not decidable"
+inline Verdict yes_or_no(bool yes) { return yes ? Verdict::holds : Verdict::does_not_hold; }
 
 /// A verdict and what it rests on: "0.6-1.0: mean |delta| 0.043, scatter 0.008".
 struct Judgement {

@@ -1,7 +1,6 @@
 #include "engine/claims/lattice_efficiency.hpp"
 
 #include "engine/base/numbers.hpp"
-#include "engine/claims/judges.hpp"
 
 #include <fmt/format.h>
 
@@ -145,7 +144,7 @@ std::vector<Extrapolated> extrapolated(const std::vector<BrobergProblem>& points
   return list;
 }
 
-namespace judges {
+namespace {
 
 Judgement beyond_map(const Evidence& evidence) {
   const std::vector<MapCell> cells = map_of(evidence);
@@ -162,7 +161,7 @@ Judgement beyond_map(const Evidence& evidence) {
   const auto per_scenario = [](const MapCell& cell) {
     return cell.wall_s / static_cast<double>(cell.v.size());
   };
-  return {base::mean_of(best->distance) <= near_margin ? Verdict::holds : Verdict::does_not_hold,
+  return {yes_or_no(base::mean_of(best->distance) <= near_margin),
           fmt::format("best of {}: p = {:g}, r_l = {:g}, mean |delta| {:.3f} ({}), {:.2f} s a scenario; the "
                       "paper's p = 1, r_l = 1: {:.3f}, {:.2f} s",
                       cells.size(), best->relaxation, best->zone, base::mean_of(best->distance), each,
@@ -182,7 +181,7 @@ Judgement beyond_efficiency(const Evidence& evidence) {
     scatter = std::max(scatter, std::max(scatter_of(p.ratio), base::mean_of(p.along)));
   }
   if (zones.rbegin()->second.empty()) return {Verdict::not_decidable, "no result"};
-  return {farthest <= near_margin ? Verdict::holds : Verdict::does_not_hold,
+  return {yes_or_no(farthest <= near_margin),
           fmt::format("{}; the longest zone is within {:.3f} of 1, scatter at most {:.3f}", text, farthest,
                       scatter)};
 }
@@ -212,29 +211,25 @@ Judgement beyond_broberg(const Evidence& evidence) {
                                100.0 * base::mean_of(away), 100.0 * base::mean_of(scatter))};
 }
 
-}  // namespace judges
+}  // namespace
 
 std::vector<Claim> beyond_the_paper() {
   return {
       {.name = "beyond_map",
        .artefact = "Relaxation and damage zone",
        .text = "Some power p of the relaxation and length r_l of the damage zone is near Broberg (mean "
-               "|delta| at "
-               "most 0.05) at 0.1 to 0.9 c_r in the paper's plate. It says nothing about the physics: there "
-               "the strip "
-               "limit is due.",
+               "|delta| at most 0.05) at 0.1 to 0.9 c_r in the paper's plate. It says nothing about the "
+               "physics: there the strip limit is due.",
        .needs = {"beyond_map"},
-       .judge = judges::beyond_map,
+       .judge = beyond_map,
        .beyond = true},
       {.name = "beyond_efficiency",
        .artefact = "Lattice efficiency",
-       .text =
-           "In a steady strip all stored energy arrives at the tip, so that the ratio is the lattice "
-           "efficiency "
-           "eta(v, r_l, p). It tends to 1 (within 0.05 at every velocity) as the damage zone grows; what is "
-           "missing moves in short waves behind the tip.",
+       .text = "In a steady strip all stored energy arrives at the tip, so that the ratio is the lattice "
+               "efficiency eta(v, r_l, p). It tends to 1 (within 0.05 at every velocity) as the damage zone "
+               "grows; what is missing moves in short waves behind the tip.",
        .needs = {"beyond_efficiency", "beyond_relaxation"},
-       .judge = judges::beyond_efficiency,
+       .judge = beyond_efficiency,
        .beyond = true},
       {.name = "beyond_broberg",
        .artefact = "Broberg's own problem",
@@ -242,7 +237,7 @@ std::vector<Claim> beyond_the_paper() {
            "A crack that opens from zero in the middle of a large plate, before any echo: G_ID is eta times "
            "Broberg's factor, and G_ID / eta tends to Broberg (within 2 %) as the elements grow small.",
        .needs = {"beyond_broberg", "beyond_efficiency"},
-       .judge = judges::beyond_broberg,
+       .judge = beyond_broberg,
        .beyond = true},
   };
 }

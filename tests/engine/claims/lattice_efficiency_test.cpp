@@ -1,7 +1,5 @@
 #include "engine/claims/lattice_efficiency.hpp"
 
-#include "engine/claims/judges.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,19 +45,19 @@ TEST(Beyond, OwnProblemIsTakenStraightOnToNoRadius) {
   const std::vector<Extrapolated> limits = extrapolated(broberg_problem(evidence));
   ASSERT_EQ(limits.size(), 1U);
   EXPECT_NEAR(limits[0].limit, broberg, 1e-12);
-  EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::holds);
+  EXPECT_EQ(find_claim("beyond_broberg")->judge(evidence).verdict, Verdict::holds);
   evidence.rows.push_back(own_row(0.5, 4, 0.8 * eta * broberg, 1e-3, broberg, 2));  // now they scatter
-  EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::not_decidable);
+  EXPECT_EQ(find_claim("beyond_broberg")->judge(evidence).verdict, Verdict::not_decidable);
   evidence.rows.pop_back();
   evidence.rows[0] = strip_row(0.5, 4, 0.9, 1);
-  EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(find_claim("beyond_broberg")->judge(evidence).verdict, Verdict::does_not_hold);
 }
 
 TEST(Beyond, WithoutTheStripAtThatZoneNothingIsExtrapolated) {
   const Evidence evidence{.rows = {strip_row(0.5, 8, 0.9, 1), own_row(0.5, 4, 0.4, 1e-3, 0.52),
                                    own_row(0.5, 4, 0.41, 0.5e-3, 0.52)}};
   EXPECT_TRUE(extrapolated(broberg_problem(evidence)).empty());
-  EXPECT_EQ(judges::beyond_broberg(evidence).verdict, Verdict::not_decidable);
+  EXPECT_EQ(find_claim("beyond_broberg")->judge(evidence).verdict, Verdict::not_decidable);
 }
 
 TEST(Beyond, MapFindsTheCellNearestToBroberg) {
@@ -69,7 +67,7 @@ TEST(Beyond, MapFindsTheCellNearestToBroberg) {
   ASSERT_EQ(cells.size(), 2U);
   EXPECT_EQ(cells[0].relaxation, 0.5);
   EXPECT_EQ(cells[1].wall_s, 4.0);
-  const Judgement judgement = judges::beyond_map(evidence);
+  const Judgement judgement = find_claim("beyond_map")->judge(evidence);
   EXPECT_EQ(judgement.verdict, Verdict::holds);
   EXPECT_NE(judgement.measured.find("best of 2: p = 0.5, r_l = 2, mean |delta| 0.020"), std::string::npos)
       << judgement.measured;
@@ -78,8 +76,8 @@ TEST(Beyond, MapFindsTheCellNearestToBroberg) {
 TEST(Beyond, AZoneThatTakesAllLetsTheEfficiencyHold) {
   const Evidence all{.rows = {strip_row(0.5, 1, 0.6, 1), strip_row(0.5, 16, 0.97, 1)}},
       some{.rows = {strip_row(0.5, 1, 0.6, 1), strip_row(0.5, 16, 0.9, 1)}};
-  EXPECT_EQ(judges::beyond_efficiency(all).verdict, Verdict::holds);
-  EXPECT_EQ(judges::beyond_efficiency(some).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(find_claim("beyond_efficiency")->judge(all).verdict, Verdict::holds);
+  EXPECT_EQ(find_claim("beyond_efficiency")->judge(some).verdict, Verdict::does_not_hold);
 }
 
 TEST(Beyond, WakeBandsAreSharesOfAllThatMoves) {
