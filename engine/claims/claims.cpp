@@ -2,7 +2,7 @@
 
 #include "engine/claims/lattice_efficiency.hpp"
 #include "engine/scene/derived.hpp"
-#include "engine/study/identity.hpp"
+#include "engine/study/plan.hpp"
 
 #include <algorithm>
 #include <cmath>

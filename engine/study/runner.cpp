@@ -9,7 +9,6 @@
 #include "engine/scene/scenarios.hpp"
 #include "engine/simulation/kept_march.hpp"
 #include "engine/simulation/summary.hpp"
-#include "engine/study/identity.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/store.hpp"
 

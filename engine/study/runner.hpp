@@ -2,9 +2,9 @@
 
 #include "engine/base/cache.hpp"
 #include "engine/results/lane_summary.hpp"
+#include "engine/scene/preset.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/record.hpp"
-#include "engine/study/identity.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -6,9 +6,11 @@
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/study/identity.hpp"
 
 #include <fmt/format.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
 
 #include <charconv>
 #include <fstream>
@@ -69,6 +71,10 @@ std::string check_of(const std::string& key, const Json& scenario, const std::st
 fs::path series_file(fs::path result) { return result.replace_extension(".csv"); }
 
 }  // namespace
+
+std::string hash_text(std::string_view text) {
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
+}
 
 void open_study(const fs::path& folder, const StudyManifest& manifest, std::vector<std::string>& notes) {
   base::make_folder(folder);

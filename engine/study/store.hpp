@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rift::study {
@@ -18,6 +19,9 @@ namespace rift::study {
 // that follows from what is in it.
 
 inline constexpr const char* study_name = "study.json";
+
+/// XXH3-64 of a text as 16 hex digits.
+std::string hash_text(std::string_view text);
 
 /// The content of study.json.
 struct StudyManifest {

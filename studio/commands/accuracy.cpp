@@ -4,7 +4,7 @@
 #include "engine/claims/curve.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/study/identity.hpp"
+#include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
 #include "studio/reports/accuracy_report.hpp"

@@ -1,6 +1,5 @@
 #include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
-#include "engine/study/identity.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"

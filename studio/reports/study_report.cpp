@@ -4,6 +4,7 @@
 #include "engine/base/numbers.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
+#include "engine/study/plan.hpp"
 #include "engine/study/store.hpp"
 #include "studio/charts/chart_script.hpp"
 #include "studio/charts/curves.hpp"
