@@ -1,7 +1,7 @@
 #include "viz/plan.hpp"
 
 #include "engine/results/archive.hpp"
-#include "engine/results/lane_title.hpp"
+#include "engine/results/lane_summary.hpp"
 #include "viz/field.hpp"
 
 #include <fmt/format.h>
@@ -163,10 +163,10 @@ void choose_clock(Plan& plan, const std::vector<Shown>& shown) {
 }
 
 std::vector<Pane> panes_of(const std::vector<Shown>& shown) {
-  std::vector<Header> scenarios;
+  std::vector<results::LaneSummary> scenarios;
   for (const Shown& pane : shown) {
-    const Header all = pane.header.value("scenarios", Header::array());
-    scenarios.push_back(pane.lane < static_cast<int>(all.size()) ? all[pane.lane] : Header::object());
+    const auto all = results::lane_summaries_of(pane.header.value("scenarios", Header::array()));
+    scenarios.push_back(pane.lane < static_cast<int>(all.size()) ? all[pane.lane] : results::LaneSummary{});
   }
   const std::vector<std::string> titles = results::lane_titles(scenarios);
   std::vector<Pane> panes;

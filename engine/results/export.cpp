@@ -202,42 +202,26 @@ fs::path export_ovito(const fs::path& run_folder) {
 
 namespace {
 
-template <typename Columns>
-std::string names(const Columns& columns) {
-  std::string text;
-  for (const auto& column : columns) text += fmt::format(",{}", column.name);
-  return text + "\n";
-}
-
-template <typename Row, typename Columns>
-std::string numbers(const Row& row, const Columns& columns) {
-  std::string text;
-  for (const auto& column : columns) text += "," + csv_number(row.*column.value);
-  return text + "\n";
-}
-
 std::string events_csv(const JournalScan& scan) {
-  std::string text = "beam,lane" + names(event_columns);
+  std::string text = "beam,lane" + names_of(event_columns) + "\n";
   for (const auto& event : scan.events)
-    text += fmt::format("{},{}", event.beam, event.lane) + numbers(event, event_columns);
+    text += base::csv_fields(event.beam, event.lane) + numbers_of(event, event_columns) + "\n";
   return text;
 }
 
 std::string rate_csv(const JournalScan& scan) {
-  std::string text = "lane,tip_m" + names(rate_columns);
+  std::string text = "lane,tip_m" + names_of(rate_columns) + "\n";
   for (const auto& curve : scan.rates)
     for (const auto& point : curve.points)
-      text += fmt::format("{},{}", curve.lane, csv_number(point.tip_m)) + numbers(point, rate_columns);
+      text += base::csv_fields(curve.lane, point.tip_m) + numbers_of(point, rate_columns) + "\n";
   return text;
 }
 
 std::string crack_csv(const JournalScan& scan) {
   std::string text = "step,time_s,lane,tip_m,velocity_m_s\n";
-  for (const auto& sample : scan.samples) {
-    if (sample.phase != Phase::fracture) continue;
-    text += fmt::format("{},{},{},{},{}\n", sample.step, csv_number(sample.time_s), sample.lane,
-                        csv_number(sample.tip_m), csv_number(sample.velocity_m_s));
-  }
+  for (const auto& sample : scan.samples)
+    if (sample.phase == Phase::fracture)
+      text += base::csv_row(sample.step, sample.time_s, sample.lane, sample.tip_m, sample.velocity_m_s);
   return text;
 }
 

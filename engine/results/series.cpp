@@ -1,7 +1,5 @@
 #include "engine/results/series.hpp"
 
-#include <fmt/format.h>
-
 #include <cassert>
 #include <cmath>
 #include <map>
@@ -9,10 +7,7 @@
 namespace rift::results {
 
 std::string series_header() {
-  std::string header = "step,time_s,phase,lane";
-  for (const auto& column : sample_columns) header += fmt::format(",{}", column.name);
-  for (const auto& column : rate_columns) header += fmt::format(",{}", column.name);
-  return header;
+  return "step,time_s,phase,lane" + names_of(sample_columns) + names_of(rate_columns);
 }
 
 std::string_view phase_name(Phase phase) {
@@ -28,17 +23,10 @@ std::string_view phase_name(Phase phase) {
   return "";
 }
 
-std::string csv_number(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : std::string();
-}
-
 std::string series_row(const Sample& sample, const RatePoint* rate) {
-  std::string row = fmt::format("{},{},{},{}", sample.step, csv_number(sample.time_s),
-                                phase_name(sample.phase), sample.lane);
-  for (const auto& column : sample_columns) row += "," + csv_number(sample.*column.value);
-  for (const auto& column : rate_columns)
-    row += "," + (rate ? csv_number(rate->*column.value) : std::string());
-  return row + "\n";
+  const std::string rates = rate ? numbers_of(*rate, rate_columns) : std::string(rate_columns.size(), ',');
+  return base::csv_fields(sample.step, sample.time_s, phase_name(sample.phase), sample.lane) +
+         numbers_of(sample, sample_columns) + rates + "\n";
 }
 
 std::vector<const RatePoint*> match_rates(std::span<const Sample> samples, std::span<const RateCurve> rates) {
@@ -64,14 +52,10 @@ std::string series_csv(std::span<const Sample> samples, std::span<const RateCurv
 }
 
 std::string gauges_csv(std::span<const GaugeRow> rows) {
-  std::string text = "step,time_s,lane,gauge";
-  for (const auto& column : gauge_columns) text += fmt::format(",{}", column.name);
-  text += '\n';
-  for (const GaugeRow& row : rows) {
-    text += fmt::format("{},{},{},{}", row.step, csv_number(row.time_s), row.lane, row.gauge);
-    for (const auto& column : gauge_columns) text += "," + csv_number(row.*column.value);
-    text += '\n';
-  }
+  std::string text = "step,time_s,lane,gauge" + names_of(gauge_columns) + "\n";
+  for (const GaugeRow& row : rows)
+    text +=
+        base::csv_fields(row.step, row.time_s, row.lane, row.gauge) + numbers_of(row, gauge_columns) + "\n";
   return text;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/csv.hpp"
 #include "engine/base/files.hpp"
 #include "engine/results/records.hpp"
 #include "engine/results/schema.hpp"
@@ -21,7 +22,7 @@ struct Column {
   double Row::*value;
 };
 
-/// What follows step, time_s, phase and lane.
+/// Columns of series.csv behind step, time_s, phase and lane.
 inline constexpr std::array sample_columns{
     Column<Sample>{"tip_m", &Sample::tip_m},
     Column<Sample>{"velocity_m_s", &Sample::velocity_m_s},
@@ -38,7 +39,7 @@ inline constexpr std::array sample_columns{
     Column<Sample>{"grip_force_n", &Sample::grip_force_n},
 };
 
-/// What follows step, time_s, lane and gauge.
+/// Columns of gauges.csv behind step, time_s, lane and gauge.
 inline constexpr std::array gauge_columns{
     Column<GaugeRow>{"x_m", &GaugeRow::x_m},
     Column<GaugeRow>{"y_m", &GaugeRow::y_m},
@@ -53,7 +54,7 @@ inline constexpr std::array gauge_columns{
     Column<GaugeRow>{"strain_xy", &GaugeRow::strain_xy},
 };
 
-/// What follows a tip position.
+/// Columns of a rate curve behind the tip position.
 inline constexpr std::array rate_columns{
     Column<RatePoint>{"ratio", &RatePoint::ratio},
     Column<RatePoint>{"ratio_release", &RatePoint::ratio_release},
@@ -61,12 +62,28 @@ inline constexpr std::array rate_columns{
     Column<RatePoint>{"ratio_translation_only", &RatePoint::ratio_translation_only},
 };
 
-/// What follows beam and lane.
+/// Columns of the events behind beam and lane.
 inline constexpr std::array event_columns{
     Column<ReleaseEvent>{"time_s", &ReleaseEvent::time_s},
     Column<ReleaseEvent>{"position_m", &ReleaseEvent::position_m},
     Column<ReleaseEvent>{"energy_j", &ReleaseEvent::energy_j},
 };
+
+/// The names of columns, a comma before each.
+template <typename Columns>
+[[nodiscard]] std::string names_of(const Columns& columns) {
+  std::string names;
+  for (const auto& column : columns) names += ',' + base::csv_field(column.name);
+  return names;
+}
+
+/// A row's numbers in columns, a comma before each.
+template <typename Row, typename Columns>
+[[nodiscard]] std::string numbers_of(const Row& row, const Columns& columns) {
+  std::string numbers;
+  for (const auto& column : columns) numbers += ',' + base::csv_field(row.*column.value);
+  return numbers;
+}
 
 // `series.csv`: one row per sample and lane. Numbers are the shortest text that reads back to the same bits;
 // what is not defined (NaN, a release rate where none is known) is an empty field.
@@ -79,9 +96,6 @@ std::string gauges_csv(std::span<const GaugeRow> rows);
 
 /// "loading", "hold" or "fracture".
 [[nodiscard]] std::string_view phase_name(Phase phase);
-
-/// A double as a CSV field: shortest round-trip form, empty where it is NaN.
-[[nodiscard]] std::string csv_number(double value);
 
 /// One line, with its end; the rate columns empty without `rate`.
 [[nodiscard]] std::string series_row(const Sample& sample, const RatePoint* rate = nullptr);

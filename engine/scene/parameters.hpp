@@ -71,6 +71,12 @@ std::string assign(Scene& scene, const Parameter& row, const Value& value);
 /// absent.
 std::string toml_value(const Scene& scene, const Parameter& row);
 
+/// The word of an enum's value; the choices of its row stand in the enum's order.
+template <class Enum>
+std::string word_of(std::string_view key, Enum value) {
+  return std::string(find_parameter(key)->choices.at(static_cast<std::size_t>(value)));
+}
+
 /// "(0, 100] m", "\"static\" or \"ramp\"", ...: what the row allows.
 std::string allowed(const Parameter& row);
 

@@ -29,7 +29,7 @@ const Axis* find_axis(std::string_view name);
 /// The row of the parameter table that the axis varies.
 const Parameter& parameter_of(const Axis& axis);
 
-/// Whether the axis means anything in this scene: a simple release has no damage zone, thus no relaxation
+/// True where the axis means anything in this scene: a simple release has no damage zone, thus no relaxation
 /// either.
 bool applies(const Scene& scene, const Axis& axis);
 

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "engine/results/lane_summary.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/record.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace rift::simulation {
 
@@ -14,19 +13,18 @@ struct Rates {
 };
 Rates rates_of(const Prepared& prepared, const RunResult& result, int lane = 0);
 
-/// What the journal says of a run before its first step: the preset as it is in effect, and what runs it.
+/// The journal's header, written before the first step: the preset as it is in effect, and what runs it.
 nlohmann::ordered_json header_of(const Prepared& prepared, const BuildInfo& build);
 
-/// summary.json: one object per lane under "scenarios", names as in docs/results-format.md; what is undefined
-/// is null.
+/// summary.json: one object per lane under "scenarios", as results::to_json() has it.
 /// @param[in] wall_total_s  that the run has taken, in all its calls
 nlohmann::ordered_json summary_of(const Prepared& prepared, const RunResult& result,
                                   const std::vector<Rates>& rates, const BuildInfo& build,
                                   double wall_total_s);
 
-/// The object of one lane in it, which may be asked for as soon as that lane has ended.
-nlohmann::ordered_json lane_summary(const Prepared& prepared, const RunResult& result, int lane,
-                                    const Rates& rates, const BuildInfo& build, double wall_total_s);
+/// The summary of one lane in it, which may be asked for as soon as that lane has ended.
+results::LaneSummary lane_summary(const Prepared& prepared, const RunResult& result, int lane,
+                                  const Rates& rates, const BuildInfo& build, double wall_total_s);
 
 /// The lattice as a viewer needs it.
 results::Geometry geometry_of(const Prepared& prepared);

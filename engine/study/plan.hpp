@@ -9,13 +9,27 @@
 
 namespace rift::study {
 
+// A scenario of a study is the same one again by its effective preset and the program that computes it.
+
+/// The scenarios' scenes in the order of preset.study. They write no frames: a study keeps numbers.
+std::vector<scene::Scene> scenes_of_study(const scene::Preset& preset);
+
+/// A scene as a row of a study that names all axes.
+scene::StudyRow study_row_of(const scene::Scene& scene);
+
+/// All that the bits of a scenario's result depend on: effective preset, version and instruction set.
+std::string result_key(const scene::Scene& scene, const std::string& version);
+
+/// Hash of the scenarios, in their order, and of this program's version, by which study.json is known.
+std::string study_hash(const scene::Preset& preset);
+
 /// A scenario of a study on its way to be computed.
 struct StudyItem {
   int row = 0;  // of preset.study
   scene::Scene scene;
   std::string key;  // of its result
   int group = 0;    // those of one group share specimen, lattice and pre-stress
-  double cost = 0;  // its share of the pass that it marches in   [cost.hpp]
+  double cost = 0;  // its share of the pass that it marches in
 };
 
 /// The scenarios of a study, group by group in the order of first appearance.
@@ -30,7 +44,7 @@ std::vector<StudyItem> part_of(const std::vector<StudyItem>& items, int shard, i
 /// so that a pass then holds no more than march side by side.
 std::vector<std::vector<std::size_t>> passes_of(const std::vector<simulation::LanePlan>& lanes);
 
-/// How a queue of scenarios is done soonest.
+/// The way in which a queue of scenarios is done soonest.
 struct Queue {
   int lanes = 1;    // side by side
   double time = 0;  // in steps of a kernel whose lanes fill half of 64 bytes
@@ -43,5 +57,24 @@ Queue soonest(const std::vector<std::int64_t>& steps, ensemble::Precision precis
 
 /// Lanes side by side where there is no end of scenarios.
 int lanes_of_many(ensemble::Precision precision);
+
+/// Estimates that need no lattice, for bars and for asking before a long study.
+
+/// Step and steps of a scenario, with a critical step of 0.63 R / c_r (measured on the quickstart plate).
+struct StepCount {
+  double step_s = 0;
+  std::int64_t steps = 0;
+};
+StepCount estimated_steps(const scene::Scene& scene);
+
+/// The cost of a step: the scene's beams, as many times as its damping and its kinematics make them dearer
+/// [rift bench --needs]. The unit is a walk over one beam for as many lanes as march side by side.
+double estimated_step_cost(const scene::Scene& scene);
+
+/// The steps of a scenario that marches by itself.
+double estimated_cost(const scene::Scene& scene);
+
+/// The same for packing and pre-stress together.
+double estimated_preparation(const scene::Scene& scene);
 
 }  // namespace rift::study

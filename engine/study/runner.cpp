@@ -9,7 +9,6 @@
 #include "engine/scene/scenarios.hpp"
 #include "engine/simulation/kept_march.hpp"
 #include "engine/simulation/summary.hpp"
-#include "engine/study/identity.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/store.hpp"
 
@@ -45,7 +44,7 @@ struct Study {
   bool stopped = false;
   std::vector<scene::Issue> issues = {};
 
-  bool is_there(const StudyItem& item) const { return !result.rows[item.row].is_null(); }
+  bool is_there(const StudyItem& item) const { return result.rows[item.row].has_value(); }
 
   /// Tells how far the whole is when `part` of something of this cost is done.
   bool tell(std::string_view stage, double part, double of_cost) {
@@ -55,9 +54,9 @@ struct Study {
   }
 };
 
-Json axes_of(const scene::StudyRow& row) {
+Json axes_of(const AxisTexts& row) {
   Json axes = Json::object();
-  for (const auto& [name, text] : row.axes) axes[name] = text;
+  for (const auto& [name, text] : row) axes[name] = text;
   return axes;
 }
 
@@ -71,18 +70,18 @@ StudyManifest manifest_of(const scene::Preset& preset, const std::vector<StudyIt
                          .axes = {},
                          .rows = Json::array()};
   for (const auto& [name, text] : preset.study.front().axes) manifest.axes.push_back(name);
-  for (const scene::StudyRow& row : preset.study) manifest.rows.push_back({{"axes", axes_of(row)}});
+  for (const scene::StudyRow& row : preset.study) manifest.rows.push_back({{"axes", axes_of(row.axes)}});
   for (const StudyItem& item : items) manifest.rows[item.row]["file"] = result_file("", item.key).string();
   return manifest;
 }
 
-void take(Study& study, const StudyItem& item, Json scenario) {
-  SummaryRow& row = study.result.rows[item.row];
-  row = std::move(scenario);
-  row["axes"] = axes_of(study.preset.study[item.row]);
-  row["row"] = item.row;
-  row["series"] = result_file("", item.key).replace_extension(".csv").string();
-  if (row.at("outcome") == simulation::name_of(simulation::Outcome::diverged))
+void take(Study& study, const StudyItem& item, results::LaneSummary summary) {
+  SummaryRow& row = study.result.rows[item.row].emplace();
+  static_cast<results::LaneSummary&>(row) = std::move(summary);
+  row.axes = study.preset.study[item.row].axes;
+  row.row = item.row;
+  row.series = result_file("", item.key).replace_extension(".csv").string();
+  if (row.outcome == simulation::name_of(simulation::Outcome::diverged))
     study.result.outcome = simulation::Outcome::diverged;
   ++study.there;
   if (study.observer.finished)
@@ -92,11 +91,11 @@ void take(Study& study, const StudyItem& item, Json scenario) {
 /// Takes the scenarios that the folder holds.
 void gather(Study& study, const std::vector<StudyItem>& items) {
   for (const StudyItem& item : items) {
-    if (!study.result.rows[item.row].is_null()) continue;
-    auto scenario = read_result(study.options.folder, item.key, study.cache.notes);
-    if (!scenario) continue;
+    if (study.is_there(item)) continue;
+    auto summary = read_result(study.options.folder, item.key, study.cache.notes);
+    if (!summary) continue;
     ++study.result.found;
-    take(study, item, std::move(*scenario));
+    take(study, item, std::move(*summary));
   }
 }
 
@@ -111,7 +110,7 @@ scene::Preset preset_of(const Study& study, const StudyItem& item) {
   return preset;
 }
 
-/// The books, those of a ramp among them, and the rate curve, as series.csv of a run has them.
+/// The energy balance, that of a ramp included, and the rate curve, as series.csv of a run has them.
 std::string series_of(const simulation::LaneResult& lane, const simulation::Rates& rates) {
   std::vector<results::Sample> rows;
   for (results::Sample row : lane.books) {
@@ -122,7 +121,7 @@ std::string series_of(const simulation::LaneResult& lane, const simulation::Rate
   return results::series_csv(rows, {&curve, 1});
 }
 
-/// What a pass is known by: the names of its scenarios' results, in the order in which they march.
+/// A pass is known by the names of its scenarios' results, in the order in which they march.
 std::string pass_identity(std::span<const StudyItem> pass) {
   std::string names;
   for (const StudyItem& item : pass) names += hash_text(item.key) + "\n";
@@ -150,8 +149,8 @@ void march_pass(Study& study, const simulation::Prepared& prepared, std::span<co
     const simulation::LaneResult& lane = so_far.lane[k];
     if (lane.outcome == simulation::Outcome::stopped || study.is_there(pass[k])) return;
     const simulation::Rates rates = simulation::rates_of(prepared, so_far, k);
-    const Json scenario = simulation::lane_summary(prepared, so_far, k, rates, study.build,
-                                                   keeping.taken_before_s + base::seconds_since(marching));
+    const results::LaneSummary scenario = simulation::lane_summary(
+        prepared, so_far, k, rates, study.build, keeping.taken_before_s + base::seconds_since(marching));
     ++study.result.computed;
     take(study, pass[k], write_result(study.options.folder, pass[k].key, scenario, series_of(lane, rates)));
   };
@@ -246,7 +245,7 @@ void compute_group(Study& study, std::vector<StudyItem> items) {
 std::vector<std::vector<StudyItem>> missing(const Study& study, const std::vector<StudyItem>& mine) {
   std::vector<std::vector<StudyItem>> groups;
   for (const StudyItem& item : mine) {
-    if (!study.result.rows[item.row].is_null()) continue;
+    if (study.is_there(item)) continue;
     if (groups.empty() || groups.back().front().group != item.group) groups.emplace_back();
     groups.back().push_back(item);
   }
@@ -271,6 +270,24 @@ void compute(Study& study, const std::vector<std::vector<StudyItem>>& groups) {
 }
 
 }  // namespace
+
+double marching_time(const SummaryRow& row) {
+  return row.wall_fracture_s + (row.prestress_method == "ramp" ? row.wall_prestress_s : 0.0);
+}
+
+Json to_json(const SummaryRow& row) {
+  Json json = results::to_json(row);
+  json["axes"] = axes_of(row.axes);
+  json["row"] = row.row;
+  json["series"] = row.series;
+  return json;
+}
+
+Json to_json(const std::vector<std::optional<SummaryRow>>& rows) {
+  Json list = Json::array();
+  for (const std::optional<SummaryRow>& row : rows) list.push_back(row ? to_json(*row) : Json(nullptr));
+  return list;
+}
 
 StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, base::Cache& cache,
                       const simulation::BuildInfo& build, const StudyObserver& observer) {

@@ -1,23 +1,43 @@
 #pragma once
 
 #include "engine/base/cache.hpp"
+#include "engine/results/lane_summary.hpp"
+#include "engine/scene/preset.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/record.hpp"
-#include "engine/study/identity.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Studies: many scenarios, each computed once, kept as soon as it is there.
 namespace rift::study {
 
-/// One object of summary.json's "scenarios", plus "axes": {name: text}, its place "row" in the study, and
-/// "series": the file of its series in the folder.
-using SummaryRow = nlohmann::ordered_json;
+/// The axes that a study names, with the values of a scenario as text.
+using AxisTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// The summary of a scenario, its axes with the texts of their values, its place in the study, and the file
+/// of its series in the folder.
+struct SummaryRow : results::LaneSummary {
+  AxisTexts axes;
+  int row = 0;
+  std::string series;
+};
+
+/// Seconds that the scenario marched: its crack, and its ramp where it has one.
+double marching_time(const SummaryRow& row);
+
+/// The row as tables and --json have it: the summary's columns, "axes": {name: text}, "row" and "series".
+nlohmann::ordered_json to_json(const SummaryRow& row);
+
+/// The rows of a study as a list; null where one is not computed yet.
+nlohmann::ordered_json to_json(const std::vector<std::optional<SummaryRow>>& rows);
 
 struct StudyOptions {
   std::filesystem::path folder;  // of the study; made or continued
@@ -34,7 +54,7 @@ struct StudyObserver {
 };
 
 struct StudyResult {
-  std::vector<SummaryRow> rows;  // in the order of preset.study; null where not computed yet
+  std::vector<std::optional<SummaryRow>> rows;  // in the order of preset.study; none where not computed yet
   simulation::Outcome outcome = simulation::Outcome::finished;
   int computed = 0, found = 0;
   double wall_s = 0;

@@ -6,9 +6,11 @@
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/study/identity.hpp"
 
 #include <fmt/format.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
 
 #include <charconv>
 #include <fstream>
@@ -23,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Whether there is anything but what another process is about to write.
+/// True where the folder holds anything but what another process is about to write.
 bool holds_files(const fs::path& folder) {
   std::error_code error;
   for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
@@ -33,8 +35,10 @@ bool holds_files(const fs::path& folder) {
   return false;
 }
 
-std::string text_of(const Json& j, const char* key) {
-  return j.contains(key) && j.at(key).is_string() ? j.at(key).get<std::string>() : std::string();
+/// A text of an object; empty where it is none.
+std::string text_of(const Json& object, const char* name) {
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 /// Why the study in the folder cannot be gone on with; empty where it can.
@@ -68,6 +72,10 @@ fs::path series_file(fs::path result) { return result.replace_extension(".csv");
 
 }  // namespace
 
+std::string hash_text(std::string_view text) {
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
+}
+
 void open_study(const fs::path& folder, const StudyManifest& manifest, std::vector<std::string>& notes) {
   base::make_folder(folder);
   const fs::path file = folder / study_name;
@@ -99,8 +107,8 @@ fs::path result_file(const fs::path& folder, const std::string& key) {
   return folder / "runs" / (hash_text(key) + ".json");
 }
 
-std::optional<Json> read_result(const fs::path& folder, const std::string& key,
-                                std::vector<std::string>& notes) {
+std::optional<results::LaneSummary> read_result(const fs::path& folder, const std::string& key,
+                                                std::vector<std::string>& notes) {
   const fs::path file = result_file(folder, key);
   if (!fs::exists(file)) return std::nullopt;
   const Json j = results::json_or_discarded(base::read_whole_file(file));
@@ -109,23 +117,23 @@ std::optional<Json> read_result(const fs::path& folder, const std::string& key,
                      text_of(j, "check") == check_of(key, j.at("scenario"), text_of(j, "series_hash"));
   const fs::path series = series_file(file);
   if (whole && fs::exists(series) && hash_text(base::read_whole_file(series)) == text_of(j, "series_hash"))
-    return j.at("scenario");
+    return results::lane_summary_of(j.at("scenario"));
   notes.push_back(fmt::format("{}: damaged, computed again", (whole ? series : file).string()));
   return std::nullopt;
 }
 
-Json write_result(const fs::path& folder, const std::string& key, const Json& scenario,
-                  const std::string& series_csv) {
+results::LaneSummary write_result(const fs::path& folder, const std::string& key,
+                                  const results::LaneSummary& scenario, const std::string& series_csv) {
   const fs::path file = result_file(folder, key);
   base::write_whole_file(series_file(file), series_csv);
-  Json kept = results::read_json(base::json_text(scenario), file);  // what is undefined is null from here on
+  const Json kept = results::to_json(scenario);
   const std::string series_hash = hash_text(series_csv);
   const Json j{{"key", key},
                {"scenario", kept},
                {"series_hash", series_hash},
                {"check", check_of(key, kept, series_hash)}};
   base::write_whole_file(file, base::json_text(j, 2) + "\n");
-  return kept;
+  return results::lane_summary_of(kept);
 }
 
 namespace {
@@ -134,21 +142,17 @@ namespace {
   throw scene::InputError({scene::Issue{.file = file.string(), .key = {}, .text = std::move(why)}});
 }
 
-std::string member_text(const Json& object, const char* name) {
-  const auto found = object.is_object() ? object.find(name) : object.end();
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-/// The result in a file of runs/, or null where there is none yet or none that is whole.
-Json stored_result(const fs::path& folder, const std::string& file, std::vector<std::string>& notes) {
-  if (file.empty() || !fs::exists(folder / file)) return nullptr;
+/// The result in a file of runs/, or nothing where there is none yet or none that is whole.
+std::optional<results::LaneSummary> stored_result(const fs::path& folder, const std::string& file,
+                                                  std::vector<std::string>& notes) {
+  if (file.empty() || !fs::exists(folder / file)) return std::nullopt;
   const Json stored = results::json_or_discarded(base::read_whole_file(folder / file));
-  const std::string key = member_text(stored, "key");
+  const std::string key = text_of(stored, "key");
   if (key.empty() || result_file(folder, key) != folder / file) {
     notes.push_back((folder / file).string() + ": damaged");
-    return nullptr;
+    return std::nullopt;
   }
-  return read_result(folder, key, notes).value_or(nullptr);
+  return read_result(folder, key, notes);
 }
 
 }  // namespace
@@ -158,16 +162,16 @@ StoredStudy read_study(const fs::path& folder) {
   const Json manifest = results::json_or_discarded(base::read_whole_file(file));
   if (!manifest.is_object() || !manifest.contains("scenarios") || !manifest["scenarios"].is_array())
     refuse_study(file, "is damaged: 'rift study' with the same preset writes it anew");
-  const std::string text = member_text(manifest, "preset_text");
+  const std::string text = text_of(manifest, "preset_text");
   if (text.empty())
     refuse_study(file, "holds no preset, as before rift 0.2: 'rift study' with its preset goes on with it");
   StoredStudy study;
-  study.preset = scene::read_preset_text(text, member_text(manifest, "preset"));
+  study.preset = scene::read_preset_text(text, text_of(manifest, "preset"));
   if (!study.preset.issues.empty()) throw scene::InputError(study.preset.issues);
   if (study.preset.study.empty() || study.preset.study.size() != manifest["scenarios"].size())
     refuse_study(file, "is damaged: its preset and its list of scenarios do not fit each other");
   for (const Json& scenario : manifest["scenarios"])
-    study.rows.push_back(stored_result(folder, member_text(scenario, "file"), study.notes));
+    study.rows.push_back(stored_result(folder, text_of(scenario, "file"), study.notes));
   return study;
 }
 
@@ -212,19 +216,6 @@ SeriesTable read_series(const std::filesystem::path& path) {
     }
   }
   return table;
-}
-
-Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
-  if (x.size() < 3) return {undefined, undefined};
-  const auto n = static_cast<double>(x.size());
-  double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) mx += x[k] / n, my += y[k] / n;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xx += (x[k] - mx) * (x[k] - mx);
-    xy += (x[k] - mx) * (y[k] - my);
-    yy += (y[k] - my) * (y[k] - my);
-  }
-  return {xy / xx, yy > 0.0 ? xy * xy / (xx * yy) : 1.0};
 }
 
 }  // namespace rift::study

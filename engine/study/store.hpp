@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/results/lane_summary.hpp"
 #include "engine/scene/preset.hpp"
 
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rift::study {
@@ -18,7 +20,10 @@ namespace rift::study {
 
 inline constexpr const char* study_name = "study.json";
 
-/// What study.json says of a study.
+/// XXH3-64 of a text as 16 hex digits.
+std::string hash_text(std::string_view text);
+
+/// The content of study.json.
 struct StudyManifest {
   std::string hash, version, instruction_set, preset;
   std::string
@@ -40,20 +45,21 @@ void open_shared(const std::filesystem::path& folder);
 std::filesystem::path result_file(const std::filesystem::path& folder, const std::string& key);
 
 /// The result stored under a key, or nothing; one that is damaged counts as absent, with a note.
-std::optional<nlohmann::ordered_json> read_result(const std::filesystem::path& folder, const std::string& key,
-                                                  std::vector<std::string>& notes);
+std::optional<results::LaneSummary> read_result(const std::filesystem::path& folder, const std::string& key,
+                                                std::vector<std::string>& notes);
 
 /// Stores a scenario's summary and series: each under a temporary name, flushed and renamed, the series
 /// first.
 /// @return the summary as read_result() will give it
-nlohmann::ordered_json write_result(const std::filesystem::path& folder, const std::string& key,
-                                    const nlohmann::ordered_json& scenario, const std::string& series_csv);
+results::LaneSummary write_result(const std::filesystem::path& folder, const std::string& key,
+                                  const results::LaneSummary& scenario, const std::string& series_csv);
 
 /// A study as its folder holds it.
 struct StoredStudy {
   scene::Preset preset;
-  std::vector<nlohmann::ordered_json> rows;  // summaries in the order of preset.study; null: not computed yet
-  std::vector<std::string> notes;            // which results are damaged
+  std::vector<std::optional<results::LaneSummary>>
+      rows;                        // in the order of preset.study; none: not computed yet
+  std::vector<std::string> notes;  // which results are damaged
 };
 
 /// Reads the preset and the results of a study's folder, and computes nothing. Throws InputError where
@@ -73,12 +79,5 @@ struct SeriesTable {
 
 /// Reads a series as results::series_csv() writes it; empty where there is no such file.
 SeriesTable read_series(const std::filesystem::path& path);
-
-/// Straight line through points by least squares, and the share of the variance it explains (R^2; 1 for
-/// points on a line). NaN for less than three points.
-struct Line {
-  double slope = 0, r_squared = 0;
-};
-Line line_through(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace rift::study

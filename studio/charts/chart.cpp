@@ -70,4 +70,16 @@ DrawnChart draw_chart(const HeatMap& map, const fs::path& folder, const std::str
   return draw(map, folder, name);
 }
 
+std::vector<NamedChart> those_with_points(std::vector<NamedChart> charts) {
+  const auto empty = [](const NamedChart& named) {
+    return std::visit([](const auto& chart) { return !has_points(chart); }, named.chart);
+  };
+  std::erase_if(charts, empty);
+  return charts;
+}
+
+DrawnChart draw_chart(const NamedChart& named, const fs::path& folder) {
+  return std::visit([&](const auto& chart) { return draw_chart(chart, folder, named.name); }, named.chart);
+}
+
 }  // namespace rift::studio

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace rift::studio {
@@ -10,22 +13,49 @@ namespace rift::studio {
 // Charts of reports: plain data, drawn by gnuplot as a child process. The data (csv) and the script (gp)
 // stay beside the picture, so that a reader can restyle it.   [docs/adr/0004-charts-by-gnuplot.md]
 
-/// One curve or cloud of points. Its label is enhanced text (report/label.hpp) and empty to stay out of the
+/// One curve or cloud of points. Its label is enhanced text (chart_script.hpp) and empty to stay out of the
 /// key.
 struct ChartSeries {
   enum class Style { line, points, line_points, dashed, band };
-  std::string label;
-  std::vector<double> x, y;  // same length; a point with a NaN is left out
-  std::vector<double>
-      error;  // half a bar's length, or half a band's width; empty for none, NaN where there is none
+  std::string label = {};
+  std::vector<double> x = {}, y = {};  // same length; a point with a NaN is left out
+  /// Half a bar's length, or half a band's width; empty for none, NaN where there is none.
+  std::vector<double> error = {};
   Style style = Style::line;
-  int colour =
-      0;  // into the palette, which gives shape and dash too; -1: a reference, black or grey and dashed
+  /// Into the palette, which gives shape and dash too; -1: a reference, black or grey and dashed.
+  int colour = 0;
+
+  void add(double at, double value, double half_bar = std::numeric_limits<double>::quiet_NaN()) {
+    error.resize(x.size(), std::numeric_limits<double>::quiet_NaN());
+    x.push_back(at), y.push_back(value), error.push_back(half_bar);
+  }
 };
+
+/// A point of a series, with half its error bar where it has one.
+struct ChartPoint {
+  double x, y, error = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A series that has one point for each row. @param point  ChartPoint of a row
+template <class Rows, class PointOf>
+ChartSeries series_of(std::string label, ChartSeries::Style style, int colour, const Rows& rows,
+                      const PointOf& point) {
+  ChartSeries series{.label = std::move(label), .style = style, .colour = colour};
+  for (const auto& row : rows) {
+    const ChartPoint p = point(row);
+    series.add(p.x, p.y, p.error);
+  }
+  return series;
+}
+
+/// A reference that does not depend on x, drawn between two ends.
+inline ChartSeries level(std::string label, double y, double from, double to) {
+  return {std::move(label), {from, to}, {y, y}, {}, ChartSeries::Style::dashed, -1};
+}
 
 /// An end that is not given follows the data.
 struct AxisRange {
-  std::optional<double> min, max;
+  std::optional<double> min = {}, max = {};
 };
 
 /// A moment or a stretch of the x axis, such as the echo of a boundary: a dotted line where the ends are
@@ -37,12 +67,11 @@ struct ChartMark {
 
 /// All texts are enhanced text; axes carry their units: "tip position [mm]".
 struct Chart {
-  std::string title, x_label, y_label;
-  AxisRange x_range, y_range;
+  std::string title = {}, x_label = {}, y_label = {};
+  AxisRange x_range = {}, y_range = {};
   bool log_x = false, log_y = false;
-  bool key_outside = false;  // else inside, if a corner is free of data
-  std::vector<ChartSeries> series;
-  std::vector<ChartMark> marks;
+  std::vector<ChartSeries> series = {};
+  std::vector<ChartMark> marks = {};
 };
 
 /// Values on a grid of equal cells, whatever the distances of x and of y; cells of NaN stay white. Meant for
@@ -73,10 +102,15 @@ DrawnChart draw_chart(const Chart& chart, const std::filesystem::path& folder, c
 /// The same of a heat map; the csv is column,row,x,y,value,text.
 DrawnChart draw_chart(const HeatMap& map, const std::filesystem::path& folder, const std::string& name);
 
-/// A chart of a report, before it is drawn.
+/// A chart or a map of a report, before it is drawn.
 struct NamedChart {
   std::string name, caption;
-  Chart chart;
+  std::variant<Chart, HeatMap> chart;
 };
+
+/// Those in which there is something to be drawn: draw_chart() refuses the others.
+std::vector<NamedChart> those_with_points(std::vector<NamedChart> charts);
+
+DrawnChart draw_chart(const NamedChart& named, const std::filesystem::path& folder);
 
 }  // namespace rift::studio

@@ -1,7 +1,7 @@
 #include "studio/charts/chart_script.hpp"
 
 #include "engine/base/text.hpp"
-#include "studio/charts/key_place.hpp"
+#include "studio/charts/chart_layout.hpp"
 
 #include <fmt/format.h>
 
@@ -67,12 +67,11 @@ std::string script_head(const std::string& title, const std::string& name, int h
 }
 
 std::string script_end(const std::string& plot, int height) {
-  return plot + fmt::format(
-                    "set terminal pngcairo size {},{} enhanced font 'sans-serif,14' fontscale 1.5 linewidth "
-                    "2 dashlength 0.6 "
-                    "pointscale 2.8 "
-                    "background 'white'\nset output png\nreplot\nset output\n",
-                    2 * chart_width, 2 * height);
+  return plot +
+         fmt::format(
+             "set terminal pngcairo size {},{} enhanced font 'sans-serif,14' fontscale 1.5 linewidth 2 "
+             "dashlength 0.6 pointscale 2.8 background 'white'\nset output png\nreplot\nset output\n",
+             2 * chart_width, 2 * height);
 }
 
 std::string escape_label(std::string_view text) {
@@ -106,7 +105,7 @@ std::string script_string(std::string_view label) {
 
 std::size_t letters(std::string_view label) { return base::count_letters(plain_text(label)); }
 
-std::string csv_field(std::string text) {
+std::string gnuplot_field(std::string text) {
   text = base::escaped(text, "\n\r");
   for (char& c : text) {
     if (c == ',') c = ';';
@@ -170,8 +169,8 @@ std::string mark_lines(const ChartMark& m, const MarkLabel& label, bool log_x) {
 }
 
 /// The title, above as many rows of marks' labels as there are.
-std::string title_and_marks(const Chart& chart, KeyPlace place, const Span& x_span) {
-  const std::vector<MarkLabel> labels = mark_labels(chart, place, x_span);
+std::string title_and_marks(const Chart& chart, const Span& x_span) {
+  const std::vector<MarkLabel> labels = mark_labels(chart, x_span);
   int rows = 0;
   std::string out;
   for (std::size_t k = 0; k < labels.size(); ++k) {
@@ -242,7 +241,7 @@ std::vector<std::size_t> drawable_points(const ChartSeries& series) {
 std::vector<std::string> series_names(const Chart& chart) {
   std::vector<std::string> names;
   for (const ChartSeries& s : chart.series) {
-    std::string name = csv_field(plain_text(s.label));
+    std::string name = gnuplot_field(plain_text(s.label));
     if (name.empty()) name = fmt::format("series {}", names.size() + 1);
     if (std::find(names.begin(), names.end(), name) != names.end())
       name += fmt::format(" ({})", names.size() + 1);
@@ -266,17 +265,17 @@ std::string chart_data(const Chart& chart) {
 }
 
 std::string chart_script(const Chart& chart, const std::string& name) {
-  const Span x = x_span(chart), y = y_span(chart);
-  const KeyPlace place = key_place(chart, x, y);
-  std::string out = script_head(chart.title, name, picture_height(chart, place));
+  const Span x = x_span(chart);
+  const int height = picture_height(chart);
+  std::string out = script_head(chart.title, name, height);
   out += functions;
   out += axis('x', chart.x_label, chart.x_range, chart.log_x, x);
-  out += axis('y', chart.y_label, chart.y_range, chart.log_y, y);
-  out += key_lines(chart, place);
-  out += title_and_marks(chart, place, x);
+  out += axis('y', chart.y_label, chart.y_range, chart.log_y, y_span(chart));
+  out += key_lines(chart);
+  out += title_and_marks(chart, x);
   std::string plot = "plot ";
   for (const std::string& part : plots(chart)) plot += (plot.size() > 5 ? ", \\\n     " : "") + part;
-  return out + script_end(plot + "\n", picture_height(chart, place));
+  return out + script_end(plot + "\n", height);
 }
 
 namespace {
@@ -309,7 +308,7 @@ std::string chart_data(const HeatMap& map) {
     if (!std::isfinite(map.value[k])) continue;
     const std::size_t column = k % map.x.size(), row = k / map.x.size();
     out += fmt::format("{},{},{},{},{},{}\n", column, row, map.x[column], map.y[row], map.value[k],
-                       map.text.empty() ? "" : csv_field(map.text[k]));
+                       map.text.empty() ? "" : gnuplot_field(map.text[k]));
   }
   return out;
 }

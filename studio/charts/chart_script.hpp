@@ -49,9 +49,9 @@ std::string script_string(std::string_view label);
 /// Letters a label shows, for an estimate of its width: markup and bytes within a letter not counted.
 std::size_t letters(std::string_view label);
 
-/// The text as a field of a csv that gnuplot reads: it does not know commas, doubled quotes or line breaks
-/// within a field, which become ';', "'" and spaces.
-std::string csv_field(std::string text);
+/// The text as a field of a csv that gnuplot reads, which base::csv_field() is not: gnuplot does not know
+/// commas, doubled quotes or line breaks within a field, which become ';', "'" and spaces.
+std::string gnuplot_field(std::string text);
 
 /// Indices of the points which a chart shows: x and y finite.
 std::vector<std::size_t> drawable_points(const ChartSeries& series);

@@ -16,8 +16,7 @@ ChartSeries echo_marks() { return {"first echo back", {}, {}, {}, ChartSeries::S
 void mark_echo(ChartSeries& marks, const ChartSeries& curve, double echo) {
   if (curve.x.size() < 2 || !(echo >= curve.x.front() && echo <= curve.x.back())) return;
   const auto [k, part] = base::interval_at(curve.x, echo);
-  marks.x.push_back(echo);
-  marks.y.push_back(curve.y[k - 1] + part * (curve.y[k] - curve.y[k - 1]));
+  marks.add(echo, curve.y[k - 1] + part * (curve.y[k] - curve.y[k - 1]));
 }
 
 namespace {
@@ -27,26 +26,25 @@ using Points = std::vector<std::pair<double, double>>;  // tip position over len
 
 constexpr double half_width = 0.02, between = 0.01;  // of the length
 
-std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const study::Evidence& evidence,
-                                                                  study::Selection selection) {
+std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const claims::Evidence& evidence,
+                                                                  claims::Selection selection) {
   selection.elements = evidence.elements;
   std::map<double, std::vector<study::SummaryRow>> rows;
   for (const study::SummaryRow& row : evidence.rows)
-    if (study::selects(selection, row)) rows[study::number_in(row, "crack_velocity_over_cr")].push_back(row);
+    if (claims::selects(selection, row)) rows[row.crack_velocity_over_cr].push_back(row);
   for (auto& [v, of_v] : rows)
-    std::sort(of_v.begin(), of_v.end(), [](const study::SummaryRow& a, const study::SummaryRow& b) {
-      return a.at("seed") < b.at("seed");
-    });
+    std::sort(of_v.begin(), of_v.end(),
+              [](const study::SummaryRow& a, const study::SummaryRow& b) { return a.seed < b.seed; });
   return rows;
 }
 
-Points fracture_points(const study::Evidence& evidence, const study::SummaryRow& row, const char* column) {
+Points fracture_points(const claims::Evidence& evidence, const study::SummaryRow& row, const char* column) {
   const study::SeriesTable table = evidence.series(row);
   Points points;
   for (std::size_t k = 0; k < table.phase.size(); ++k) {
     const double value = table.at(column)[k];
     if (table.phase[k] == "fracture" && !std::isnan(value))
-      points.emplace_back(table.at("tip_m")[k] / study::number_in(row, "length_m"), value);
+      points.emplace_back(table.at("tip_m")[k] / row.length_m, value);
   }
   return points;
 }
@@ -67,7 +65,7 @@ ChartSeries running_mean(const std::string& label, const std::vector<Points>& sp
     int count = 0;
     for (const auto& [at, value] : all)
       if (std::abs(at - x) <= half_width) sum += value, ++count;
-    if (count > 0) curve.x.push_back(x), curve.y.push_back(sum / count);
+    if (count > 0) curve.add(x, sum / count);
   }
   return curve;
 }
@@ -75,14 +73,14 @@ ChartSeries running_mean(const std::string& label, const std::vector<Points>& sp
 void set_up(Chart& chart) {
   chart.x_label = "tip position / length [-]";
   chart.x_range = {0.0, {}};
-  chart.key_outside = true;
 }
 
 std::string velocity_label(double v) { return fmt::format("{:g} c_r", v); }
 
 }  // namespace
 
-bool draw_ratio_against_position(Chart& chart, const study::Evidence& evidence, study::Selection selection) {
+bool draw_ratio_against_position(Chart& chart, const claims::Evidence& evidence,
+                                 claims::Selection selection) {
   set_up(chart);
   chart.y_label = "G_{ID} / G_{I0}, mean over 0.04 L [-]";
   chart.y_range = {0.0, {}};
@@ -94,55 +92,56 @@ bool draw_ratio_against_position(Chart& chart, const study::Evidence& evidence, 
       specimens.push_back(fracture_points(evidence, row, "ratio_with_damping"));
     ChartSeries curve = running_mean(velocity_label(v), specimens, colour++);
     if (curve.x.empty()) continue;
-    mark_echo(echo, curve, study::number_in(rows.front(), "echo_free_over_length"));
+    mark_echo(echo, curve, rows.front().echo_free_over_length);
     chart.series.push_back(std::move(curve));
   }
   if (!echo.x.empty()) chart.series.push_back(std::move(echo));
   return !chart.series.empty();
 }
 
-bool draw_fracture_against_position(Chart& chart, const study::Evidence& evidence,
-                                    study::Selection selection) {
+bool draw_fracture_against_position(Chart& chart, const claims::Evidence& evidence,
+                                    claims::Selection selection) {
   set_up(chart);
   chart.y_label = "fracture energy [J]";
   int colour = 0;
   ChartSeries echo = echo_marks();
   for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
-    ChartSeries curve{velocity_label(v), {}, {}, {}, Style::line, colour++};
-    for (const auto& [x, y] : fracture_points(evidence, rows.front(), "energy_fracture_j"))
-      curve.x.push_back(x), curve.y.push_back(y);
+    ChartSeries curve =
+        series_of(velocity_label(v), Style::line, colour++,
+                  fracture_points(evidence, rows.front(), "energy_fracture_j"), [](const auto& p) {
+                    return ChartPoint{p.first, p.second};
+                  });
     if (curve.x.empty()) continue;
-    mark_echo(echo, curve, study::number_in(rows.front(), "echo_free_over_length"));
+    mark_echo(echo, curve, rows.front().echo_free_over_length);
     chart.series.push_back(std::move(curve));
   }
   if (!echo.x.empty()) chart.series.push_back(std::move(echo));
   return !chart.series.empty();
 }
 
-namespace {
-
-ChartSeries reference(const std::string& label, theory::Factor (*of)(double, double, theory::Plane)) {
-  ChartSeries series{label, {}, {}, {}, ChartSeries::Style::dashed, -1};
+std::vector<ChartSeries> theory_curves(double poisson_ratio, theory::Plane plane) {
+  std::vector<ChartSeries> curves{{.label = "Broberg"}, {.label = "Freund"}, {.label = "strip"}};
+  for (ChartSeries& curve : curves) curve.style = Style::dashed, curve.colour = -1;
   for (int k = 0; k <= 100; ++k) {
-    series.x.push_back(0.01 * k);
-    series.y.push_back(of(0.01 * k, 0.3, theory::Plane::stress).g);
+    const double v = 0.01 * k;
+    curves[0].add(v, theory::broberg(v, poisson_ratio, plane).g);
+    curves[1].add(v, theory::freund(v, poisson_ratio, plane).g);
+    curves[2].add(v, theory::strip(v, poisson_ratio, plane).g);
   }
-  return series;
+  return curves;
 }
 
-}  // namespace
-
 Chart chart_of_references(const std::string& title) {
-  Chart chart;
-  chart.title = title;
-  chart.x_label = "crack velocity v / c_r [-]";
-  chart.y_label = "G_{ID} / G_{I0} [-]";
-  chart.x_range = {0.0, 1.05};
-  chart.y_range = {0.0, {}};
-  chart.key_outside = true;
-  chart.series = {reference("Broberg", theory::broberg), reference("Freund", theory::freund),
-                  reference("strip", theory::strip)};
-  return chart;
+  return {.title = title,
+          .x_label = "crack velocity v / c_r [-]",
+          .y_label = "G_{ID} / G_{I0} [-]",
+          .x_range = {0.0, 1.05},
+          .y_range = {.min = 0.0},
+          .series = theory_curves(0.3, theory::Plane::stress)};
+}
+
+ChartPoint mean_point(double x, const std::vector<double>& values) {
+  return {x, base::mean_of(values), base::deviation_of(values)};
 }
 
 }  // namespace rift::studio

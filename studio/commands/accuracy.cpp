@@ -1,23 +1,18 @@
-#include "engine/base/console.hpp"
+#include "engine/accuracy/cases.hpp"
 #include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
-#include "engine/base/world_error.hpp"
+#include "engine/claims/curve.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/study/accuracy_run.hpp"
-#include "engine/study/curve.hpp"
-#include "engine/study/identity.hpp"
+#include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
-#include "studio/commands/common.hpp"
-#include "studio/commands/scene_options.hpp"
-#include "studio/commands/stop_signal.hpp"
+#include "studio/commands/session.hpp"
 #include "studio/reports/accuracy_report.hpp"
-#include "studio/reports/study_table.hpp"
+#include "studio/reports/study_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -26,13 +21,11 @@ namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 constexpr double long_s = 600.0;
 
-struct AccuracyCommand {
-  SceneOptions scene;
+struct AccuracyCommand : SceneOptions {
   std::string out, budget;
   std::vector<int> elements;
   int seeds = 3;
@@ -43,9 +36,9 @@ struct AccuracyCommand {
 void check_one_scene(const scene::Preset& preset) {
   if (preset.study.empty() && preset.lanes.empty()) return;
   refuse(preset.name,
-         fmt::format("holds {}: 'rift accuracy' varies one scene by itself, a preset without [study] and "
-                     "[[lanes]]",
-                     preset.study.empty() ? "lanes" : "a study"));
+         fmt::format(
+             "holds {}: 'rift accuracy' varies one scene by itself, a preset without [study] and [[lanes]]",
+             preset.study.empty() ? "lanes" : "a study"));
 }
 
 /// What the folder is the accuracy of: the scene as the preset gives it.
@@ -73,9 +66,9 @@ void open_folder(const fs::path& folder, const scene::Preset& preset) {
   base::write_whole_file(file, base::json_text(mark, 2) + "\n");
 }
 
-/// The user's cache. With --no-cache one within the folder, gone at the end: variants share their packings.
+/// The user's cache. With --no-cache one within the folder, gone at the end: cases share their packings.
 struct PackingCache {
-  PackingCache(const SceneOptions& options, const fs::path& folder)
+  PackingCache(const SessionOptions& options, const fs::path& folder)
       : own(options.no_cache ? base::temporary_name(folder / "cache") : fs::path()),
         cache(options.no_cache ? base::Cache{own, {}} : base::user_cache()) {}
   ~PackingCache() {
@@ -88,122 +81,91 @@ struct PackingCache {
   base::Cache cache;
 };
 
-void tell_finished(const AccuracyCommand& command, ProgressLine& line, const study::Variant& variant,
-                   const study::SummaryRow& row, int done, int of) {
-  line.clear();
-  if (command.scene.quiet) return;
-  if (command.scene.json) {
-    const Json told{
-        {"finished", variant.label}, {"knob", study::name_of(variant.knob)}, {"done", done}, {"of", of}};
-    base::message("{}\n", base::json_text(told));
+void show_finished(Session& session, const accuracy::Case& variant, const study::SummaryRow& row, int done,
+                   int of) {
+  session.line.clear();
+  if (session.options.quiet) return;
+  if (session.options.json) {
+    const Json json{
+        {"finished", variant.label}, {"knob", accuracy::name_of(variant.factor)}, {"done", done}, {"of", of}};
+    base::message("{}\n", base::json_text(json));
     return;
   }
-  base::message("[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, study::name_of(variant.knob),
-                variant.label, study::number_in(row, "ratio_with_damping"),
-                study::number_in(row, "wall_fracture_s"));
+  base::message("[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, accuracy::name_of(variant.factor),
+                variant.label, row.ratio_with_damping, row.wall_fracture_s);
 }
 
 std::string command_text(const AccuracyCommand& command) {
-  std::string text = "rift accuracy " + command.scene.preset;
-  for (const std::string& set : command.scene.overrides) text += fmt::format(" --set '{}'", set);
+  std::string text = command_with_preset("rift accuracy", command);
   if (!command.elements.empty()) text += fmt::format(" --elements {}", fmt::join(command.elements, ","));
   if (command.quick) text += " --quick";
   return text + fmt::format(" --seeds {} --goal {:g}", command.seeds, command.goal);
 }
 
-ExitCode stopped(const study::AccuracyRun& run, int received, const fs::path& folder) {
-  base::message("rift accuracy: {}; {} of {} variants are kept in {}: the same command goes on from here\n",
-                received != 0 ? "stopped" : "the budget ran out", run.computed + run.found, run.tried.size(),
-                folder.string());
-  return received != 0 ? static_cast<ExitCode>(128 + received) : ExitCode::budget_ran_out;
-}
-
-ExitCode write_files(const AccuracyReport& report, const fs::path& folder) {
-  base::write_whole_file(folder / "table.csv", study_csv(accuracy_rows(report)));
-  try {
-    write_accuracy_report(report, folder);
-  } catch (const base::WorldError& error) {
-    base::message("rift accuracy: {}\n", error.what());
-    return ExitCode::world_failed;
-  }
-  return ExitCode::done;
-}
-
-void print_result(const AccuracyCommand& command, const AccuracyReport& report, const study::AccuracyRun& run,
-                  const fs::path& folder) {
-  if (command.scene.json) {
-    base::print_text(base::json_text(accuracy_json(report), 2) + "\n");
-    return;
-  }
-  base::print_text(accuracy_text(report, wants_color(command.scene.color, stdout)));
-  base::print("{} computed, {} found, {} in all; {}/  table.csv, report.html, charts\n", run.computed,
-              run.found, duration_text(report.wall_s), folder.string());
-}
-
-ExitCode compute(const AccuracyCommand& command, const scene::Preset& preset, const study::AccuracyPlan& plan,
-                 const fs::path& folder, std::optional<double> budget) {
-  const auto start = Clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const StopSignal stop;
-  ProgressLine line(progress_style(command.scene.quiet, command.scene.json));
-  PackingCache packings(command.scene, folder);
+ExitCode compute(const AccuracyCommand& command, const scene::Preset& preset,
+                 const accuracy::AccuracyPlan& plan, const fs::path& folder, std::optional<double> budget) {
+  Session session("rift accuracy", command, budget);
+  PackingCache packings(command, folder);
   study::StudyOptions options;
   options.folder = folder;
-  options.threads = command.scene.threads;
+  options.threads = command.threads;
   study::StudyObserver observer;
   observer.progress = [&](std::string_view stage, double done) {
-    line.tell("accuracy", done, stage);
-    return stop.received() == 0 && (!budget || seconds() < *budget);
+    return session.progress("accuracy", done, stage);
   };
   observer.finished = [&](const study::SummaryRow& row, int done, int of) {
-    tell_finished(command, line, plan.variants[static_cast<std::size_t>(done) - 1], row, done, of);
+    show_finished(session, plan.cases[static_cast<std::size_t>(done) - 1], row, done, of);
   };
-  study::AccuracyRun run = study::try_variants(plan, options, packings.cache, build_info(), observer);
-  if (run.outcome == simulation::Outcome::stopped) return stopped(run, stop.received(), folder);
+  accuracy::AccuracyRun run = accuracy::run_cases(plan, options, packings.cache, build_info(), observer);
+  if (run.outcome == simulation::Outcome::stopped) {
+    session.message(fmt::format("{}; {} of {} variants are kept in {}: the same command goes on from here",
+                                session.ran_out_of_budget() ? "the budget ran out" : "stopped",
+                                run.computed + run.found, run.results.size(), folder.string()));
+    return session.stopped();
+  }
   AccuracyReport report{.preset = preset.name,
                         .command = command_text(command),
                         .build = build_info(),
                         .notes = plan.notes,
-                        .tried = run.tried,
-                        .accuracy = study::judge_accuracy(run.tried, command.goal),
+                        .results = run.results,
+                        .accuracy = accuracy::judge_accuracy(run.results, command.goal),
                         .goal = command.goal,
                         .lanes = {},
                         .wall_s = 0};
   if (const int chosen = report.accuracy.recommended; chosen >= 0) {
-    const study::AccuracyLine& best = report.accuracy.lines[static_cast<std::size_t>(chosen)];
-    const scene::Scene& scene = run.tried[static_cast<std::size_t>(best.tried.front())].variant.scene;
+    const accuracy::AccuracyLine& best = report.accuracy.lines[static_cast<std::size_t>(chosen)];
+    const scene::Scene& scene = run.results[static_cast<std::size_t>(best.results.front())].setup.scene;
     observer.finished = {};
-    report.lanes = study::fill_lanes(plan, scene, options, packings.cache, build_info(), observer);
+    report.lanes = accuracy::fill_lanes(plan, scene, options, packings.cache, build_info(), observer);
   }
-  line.clear();
+  session.line.clear();
   print_notes(packings.cache);
-  report.wall_s = seconds();
-  line.tell("report", 0.0);
-  const ExitCode files = write_files(report, folder);
-  line.clear();
-  print_result(command, report, run, folder);
-  if (files != ExitCode::done) return files;
-  return run.outcome == simulation::Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+  report.wall_s = session.seconds();
+  base::write_whole_file(folder / "table.csv", study_csv(accuracy_rows(report)));
+  const ExitCode files = session.write_or_say([&] { write_accuracy_report(report, folder); });
+  session.print_result(accuracy_json(report), [&] {
+    base::print_text(accuracy_text(report, session.color()));
+    base::print("{} computed, {} found, {} in all; {}/  table.csv, report.html, charts\n", run.computed,
+                run.found, duration_text(report.wall_s), folder.string());
+  });
+  return files != ExitCode::done ? files : session.ended(run.outcome);
 }
 
 ExitCode accuracy(const AccuracyCommand& command) {
   const std::optional<double> budget = read_budget("rift accuracy", command.budget);
-  const scene::Preset preset = read_scene(command.scene);
+  const scene::Preset preset = read_scene(command);
   check_one_scene(preset);
-  if (command.scene.print_config) {
-    base::print_text(scene::preset_text(preset));
-    return ExitCode::done;
-  }
-  const study::AccuracyPlan plan = study::plan_accuracy(
+  if (prints_config(command, preset)) return ExitCode::done;
+  const accuracy::AccuracyPlan plan = accuracy::plan_accuracy(
       preset, {.quick = command.quick, .elements = command.elements, .seeds = command.seeds});
-  const double seconds = study::estimated_seconds(plan);
+  const double seconds = accuracy::estimated_seconds(plan);
   if (seconds > long_s && !command.yes && !budget)
     refuse("rift accuracy",
-           fmt::format("about {} from nothing (at 100 M beam-steps/s): --yes starts it, --budget TIME "
-                       "does what fits, --quick or --elements with smaller numbers take less",
+           fmt::format("about {} from nothing (at 100 M beam-steps/s): --yes starts it, --budget TIME does "
+                       "what fits, --quick or --elements with smaller numbers take less",
                        duration_text(seconds)));
   const fs::path folder = command.out.empty()
-                              ? fs::path(fs::path(command.scene.preset).stem().string() + "_accuracy")
+                              ? fs::path(fs::path(command.preset).stem().string() + "_accuracy")
                               : fs::path(command.out);
   open_folder(folder, preset);
   return compute(command, preset, plan, folder, budget);
@@ -215,7 +177,7 @@ void add_accuracy(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "accuracy", "Error against run time: what a scene's step, precision, elements, ... cost and buy");
   const auto options = std::make_shared<AccuracyCommand>();
-  add_scene_options(command, options->scene);
+  add_scene_options(command, *options);
   command.add_option("--out", options->out,
                      "Folder of the results (default: NAME_accuracy); one of the same scene is continued");
   command

@@ -1,11 +1,9 @@
-#include "engine/base/console.hpp"
 #include "engine/base/process_limits.hpp"
-#include "engine/base/text.hpp"
 #include "engine/ensemble/benchmark.hpp"
+#include "engine/scene/parameters.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/commands/commands.hpp"
-#include "studio/commands/run_ending.hpp"
-#include "studio/text/progress.hpp"
+#include "studio/commands/session.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,12 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct BenchOptions {
+struct BenchOptions : SessionOptions {
   std::vector<int> elements{5000, 20000, 80000};
-  int threads = 0, runs = 7;
+  int runs = 7;
   double seconds = 0.15;
-  bool needs = false, json = false, quiet = false;
-  std::string color;
+  bool needs = false;
 };
 
 using Cases = std::vector<ensemble::BenchCase>;
@@ -49,7 +46,7 @@ void add_kernels(Cases& cases, int elements, int threads) {
   using enum ensemble::Precision;
   for (const lattice::Kinematics kinematics :
        {lattice::Kinematics::linear, lattice::Kinematics::corotational}) {
-    const std::string name = kinematics == lattice::Kinematics::linear ? "linear" : "corotational";
+    const std::string name = scene::word_of("solver.kinematics", kinematics);
     add(name, kinematics, double_precision, 1);
     add(name, kinematics, single_precision, 1);
     for (const int lanes : {4, 8}) add(name, kinematics, double_precision, lanes);
@@ -94,20 +91,15 @@ Cases needs_cases(const BenchOptions& options, int threads) {
 
 /// All of them, or those before a stop.
 std::vector<ensemble::BenchResult> time_all(const Cases& cases, const BenchOptions& options,
-                                            const StopSignal& stop) {
-  ProgressLine line(progress_style(options.quiet, options.json));
+                                            Session& session) {
   std::vector<ensemble::BenchResult> results;
   for (const ensemble::BenchCase& c : cases) {
-    if (stop.received() != 0) break;
-    line.tell("bench", static_cast<double>(results.size()) / static_cast<double>(cases.size()));
+    if (!session.progress("bench", static_cast<double>(results.size()) / static_cast<double>(cases.size())))
+      break;
     results.push_back(ensemble::time_case(c, options.runs, options.seconds));
   }
-  line.clear();
+  session.line.clear();
   return results;
-}
-
-const char* precision_name(ensemble::Precision p) {
-  return p == ensemble::Precision::single_precision ? "single" : "double";
 }
 
 double share_of_arithmetic(const ensemble::BenchResult& r, const ensemble::MachinePeaks& peaks) {
@@ -119,8 +111,8 @@ double share_of_arithmetic(const ensemble::BenchResult& r, const ensemble::Machi
 Json json_of(const ensemble::BenchResult& r, const ensemble::BenchResult& base,
              const ensemble::MachinePeaks& peaks) {
   return {{"kernel", r.of.name},
-          {"kinematics", r.of.kinematics == lattice::Kinematics::linear ? "linear" : "corotational"},
-          {"precision", precision_name(r.of.precision)},
+          {"kinematics", scene::word_of("solver.kinematics", r.of.kinematics)},
+          {"precision", scene::word_of("solver.precision", r.of.precision)},
           {"scenarios", r.of.scenarios},
           {"threads", r.of.threads},
           {"elements", r.of.elements},
@@ -149,8 +141,8 @@ void print_row(const ensemble::BenchResult& r, const ensemble::BenchResult& base
   base::print(
       "  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>7.1f} ({:.0f}-{:.0f}){:>9.1f}{:>8.2f} x{:>7.0f} B{:>5.0f} %{:>5.0f} "
       "%\n",
-      r.of.name, precision_name(r.of.precision), r.of.scenarios, r.of.threads, r.of.elements,
-      1e-6 * r.median(), 1e-6 * r.beam_steps_per_s.front(), 1e-6 * r.beam_steps_per_s.back(),
+      r.of.name, scene::word_of("solver.precision", r.of.precision), r.of.scenarios, r.of.threads,
+      r.of.elements, 1e-6 * r.median(), 1e-6 * r.beam_steps_per_s.front(), 1e-6 * r.beam_steps_per_s.back(),
       1e-6 * r.element_steps_per_s, r.median() / base.median(), r.bytes_per_beam,
       100 * r.median() * r.bytes_per_beam / peaks.memory_bytes_per_s, 100 * share_of_arithmetic(r, peaks));
 }
@@ -171,18 +163,18 @@ struct PrecisionError {
   double ratio_double = 0, ratio_single = 0, residual_double = 0, residual_single = 0;
 };
 
-PrecisionError precision_error(const std::string& kinematics, int threads, const StopSignal& stop) {
+PrecisionError precision_error(const std::string& kinematics, int threads, const Session& session) {
   PrecisionError error{.kinematics = kinematics};
   for (const std::string precision : {"double", "single"}) {
     const scene::Preset preset = scene::read_preset_text(
         "", "bench",
         {"specimen.elements=5000", "specimen.length=0.1", "specimen.height=0.04", "output.frames=0",
          "output.samples=100", "solver.kinematics=" + kinematics, "solver.precision=" + precision});
-    base::Cache cache = base::user_cache();
+    base::Cache cache = session.cache;
     const simulation::Prepared prepared = simulation::prepare(preset, cache);
-    const simulation::RunResult result = simulation::march(
-        prepared, {.go_on = [&](const simulation::Progress&) { return stop.received() == 0; }},
-        {.threads = threads});
+    const simulation::RunResult result =
+        simulation::march(prepared, {.go_on = [&](const simulation::Progress&) { return session.goes_on(); }},
+                          {.threads = threads});
     if (result.outcome == simulation::Outcome::stopped) return error;
     const bool single = precision == "single";
     (single ? error.ratio_single : error.ratio_double) =
@@ -210,49 +202,45 @@ void print_precision(const PrecisionError& e) {
 
 ExitCode bench(const BenchOptions& options) {
   const int threads = base::threads_or_all_cpus(options.threads);
-  const StopSignal stop;
+  Session session("rift bench", options);
   const ensemble::MachinePeaks alone = ensemble::machine_peaks(ensemble::instruction_set(), 1),
                                together = ensemble::machine_peaks(ensemble::instruction_set(), threads);
   const auto peaks_of = [&](const ensemble::BenchResult& r) { return r.of.threads == 1 ? alone : together; };
-  const std::vector<ensemble::BenchResult> results =
-      time_all(options.needs ? needs_cases(options, threads) : kernel_cases(options, threads), options, stop);
+  const std::vector<ensemble::BenchResult> results = time_all(
+      options.needs ? needs_cases(options, threads) : kernel_cases(options, threads), options, session);
   std::vector<PrecisionError> errors;
   if (!options.needs)
     for (const char* kinematics : {"linear", "corotational"})
-      if (stop.received() == 0) errors.push_back(precision_error(kinematics, threads, stop));
-  if (stop.received() != 0) {
-    base::message("rift bench: stopped; nothing was kept\n");
-    return stopped_by(stop);
+      if (session.goes_on()) errors.push_back(precision_error(kinematics, threads, session));
+  if (!session.goes_on()) {
+    session.message("stopped; nothing was kept");
+    return session.stopped();
   }
-  if (options.json) {
-    Json precision = Json::array();
-    for (const PrecisionError& e : errors) precision.push_back(json_of(e));
-    Json rows = Json::array();
-    for (const ensemble::BenchResult& r : results)
-      rows.push_back(json_of(r, base_of(results, r, options.needs), peaks_of(r)));
-    const Json machine{{"threads", threads},
-                       {"memory_bytes_per_s", together.memory_bytes_per_s},
-                       {"flops_double", together.flops_double},
-                       {"flops_single", together.flops_single},
-                       {"simd", ensemble::name_of(ensemble::instruction_set())}};
-    base::print_text(
-        base::json_text(Json{{"machine", machine}, {"rows", rows}, {"precision", precision}}, 2) + "\n");
-    return ExitCode::done;
-  }
-  base::print_text(heading(version_text(), wants_color(options.color, stdout)) + "\n");
-  print_peaks(alone, 1);
-  if (threads > 1) print_peaks(together, threads);
-  base::print("  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>21}{:>7}{:>9}{:>9}{:>7}{:>7}\n", "kernel", "state", "L", "T",
-              "N", "M beam-steps/s (least-most)", "M el.-", options.needs ? "of bare" : "of plain", "a beam",
-              "mem.", "flops");
+  Json precision = Json::array(), rows = Json::array();
+  for (const PrecisionError& e : errors) precision.push_back(json_of(e));
   for (const ensemble::BenchResult& r : results)
-    print_row(r, base_of(results, r, options.needs), peaks_of(r));
-  base::print(
-      "  L scenarios side by side, T threads, N elements; medians of {} runs of {:g} s; whole steps.\n"
-      "  A beam: compulsory traffic a beam and scenario; mem., flops: share of what this machine was "
-      "measured to do.\n",
-      options.runs, options.seconds);
-  for (const PrecisionError& e : errors) print_precision(e);
+    rows.push_back(json_of(r, base_of(results, r, options.needs), peaks_of(r)));
+  const Json machine{{"threads", threads},
+                     {"memory_bytes_per_s", together.memory_bytes_per_s},
+                     {"flops_double", together.flops_double},
+                     {"flops_single", together.flops_single},
+                     {"simd", ensemble::name_of(ensemble::instruction_set())}};
+  session.print_result(Json{{"machine", machine}, {"rows", rows}, {"precision", precision}}, [&] {
+    base::print_text(heading(version_text(), session.color()) + "\n");
+    print_peaks(alone, 1);
+    if (threads > 1) print_peaks(together, threads);
+    base::print("  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>21}{:>7}{:>9}{:>9}{:>7}{:>7}\n", "kernel", "state", "L",
+                "T", "N", "M beam-steps/s (least-most)", "M el.-", options.needs ? "of bare" : "of plain",
+                "a beam", "mem.", "flops");
+    for (const ensemble::BenchResult& r : results)
+      print_row(r, base_of(results, r, options.needs), peaks_of(r));
+    base::print(
+        "  L scenarios side by side, T threads, N elements; medians of {} runs of {:g} s; whole steps.\n"
+        "  A beam: compulsory traffic a beam and scenario; mem., flops: share of what this machine was "
+        "measured to do.\n",
+        options.runs, options.seconds);
+    for (const PrecisionError& e : errors) print_precision(e);
+  });
   return ExitCode::done;
 }
 
@@ -273,7 +261,7 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
   command.add_option("--seconds", options->seconds, "Length of a run")->check(CLI::Range(0.001, 100.0));
   command.add_flag("--needs", options->needs, "What each piece costs that a scene may leave out");
   command.add_flag("--json", options->json, "The result as JSON on stdout");
-  command.add_flag("--quiet", options->quiet, "No progress on stderr");
+  add_quiet(command, *options);
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = bench(*options); });
 }

@@ -1,9 +1,7 @@
 #include "engine/base/console.hpp"
-#include "engine/base/interrupted.hpp"
-#include "engine/base/text.hpp"
 #include "engine/measurement/specimen_properties.hpp"
 #include "studio/commands/commands.hpp"
-#include "studio/commands/scene_options.hpp"
+#include "studio/commands/session.hpp"
 #include "studio/text/dry_run.hpp"
 
 #include <CLI/CLI.hpp>
@@ -51,50 +49,34 @@ void print_measured(const Json& j, bool color) {
   }
 }
 
-struct CheckOptions {
-  SceneOptions scene;
+struct CheckOptions : SceneOptions {
   bool measure = false;
 };
 
-ExitCode check(const CheckOptions& check_options) {
-  const SceneOptions& options = check_options.scene;
+ExitCode check(const CheckOptions& options) {
   const scene::Preset preset = read_scene(options);
-  if (options.print_config) {
-    base::print_text(scene::preset_text(preset));
-    return ExitCode::done;
-  }
+  if (prints_config(options, preset)) return ExitCode::done;
   const std::vector<scene::Scene> lanes = scenes_of_run(preset);
-  const StopSignal stop;
-  ProgressLine line(progress_style(options.quiet, options.json));
-  base::Cache cache = cache_for(options);
-  try {
-    const auto tell = [&](std::string_view stage, double done) {
-      line.tell(stage, done);
-      return stop.received() == 0;
-    };
-    const simulation::Prepared prepared = simulation::prepare(preset, lanes, cache, tell);
+  Session session("rift check", options);
+  return session.until_stopped([&] {
+    const auto progress = session.progress_of_stages();
+    const simulation::Prepared prepared = simulation::prepare(preset, lanes, session.cache, progress);
     Json j = dry_run(prepared, options.threads);
-    if (check_options.measure) {
-      j["measured"] =
-          measurement::json_of(measurement::measure_specimen(prepared, cache, tell, options.threads),
-                               prepared.lattice.mean_radius);
+    if (options.measure) {
+      j["measured"] = measurement::json_of(
+          measurement::measure_specimen(prepared, session.cache, progress, options.threads),
+          prepared.lattice.mean_radius);
       j["measured"]["ratio_quasi_static"] = measurement::quasi_static_ratio(
-          prepared, prepared.lane.front().window, [&](double done) { return tell("quasi-static", done); });
+          prepared, prepared.lane.front().window, session.progress_of("quasi-static"));
     }
-    line.clear();
-    print_notes(cache);
-    if (options.json) {
-      base::print_text(base::json_text(j, 2) + "\n");
-    } else {
-      print_table(j, prepared.preset.name, wants_color(options.color, stdout));
-      if (check_options.measure) print_measured(j["measured"], wants_color(options.color, stdout));
-    }
-  } catch (const base::Interrupted& interrupted) {
-    line.clear();
-    base::message("rift check: {}\n", interrupted.what());
-    return static_cast<ExitCode>(128 + stop.received());
-  }
-  return ExitCode::done;
+    session.line.clear();
+    session.print_notes();
+    session.print_result(j, [&] {
+      print_table(j, prepared.preset.name, session.color());
+      if (options.measure) print_measured(j["measured"], session.color());
+    });
+    return ExitCode::done;
+  });
 }
 
 }  // namespace
@@ -103,11 +85,10 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("check", "Dry run: what follows from a preset, its step, cost, what it leaves out");
   const auto options = std::make_shared<CheckOptions>();
-  add_scene_options(command, options->scene);
-  command.add_flag(
-      "--measure", options->measure,
-      "Also E, nu and wave speeds of this very specimen, by pulls and by waves thrown into it, and the "
-      "release rate of an infinitely slow crack");
+  add_scene_options(command, *options);
+  command.add_flag("--measure", options->measure,
+                   "Also E, nu and wave speeds of this very specimen, by pulls and by waves thrown into it, "
+                   "and the release rate of an infinitely slow crack");
   command.callback([options, &exit_code] { exit_code = check(*options); });
 }
 

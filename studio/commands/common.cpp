@@ -55,7 +55,7 @@ std::vector<std::string> preset_names() {
     if (!nearest.empty()) text += fmt::format(", did you mean '{}'?", nearest);
   }
   text += fmt::format(" ('rift list' shows those in {})", presets_folder().string());
-  throw scene::InputError({scene::Issue{.file = "rift", .key = {}, .text = text}});
+  refuse("rift", text);
 }
 
 /// Files of all kinds of reports, beside their charts.
@@ -160,7 +160,9 @@ bool wants_color(std::string_view when, std::FILE* stream) {
 }
 
 void refuse(const std::string& file, const std::string& text) {
-  throw scene::InputError({scene::Issue{.file = file, .key = {}, .text = text}});
+  refuse(scene::Issue{.file = file, .key = {}, .text = text});
 }
+
+void refuse(scene::Issue issue) { throw scene::InputError({std::move(issue)}); }
 
 }  // namespace rift::studio

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/ownership.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/text/table.hpp"
 
@@ -66,7 +67,8 @@ void add_color_option(CLI::App& command, std::string& when);
 /// $NO_COLOR.
 bool wants_color(std::string_view when, std::FILE* stream);
 
-/// Throws InputError with one text. @param file  what it is about: a preset's name, a command
+/// Throws InputError with one mistake. @param file  what it is about: a preset's name, a command
 [[noreturn]] void refuse(const std::string& file, const std::string& text);
+[[noreturn]] void refuse(scene::Issue issue);
 
 }  // namespace rift::studio

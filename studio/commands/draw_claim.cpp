@@ -7,54 +7,48 @@
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
 #include "engine/simulation/record_cylinders.hpp"
-#include "studio/commands/common.hpp"
-#include "studio/commands/scene_options.hpp"
 #include "viz/plan.hpp"
 #include "viz/record.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-using Telling = std::function<bool(std::string_view stage, double done)>;
-
 scene::Preset preset_for(const std::string& name, int elements) {
-  scene::Preset preset = scene::read_preset(resolve_preset(name));
-  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
+  scene::Preset preset = without_mistakes(scene::read_preset(resolve_preset(name)));
   preset.scene.specimen.elements = std::min(preset.scene.specimen.elements, elements);
   return preset;
 }
 
 /// The finished run of the preset in this folder, found or made.
-void run_if_need_be(const study::Claim& claim, const scene::Preset& preset, const fs::path& run,
-                    base::Cache& cache, int threads, const Telling& go_on) {
+void run_if_need_be(const claims::Claim& claim, const scene::Preset& preset, const fs::path& run,
+                    Session& session) {
   if (results::inspect_run(run).condition == results::RunCondition::finished) return;
   results::ClaimedFolder folder(run, true);
   if (claim.calibration) {
     folder.keep();
-    simulation::record_cylinders(preset, run, build_info(), cache,
-                                 [&](double done) { return go_on("cylinders", done); });
+    simulation::record_cylinders(preset, run, build_info(), session.cache, session.progress_of("cylinders"));
     return;
   }
-  const simulation::Prepared prepared = simulation::prepare(preset, scenes_of_run(preset), cache, go_on);
+  const simulation::Prepared prepared =
+      simulation::prepare(preset, scenes_of_run(preset), session.cache, session.progress_of_stages());
   folder.keep();
   const simulation::Recorded ran = simulation::record_run(
       prepared, run, build_info(),
       {.go_on =
            [&](const simulation::Progress& p) {
-             return go_on("crack", static_cast<double>(p.step) / static_cast<double>(p.total));
+             return session.progress("crack", static_cast<double>(p.step) / static_cast<double>(p.total));
            }},
-      {.threads = threads});
+      {.threads = session.options.threads});
   if (ran.result.outcome == simulation::Outcome::stopped) throw base::Interrupted("a crack was running");
 }
 
-Picture draw(const viz::Plan& plan, const study::Claim& claim, double at, const fs::path& charts) {
+Picture draw(const viz::Plan& plan, const claims::Claim& claim, double at, const fs::path& charts) {
   const auto k = static_cast<std::size_t>(std::lround(at * static_cast<double>(plan.times_s.size() - 1)));
   const fs::path png = charts / fmt::format("{}_at_{:.2f}.png", claim.name, at);
   viz::make_picture(plan.job, plan.times_s[k], png, {});
@@ -65,25 +59,25 @@ Picture draw(const viz::Plan& plan, const study::Claim& claim, double at, const 
 
 }  // namespace
 
-void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, base::Cache& cache, int threads,
-                const Telling& go_on) {
-  const auto start = std::chrono::steady_clock::now();
+void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, Session& session) {
+  const double start_s = session.seconds();
   const std::string& name = claim.claim->needs.front();
   const fs::path run = folder / "pictures" / fmt::format("{}_{}", name, elements);
   try {
-    run_if_need_be(*claim.claim, preset_for(name, elements), run, cache, threads, go_on);
+    run_if_need_be(*claim.claim, preset_for(name, elements), run, session);
     viz::Wish wish;
     wish.runs = {run};
     const viz::Plan plan = viz::plan_of(wish);
     base::make_folder(folder / "charts");
     for (const double at : claim.claim->pictures_at) {
-      if (!go_on("drawing " + claim.claim->name, at)) throw base::Interrupted("pictures were drawn");
+      if (!session.progress("drawing " + claim.claim->name, at))
+        throw base::Interrupted("pictures were drawn");
       claim.pictures.push_back(draw(plan, *claim.claim, at, folder / "charts"));
     }
   } catch (const base::WorldError& error) {
     claim.not_drawn = error.what();
   }
-  claim.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  claim.wall_s = session.seconds() - start_s;
 }
 
 }  // namespace rift::studio

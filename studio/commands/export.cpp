@@ -34,13 +34,12 @@ void add_export(CLI::App& app, ExitCode& exit_code) {
   command
       .add_option("--to", options->to,
                   "csv: tables; paraview: run.vtkhdf, for ParaView 5.12 or later; pvd: a series of .vtp "
-                  "files for any "
-                  "ParaView; ovito: LAMMPS dumps of elements and beams")
+                  "files for any ParaView; ovito: LAMMPS dumps of elements and beams")
       ->required()
       ->check(CLI::IsMember({"csv", "paraview", "pvd", "ovito"}));
   command.callback([options, &exit_code] {
     ProgressLine line(progress_style(false, false));
-    line.tell("export", 0.0);
+    line.show("export", 0.0);
     const std::filesystem::path made = exports.at(options->to)(options->run);
     line.clear();
     base::print_path(made);

@@ -242,13 +242,12 @@ void FilmOfRun::begin(const fs::path& run, bool core_free) {
   maker_->thread = std::jthread([maker = maker_.get()] { maker->run(); });
 }
 
-FilmOfRun::Result FilmOfRun::finish(ProgressLine& line, const std::function<bool()>& go_on) {
+FilmOfRun::Result FilmOfRun::finish(Session& session) {
   if (!maker_->wanted()) return {};
   maker_->run_ended = true;
   while (!maker_->made) {
-    if (!go_on()) maker_->given_up = true;
-    line.tell("film",
-              static_cast<double>(maker_->done) / static_cast<double>(std::max<std::size_t>(1, maker_->all)));
+    const auto all = static_cast<double>(std::max<std::size_t>(1, maker_->all));
+    if (!session.progress("film", static_cast<double>(maker_->done) / all)) maker_->given_up = true;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   return maker_->result;

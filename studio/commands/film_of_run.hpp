@@ -1,14 +1,13 @@
 #pragma once
 
 #include "engine/scene/preset.hpp"
-#include "studio/text/progress.hpp"
+#include "studio/commands/session.hpp"
 #include "viz/plan.hpp"
 #include "viz/record.hpp"
 
 #include <CLI/App.hpp>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -56,8 +55,8 @@ class FilmOfRun {
   struct Result {
     std::string path, trouble;
   };
-  /// The run has ended: waits for the film, telling how far it is. @param go_on  false gives it up
-  Result finish(ProgressLine& line, const std::function<bool()>& go_on);
+  /// The run has ended: waits for the film, showing how far it is; a stop gives it up.
+  Result finish(Session& session);
 
  private:
   struct Maker;

@@ -1,16 +1,13 @@
-#include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/units.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
-#include "studio/commands/scene_options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -20,14 +17,14 @@ namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-struct RenderOptions {
+struct RenderOptions : SessionOptions {
   FilmOptions look;
   std::vector<std::string> runs;
   std::string film, pictures, picture;
   std::string from, to;  // of the crack's time
   std::optional<double> at;
   int frames = 0;
-  bool poster = false, force = false, quiet = false, json = false;
+  bool poster = false, force = false;
 };
 
 double time_of(const char* option, const std::string& text) {
@@ -65,26 +62,22 @@ void check_folder_of_pictures(const fs::path& path, bool force) {
   throw results::FolderExists(fmt::format("{} is there already: --force replaces it", path.string()));
 }
 
-/// The progress of frames on one line, and Ctrl-C.
-viz::Making making_of(const RenderOptions& options, ProgressLine& line, const StopSignal& stop,
-                      std::string what) {
-  const auto start = std::chrono::steady_clock::now();
+/// Shows how many frames are drawn; Ctrl-C is heard there.
+viz::Making making_of(const RenderOptions& options, Session& session, std::string what) {
+  const double start_s = session.seconds();
   return {.gl = gl_of(options.look),
-          .go_on = [&line, &stop, start, what = std::move(what)](std::size_t done, std::size_t all) {
-            const double seconds =
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            const double rate = static_cast<double>(done) / seconds;
-            line.tell(what, static_cast<double>(done) / static_cast<double>(all),
-                      done > 0 ? fmt::format("{:.1f} frames/s", rate) : std::string{});
-            return stop.received() == 0;
+          .go_on = [&session, start_s, what = std::move(what)](std::size_t done, std::size_t all) {
+            const double rate = static_cast<double>(done) / (session.seconds() - start_s);
+            return session.progress(what, static_cast<double>(done) / static_cast<double>(all),
+                                    done > 0 ? fmt::format("{:.1f} frames/s", rate) : std::string{});
           }};
 }
 
 /// The moment when the crack has made six tenths of its way: enough is cut to be seen, and something is left.
 double poster_time(const viz::Plan& plan) {
-  const double way = plan.tips_m.front() + 0.6 * (plan.tips_m.back() - plan.tips_m.front());
+  const double tip = plan.tips_m.front() + 0.6 * (plan.tips_m.back() - plan.tips_m.front());
   for (std::size_t k = 0; k < plan.tips_m.size(); ++k)
-    if (plan.tips_m[k] >= way) return plan.times_s[k];
+    if (plan.tips_m[k] >= tip) return plan.times_s[k];
   return plan.times_s.back();
 }
 
@@ -97,23 +90,22 @@ void draw_picture(const RenderOptions& options, const viz::Plan& plan, double ti
 
 /// Where ffmpeg fails, the frames are drawn as pictures instead.
 ExitCode draw_film(const RenderOptions& options, const viz::Plan& plan, const std::vector<double>& times,
-                   const fs::path& path, ProgressLine& line, const StopSignal& stop) {
+                   const fs::path& path, Session& session) {
   check_file(path, options.force);
   try {
     viz::make_film(plan.job, times, rate_of(options.look, times.size()), path,
-                   making_of(options, line, stop, path.filename().string()));
-    line.clear();
+                   making_of(options, session, path.filename().string()));
+    session.line.clear();
     base::print_path(path);
     return ExitCode::done;
   } catch (const viz::FilmFailed& failure) {
-    line.clear();
     fs::path folder = path;
     folder.replace_extension();
     folder += "_frames";
-    base::message("rift render: {}; the frames are drawn as pictures instead\n", failure.what());
+    session.message(std::string(failure.what()) + "; the frames are drawn as pictures instead");
     check_folder_of_pictures(folder, options.force);
-    viz::make_pictures(plan.job, times, folder, making_of(options, line, stop, folder.filename().string()));
-    line.clear();
+    viz::make_pictures(plan.job, times, folder, making_of(options, session, folder.filename().string()));
+    session.line.clear();
     base::print_path(folder);
     return ExitCode::world_failed;
   }
@@ -128,8 +120,7 @@ void check_files(const RenderOptions& options) {
   if (!options.pictures.empty()) check_folder_of_pictures(options.pictures, options.force);
 }
 
-ExitCode draw(const RenderOptions& options, const viz::Plan& plan, ProgressLine& line,
-              const StopSignal& stop) {
+ExitCode draw(const RenderOptions& options, const viz::Plan& plan, Session& session) {
   const fs::path run = options.runs.front();
   const std::string& field = plan.job.look.field;
   if (options.at) {
@@ -137,25 +128,25 @@ ExitCode draw(const RenderOptions& options, const viz::Plan& plan, ProgressLine&
         static_cast<std::size_t>(std::lround(*options.at * static_cast<double>(plan.times_s.size() - 1)));
     const fs::path path = options.picture.empty() ? run / fmt::format("{}_at_{:.2f}.png", field, *options.at)
                                                   : fs::path(options.picture);
-    draw_picture(options, plan, plan.times_s[k], path, making_of(options, line, stop, "picture"));
+    draw_picture(options, plan, plan.times_s[k], path, making_of(options, session, "picture"));
   }
   const std::vector<double> times = times_of(options, plan);
   if (!options.pictures.empty()) {
     check_folder_of_pictures(options.pictures, options.force);
-    viz::make_pictures(plan.job, times, options.pictures, making_of(options, line, stop, "pictures"));
+    viz::make_pictures(plan.job, times, options.pictures, making_of(options, session, "pictures"));
     base::print_path(options.pictures);
   }
   const bool nothing_else = !options.at && options.pictures.empty() && !options.poster;
   fs::path film = options.film;
   if (film.empty() && nothing_else) film = run / fmt::format("film_{}.mp4", field);
   ExitCode code = ExitCode::done;
-  if (!film.empty()) code = draw_film(options, plan, times, film, line, stop);
+  if (!film.empty()) code = draw_film(options, plan, times, film, session);
   if (options.poster) {
     viz::Plan large = plan;
     large.job.look.large_text = true;
     fs::path path = film.empty() ? run / fmt::format("poster_{}.png", field) : film;
     draw_picture(options, large, poster_time(plan), path.replace_extension(".png"),
-                 making_of(options, line, stop, "poster"));
+                 making_of(options, session, "poster"));
   }
   return code;
 }
@@ -166,14 +157,12 @@ ExitCode render(RenderOptions options) try {
   for (const std::string& run : options.runs) options.look.wish.runs.emplace_back(run);
   const viz::Plan plan = viz::plan_of(options.look.wish);
   for (const std::string& note : plan.notes) base::message("rift render: {}\n", note);
-  const StopSignal stop;
-  ProgressLine line(progress_style(options.quiet, options.json));
+  Session session("rift render", options);
   try {
-    return draw(options, plan, line, stop);
+    return draw(options, plan, session);
   } catch (const viz::Stopped&) {
-    line.clear();
-    base::message("rift render: stopped; nothing half-made is left\n");
-    return static_cast<ExitCode>(128 + stop.received());
+    session.message("stopped; nothing half-made is left");
+    return session.stopped();
   }
 } catch (const viz::BadWish& wish) {
   base::message("rift render: {}\n", wish.what());

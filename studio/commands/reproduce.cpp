@@ -1,28 +1,22 @@
-#include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
-#include "engine/base/interrupted.hpp"
-#include "engine/base/text.hpp"
 #include "engine/calibration/calibrate.hpp"
+#include "engine/claims/claims.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/measurement/specimen_properties.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/study/claims.hpp"
-#include "engine/study/paper_study.hpp"
+#include "engine/measurement/specimen_properties.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/draw_claim.hpp"
-#include "studio/commands/scene_options.hpp"
-#include "studio/reports/beyond_charts.hpp"
+#include "studio/commands/session.hpp"
 #include "studio/reports/calibration_report.hpp"
 #include "studio/reports/reproduction.hpp"
-#include "studio/reports/reproduction_charts.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -32,39 +26,34 @@ namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-struct ReproduceOptions {
+struct ReproduceOptions : SessionOptions {
   std::vector<std::string> names;
   std::string out = "reproduction";
-  bool quick = false, quiet = false, json = false, no_cache = false;
-  int threads = 0;
-  std::string color;
+  bool quick = false;
 };
-
-scene::Issue issue(std::string text) {
-  return {.file = "rift reproduce", .key = {}, .text = std::move(text)};
-}
 
 /// The claims of the names, in the table's order; for none or "all" all of the paper's, for "beyond" the
 /// others.
-std::vector<const study::Claim*> chosen_claims(const std::vector<std::string>& names) {
+std::vector<const claims::Claim*> chosen_claims(const std::vector<std::string>& names) {
   std::set<std::string> wanted(names.begin(), names.end());
   std::vector<std::string> known{"all", "beyond"};
-  for (const study::Claim& claim : study::claims()) known.push_back(claim.name);
+  for (const claims::Claim& claim : claims::claims()) known.push_back(claim.name);
   std::vector<scene::Issue> issues;
   for (const std::string& name : wanted) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string nearest = scene::nearest_name(name, known);
-    issues.push_back(issue(nearest.empty() ? fmt::format("unknown name '{}': the names are {}",
-                                                         scene::printable(name), scene::listed(known, "and"))
-                                           : fmt::format("unknown name '{}', did you mean '{}'?",
-                                                         scene::printable(name), nearest)));
+    issues.push_back({.file = "rift reproduce",
+                      .key = {},
+                      .text = nearest.empty()
+                                  ? fmt::format("unknown name '{}': the names are {}", scene::printable(name),
+                                                scene::listed(known, "and"))
+                                  : fmt::format("unknown name '{}', did you mean '{}'?",
+                                                scene::printable(name), nearest)});
   }
   if (!issues.empty()) throw scene::InputError(issues);
-  std::vector<const study::Claim*> chosen;
+  std::vector<const claims::Claim*> chosen;
   if (wanted.empty()) wanted.insert("all");
-  for (const study::Claim& claim : study::claims())
+  for (const claims::Claim& claim : claims::claims())
     if (wanted.contains(claim.beyond ? "beyond" : "all") || wanted.contains(claim.name))
       chosen.push_back(&claim);
   return chosen;
@@ -76,13 +65,13 @@ void check_folder(const fs::path& folder) {
   if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored) ||
       fs::is_directory(folder / "runs", ignored) || fs::exists(folder / "reproduction.md", ignored))
     return;
-  throw scene::InputError({issue(fmt::format("'{}' is there and holds something else: choose another --out",
-                                             scene::printable(folder.string())))});
+  refuse("rift reproduce", fmt::format("'{}' is there and holds something else: choose another --out",
+                                       scene::printable(folder.string())));
 }
 
-study::PaperStudy study_of(const std::vector<const study::Claim*>& chosen, study::Effort effort) {
+claims::PaperStudy study_of(const std::vector<const claims::Claim*>& chosen, claims::Effort effort) {
   std::vector<std::string> names;
-  for (const study::Claim* claim : chosen)
+  for (const claims::Claim* claim : chosen)
     for (const std::string& name : claim->needs)
       if (claim->judge && !claim->calibration && std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
@@ -94,11 +83,11 @@ study::PaperStudy study_of(const std::vector<const study::Claim*>& chosen, study
     issues.insert(issues.end(), found.begin(), found.end());
   }
   if (!issues.empty()) throw scene::InputError(issues);
-  return study::merge_presets(presets, effort);
+  return claims::merge_presets(presets, effort);
 }
 
 /// The rows a claim looks at, of any stiffness.
-std::vector<study::SummaryRow> rows_for(const study::Claim& claim, const study::PaperStudy& study,
+std::vector<study::SummaryRow> rows_for(const claims::Claim& claim, const claims::PaperStudy& study,
                                         const study::StudyResult& result) {
   std::set<int> places;
   for (const std::string& name : claim.needs)
@@ -106,48 +95,45 @@ std::vector<study::SummaryRow> rows_for(const study::Claim& claim, const study::
       places.insert(rows->second.begin(), rows->second.end());
   std::vector<study::SummaryRow> rows;
   for (int place : places)
-    if (result.rows.at(place).is_object()) rows.push_back(result.rows[place]);
+    if (result.rows.at(place)) rows.push_back(*result.rows[place]);
   return rows;
 }
 
-double computing_time(const study::SummaryRow& row) {
-  const bool ramp = study::text_in(row, "prestress_method") == "ramp";
-  return study::number_in(row, "wall_fracture_s") + (ramp ? study::number_in(row, "wall_prestress_s") : 0.0);
+void draw_figures(JudgedClaim& claim, const std::vector<NamedChart>& charts, const fs::path& folder) {
+  for (const NamedChart& named : charts) claim.figures.push_back({draw_chart(named, folder), named.caption});
 }
 
-JudgedClaim judged(const study::Claim& claim, const study::PaperStudy& study,
+JudgedClaim judged(const claims::Claim& claim, const claims::PaperStudy& study,
                    const study::StudyResult& result, int elements, const fs::path& folder) {
   JudgedClaim out;
   out.claim = &claim;
   if (!claim.judge) return out;
-  study::Evidence bulk{.rows = {}, .elements = elements, .series = [&](const study::SummaryRow& row) {
-                         return study::read_series(folder / study::text_in(row, "series"));
-                       }};
-  study::Evidence in_situ = bulk;
+  claims::Evidence bulk{.rows = {}, .elements = elements, .series = [&](const study::SummaryRow& row) {
+                          return study::read_series(folder / row.series);
+                        }};
+  claims::Evidence in_situ = bulk;
   for (study::SummaryRow& row : rows_for(claim, study, result)) {
     ++out.scenarios;
-    out.wall_s += computing_time(row);
-    (study::text_in(row, "stiffness") == "bulk" ? bulk : in_situ).rows.push_back(std::move(row));
+    out.wall_s += study::marching_time(row);
+    (row.stiffness == "bulk" ? bulk : in_situ).rows.push_back(std::move(row));
   }
   const fs::path charts = folder / "charts";
+  out.in_situ = claim.judge(in_situ);
   if (claim.beyond) {
-    out.in_situ = claim.judge(in_situ);
-    out.figures = draw_beyond(claim, in_situ, charts);
+    draw_figures(out, beyond_charts(claim, in_situ), charts);
     return out;
   }
   out.bulk = claim.judge(bulk);
-  out.in_situ = claim.judge(in_situ);
-  out.figures = draw_figures(claim, bulk, "bulk", charts);
-  for (Figure& figure : draw_figures(claim, in_situ, "in-situ", charts))
-    out.figures.push_back(std::move(figure));
+  draw_figures(out, claim_charts(claim, bulk, "bulk"), charts);
+  draw_figures(out, claim_charts(claim, in_situ, "in-situ"), charts);
   return out;
 }
 
 /// What --quick leaves of a calibration: two packings of the cylinders below the size of the quick plate.
-scene::Scene calibration_scene(scene::Scene scene, study::Effort effort) {
-  if (effort == study::Effort::full) return scene;
+scene::Scene calibration_scene(scene::Scene scene, claims::Effort effort) {
+  if (effort == claims::Effort::full) return scene;
   scene::Scene::Calibration& c = scene.calibration;
-  const double most = study::plate_elements(effort);
+  const double most = claims::plate_elements(effort);
   std::erase_if(c.sizes, [&](double elements) { return elements > most; });
   if (c.sizes.empty()) c.sizes = {most};
   c.elements = std::min(c.elements, static_cast<int>(most) / 2);
@@ -156,34 +142,25 @@ scene::Scene calibration_scene(scene::Scene scene, study::Effort effort) {
 }
 
 /// Judges a claim about cylinders.
-JudgedClaim calibrated(const study::Claim& claim, const ReproduceOptions& options, study::Effort effort,
-                       const StopSignal& stop) {
-  const auto start = Clock::now();
-  ProgressLine line(progress_style(options.quiet, options.json));
-  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
-  const scene::Preset preset = scene::read_preset(resolve_preset(claim.needs.front()));
-  if (!preset.issues.empty()) throw scene::InputError(preset.issues);
+JudgedClaim calibrated(const claims::Claim& claim, const ReproduceOptions& options, claims::Effort effort,
+                       Session& session) {
+  const double start_s = session.seconds();
+  const scene::Preset preset = without_mistakes(scene::read_preset(resolve_preset(claim.needs.front())));
   const calibration::CalibrationStudy study = calibration::study_calibration(
-      calibration_scene(preset.scene, effort), cache,
-      [&](const char* stage, double done) {
-        line.tell(stage, done);
-        return stop.received() == 0;
-      },
-      options.threads);
+      calibration_scene(preset.scene, effort), session.cache, session.progress_of_stages(), options.threads);
   JudgedClaim out;
   out.claim = &claim;
-  const study::Evidence evidence{.rows = calibration::rows_of(study),
-                                 .elements = study::plate_elements(effort)};
+  const std::vector<nlohmann::ordered_json> rows = calibration::rows_of(study);
+  claims::Evidence evidence{.rows = {}, .elements = claims::plate_elements(effort)};
+  for (const auto& packings : study.by_size)
+    evidence.cylinders.insert(evidence.cylinders.end(), packings.begin(), packings.end());
   out.bulk = claim.judge(evidence);
-  out.scenarios = static_cast<int>(evidence.rows.size());
-  std::vector<NamedChart> charts =
-      calibration_charts(evidence.rows, lattice::bulk_micro_material.young_modulus);
+  out.scenarios = static_cast<int>(rows.size());
+  std::vector<NamedChart> charts = calibration_charts(rows, lattice::bulk_micro_material.young_modulus);
   if (claim.name == "table2") charts.resize(1);  // the others are Fig. 17's
-  for (const NamedChart& named : charts)
-    out.figures.push_back(
-        {draw_chart(named.chart, fs::path(options.out) / "charts", claim.name + "_" + named.name),
-         named.caption});
-  out.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  for (NamedChart& named : charts) named.name = claim.name + "_" + named.name;
+  draw_figures(out, charts, fs::path(options.out) / "charts");
+  out.wall_s = session.seconds() - start_s;
   return out;
 }
 
@@ -193,51 +170,30 @@ struct OwnSpeed {
   double bulk = 0, in_situ = 0;
 };
 
-OwnSpeed measure_speed(const ReproduceOptions& options, int elements, const StopSignal& stop) {
-  ProgressLine line(progress_style(options.quiet, options.json));
-  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
-  const auto tell = [&](std::string_view stage, double done) {
-    line.tell(stage, done);
-    return stop.received() == 0;
-  };
+OwnSpeed measure_speed(int elements, Session& session) {
+  const auto progress = session.progress_of_stages();
   const simulation::Prepared plate = simulation::prepare(
       scene::read_preset(resolve_preset("plate_pnrt"), {fmt::format("specimen.elements={}", elements)}),
-      cache, tell);
+      session.cache, progress);
   const measurement::SpecimenProperties own =
-      measurement::measure_specimen(plate, cache, tell, options.threads);
+      measurement::measure_specimen(plate, session.cache, progress, session.options.threads);
   const double in_situ = own.nominal.rayleigh / own.speed(measurement::WaveKind::rayleigh);
   return {in_situ * std::sqrt(plate.micro.young_modulus / lattice::bulk_micro_material.young_modulus),
           in_situ};
 }
 
 /// Fig. 15 once more, over the plate's own Rayleigh speed.
-void add_own_speed(JudgedClaim& claim, const study::PaperStudy& study, const study::StudyResult& result,
-                   const ReproduceOptions& options, int elements, const StopSignal& stop) {
-  const OwnSpeed own = measure_speed(options, elements, stop);
+void add_own_speed(JudgedClaim& claim, const claims::PaperStudy& study, const study::StudyResult& result,
+                   const fs::path& folder, int elements, Session& session) {
+  const OwnSpeed own = measure_speed(elements, session);
   for (const char* stiffness : {"bulk", "in-situ"}) {
-    study::Evidence evidence{.rows = {}, .elements = elements};
+    claims::Evidence evidence{.rows = {}, .elements = elements};
     for (study::SummaryRow& row : rows_for(*claim.claim, study, result))
-      if (study::text_in(row, "stiffness") == stiffness) evidence.rows.push_back(std::move(row));
+      if (row.stiffness == stiffness) evidence.rows.push_back(std::move(row));
     const bool bulk = std::string_view(stiffness) == "bulk";
-    for (Figure& figure : draw_against_own_speed(evidence, stiffness, bulk ? own.bulk : own.in_situ,
-                                                 fs::path(options.out) / "charts"))
-      claim.figures.push_back(std::move(figure));
+    draw_figures(claim, charts_over_own_speed(evidence, stiffness, bulk ? own.bulk : own.in_situ),
+                 folder / "charts");
   }
-}
-
-/// Draws the claims that are pictures.
-void draw_pictures(Reproduction& report, const ReproduceOptions& options, const StopSignal& stop) {
-  ProgressLine line(progress_style(options.quiet, options.json));
-  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
-  for (JudgedClaim& claim : report.claims) {
-    if (claim.claim->pictures_at.empty()) continue;
-    draw_claim(claim, options.out, report.elements, cache, options.threads,
-               [&](std::string_view stage, double done) {
-                 line.tell(stage, done);
-                 return stop.received() == 0;
-               });
-  }
-  line.clear();
 }
 
 std::string command_text(const ReproduceOptions& options) {
@@ -246,81 +202,76 @@ std::string command_text(const ReproduceOptions& options) {
   return text + (options.names.empty() ? " all" : "") + (options.quick ? " --quick" : "");
 }
 
-study::StudyResult compute(const ReproduceOptions& options, const study::PaperStudy& study,
-                           const StopSignal& stop) {
+study::StudyResult compute(const ReproduceOptions& options, const claims::PaperStudy& study,
+                           Session& session) {
   if (study.preset.study.empty()) return {};
-  ProgressLine line(progress_style(options.quiet, options.json));
-  base::Cache cache = options.no_cache ? base::Cache{} : base::user_cache();
-  const study::StudyObserver observer{.progress =
-                                          [&](std::string_view stage, double done) {
-                                            line.tell(stage, done);
-                                            return stop.received() == 0;
-                                          },
-                                      .finished = {}};
-  study::StudyResult result =
-      study::run_study(study.preset, {.folder = options.out, .threads = options.threads, .shared = true},
-                       cache, build_info(), observer);
-  line.clear();
-  print_notes(cache);
+  study::StudyResult result = study::run_study(
+      study.preset, {.folder = options.out, .threads = options.threads, .shared = true}, session.cache,
+      build_info(), {.progress = session.progress_of_stages(), .finished = {}});
+  session.line.clear();
+  session.print_notes();
   return result;
 }
 
-void write_report(const Reproduction& report, const ReproduceOptions& options) {
-  const fs::path folder = options.out;
+/// Judges and draws the claims; throws Interrupted.
+void fill(Reproduction& report, const std::vector<const claims::Claim*>& chosen,
+          const ReproduceOptions& options, claims::Effort effort, const claims::PaperStudy& study,
+          const study::StudyResult& result, Session& session) {
+  for (const claims::Claim* claim : chosen) {
+    if (claim->calibration && claim->judge) {
+      report.claims.push_back(calibrated(*claim, options, effort, session));
+      continue;
+    }
+    session.progress("charts of " + claim->name, 0.0);
+    report.claims.push_back(judged(*claim, study, result, report.elements, options.out));
+  }
+  for (JudgedClaim& claim : report.claims)
+    if (claim.claim->name == "fig15")
+      add_own_speed(claim, study, result, options.out, report.elements, session);
+  for (JudgedClaim& claim : report.claims)
+    if (!claim.claim->pictures_at.empty()) draw_claim(claim, options.out, report.elements, session);
+  session.line.clear();
+}
+
+void write_reproduction(const Reproduction& report, const fs::path& folder, const Session& session) {
   base::make_folder(folder);
   base::write_whole_file(folder / "report.html", reproduction_html(report));
   base::write_whole_file(folder / "reproduction.md", reproduction_markdown(report));
-  if (options.json) {
-    base::print_text(base::json_text(reproduction_json(report), 2) + "\n");
-    return;
-  }
-  base::print_text(reproduction_text(report, wants_color(options.color, stdout)) + "\n");
-  base::print("{}/  report.html, reproduction.md, charts, runs\n", folder.string());
+  session.print_result(reproduction_json(report), [&] {
+    base::print_text(reproduction_text(report, session.color()) + "\n");
+    base::print("{}/  report.html, reproduction.md, charts, runs\n", folder.string());
+  });
 }
 
 ExitCode reproduce(const ReproduceOptions& options) {
-  const auto start = Clock::now();
-  const std::vector<const study::Claim*> chosen = chosen_claims(options.names);
-  const study::Effort effort = options.quick ? study::Effort::quick : study::Effort::full;
-  const study::PaperStudy study = study_of(chosen, effort);
+  const std::vector<const claims::Claim*> chosen = chosen_claims(options.names);
+  const claims::Effort effort = options.quick ? claims::Effort::quick : claims::Effort::full;
+  const claims::PaperStudy study = study_of(chosen, effort);
   check_folder(options.out);
   study::open_shared(options.out);
   base::check_target(fs::path(options.out) / "report.html");
-  const StopSignal stop;
-  const study::StudyResult result = compute(options, study, stop);
+  Session session("rift reproduce", options);
+  const study::StudyResult result = compute(options, study, session);
   if (result.outcome == simulation::Outcome::stopped) {
-    base::message("rift reproduce: stopped; {} of {} scenarios are kept in {}: the same call goes on\n",
-                  result.computed + result.found, study.preset.study.size(), options.out);
-    return static_cast<ExitCode>(128 + stop.received());
+    session.message(fmt::format("stopped; {} of {} scenarios are kept in {}: the same call goes on",
+                                result.computed + result.found, study.preset.study.size(), options.out));
+    return session.stopped();
   }
   Reproduction report{.build = build_info(),
                       .command = command_text(options),
-                      .elements = study::plate_elements(effort),
+                      .elements = claims::plate_elements(effort),
                       .scenarios = static_cast<int>(study.preset.study.size()),
                       .computed = result.computed,
                       .found = result.found,
                       .wall_s = 0,
                       .claims = {}};
-  try {
-    for (const study::Claim* claim : chosen) {
-      if (claim->calibration && claim->judge) {
-        report.claims.push_back(calibrated(*claim, options, effort, stop));
-        continue;
-      }
-      ProgressLine line(progress_style(options.quiet, options.json));
-      line.tell("charts of " + claim->name, 0.0);
-      report.claims.push_back(judged(*claim, study, result, report.elements, options.out));
-    }
-    for (JudgedClaim& claim : report.claims)
-      if (claim.claim->name == "fig15") add_own_speed(claim, study, result, options, report.elements, stop);
-    draw_pictures(report, options, stop);
-  } catch (const base::Interrupted& interrupted) {
-    base::message("rift reproduce: {}; what was computed is kept in {}\n", interrupted.what(), options.out);
-    return static_cast<ExitCode>(128 + stop.received());
-  }
-  report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  write_report(report, options);
-  return result.outcome == simulation::Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+  const auto work = [&] {
+    fill(report, chosen, options, effort, study, result, session);
+    report.wall_s = session.seconds();
+    write_reproduction(report, options.out, session);
+    return session.ended(result.outcome);
+  };
+  return session.until_stopped(work, "; what was computed is kept in " + options.out);
 }
 
 }  // namespace
@@ -335,13 +286,9 @@ void add_reproduce(CLI::App& app, ExitCode& exit_code) {
   command.add_flag("--quick", options->quick, "The same plate with 5,000 elements, a minute or two");
   command.add_option("--out", options->out, "Folder of runs, charts and report; continued if it is there")
       ->capture_default_str();
-  command
-      .add_option("--threads", options->threads,
-                  "Threads (default: one per CPU that this process may use); the results do not depend on it")
-      ->check(CLI::Range(1, 1024));
-  command.add_flag("--no-cache", options->no_cache,
-                   "Neither read nor write the cache of packings and pre-stresses");
-  command.add_flag("--quiet", options->quiet, "No progress on stderr");
+  add_threads(command, *options);
+  add_no_cache(command, *options);
+  add_quiet(command, *options);
   command.add_flag("--json", options->json,
                    "Progress as JSON lines on stderr, the verdicts as JSON on stdout");
   add_color_option(command, options->color);

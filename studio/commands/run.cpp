@@ -1,6 +1,7 @@
-#include "engine/base/console.hpp"
 #include "engine/base/interrupted.hpp"
+#include "engine/base/ownership.hpp"
 #include "engine/base/process_limits.hpp"
+#include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
@@ -8,36 +9,140 @@
 #include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
-#include "studio/commands/resume.hpp"
-#include "studio/commands/run_ending.hpp"
 #include "studio/commands/run_panel.hpp"
-#include "studio/commands/scene_options.hpp"
-#include "studio/commands/stop_signal.hpp"
+#include "studio/commands/session.hpp"
+#include "studio/text/run_table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
+/// `rift run` and `rift resume`, which goes on with what the first has left.
 namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr const char* nothing_written = "nothing was written, and the same command starts anew";
-
-struct RunOptions {
-  SceneOptions scene;
+struct RunOptions : SceneOptions {
   std::string out, replay, budget, checkpoint = "30 s";
   bool force = false, plain = false;
   std::unique_ptr<FilmOfRun> film;
 };
+
+struct ResumeOptions : SessionOptions {
+  std::string run, budget;
+  bool plain = false;
+};
+
+/// Shows the march a few times a second; Ctrl-C is heard here.
+simulation::Observer observer_of(Session& session, std::size_t elements) {
+  simulation::Observer observer;
+  observer.go_on = [&session, elements](const simulation::Progress& p) {
+    const double speed = static_cast<double>(p.step) * static_cast<double>(elements) / p.seconds;
+    const char* stage = p.phase == results::Phase::loading ? "loading"
+                        : p.phase == results::Phase::hold  ? "stabilising"
+                                                           : "crack";
+    return session.progress(stage, static_cast<double>(p.step) / static_cast<double>(p.total),
+                            magnitude_text(speed) + " element-steps/s");
+  };
+  observer.stage = [&session](const char* stage) { session.progress(stage, 0.0); };
+  return observer;
+}
+
+/// The table of every scenario and where the files are, or with --json the summary.
+void print_run(const Session& session, const nlohmann::ordered_json& summary, const fs::path& folder,
+               const std::string& film = {}) {
+  session.print_result(summary, [&] {
+    bool any_stopped = false;
+    for (const results::LaneSummary& lane : results::lane_summaries_of(summary.at("scenarios"))) {
+      base::print_text(run_table(lane, session.color()));
+      any_stopped = any_stopped || lane.outcome == simulation::name_of(simulation::Outcome::stopped);
+    }
+    base::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
+                folder.string());
+    if (!film.empty()) base::print("  {:<22}{}\n", "film", film);
+    if (any_stopped) base::print("  {:<22}rift resume {}\n", "to go on", folder.string());
+  });
+}
+
+/// That a run was stopped before its first step, where nothing can be kept, and what the same command does
+/// then.
+/// @param what  "stopped while packing";  @param then  what the folder is like now
+void say_nothing_kept(Session& session, const std::string& what, const char* then) {
+  session.message(
+      fmt::format("{}{}: {}", what, session.ran_out_of_budget() ? " as the budget ran out" : "", then));
+}
+
+bool wants_panel(const SessionOptions& options, bool plain) {
+  return !plain && !options.quiet && !options.json && panel_there();
+}
+
+// rift resume
+
+std::optional<simulation::Recorded> resume_plainly(const ResumeOptions& options, const scene::Preset& preset,
+                                                   Session& session) try {
+  const base::Clock::time_point start = base::Clock::now();
+  const simulation::Prepared prepared =
+      simulation::prepare(preset, scenes_of_run(preset), session.cache, session.progress_of_stages());
+  const double preparation_s = base::seconds_since(start);
+  std::string note;
+  auto ran = simulation::resume_run(prepared, options.run, build_info(),
+                                    observer_of(session, prepared.lattice.centre.size()), note,
+                                    {.threads = options.threads}, preparation_s);
+  session.line.clear();
+  if (!note.empty()) session.message(note);
+  return ran;
+} catch (const base::Interrupted& interrupted) {
+  say_nothing_kept(session, interrupted.what(), "the run is as it was, and the same command goes on");
+  return std::nullopt;
+}
+
+std::optional<simulation::Recorded> resume_live(const ResumeOptions& options, const scene::Preset& preset,
+                                                const Session& session) {
+  RunRequest request{.preset = preset, .folder = options.run};
+  request.resume = true;
+  request.threads = options.threads;
+  request.cache = session.cache;
+  request.build = build_info();
+  return run_in_panel(std::move(request), session.color(), session.stop);
+}
+
+ExitCode resume(const ResumeOptions& options) {
+  const std::optional<double> budget = read_budget("rift resume", options.budget);
+  if (results::is_folder_being_written(options.run))
+    throw base::WorldError("resume", options.run, "another process is writing it");
+  if (simulation::complete_end(options.run)) {
+    base::message("rift resume: {} had come to its end; the files of its end are made from its journal\n",
+                  options.run);
+    return ExitCode::done;
+  }
+  if (simulation::has_ended(options.run)) {
+    base::message("rift resume: {} has come to its end: nothing is left of it\n", options.run);
+    return ExitCode::done;
+  }
+  const scene::Preset preset = simulation::preset_of_run(options.run);
+  Session session("rift resume", options, budget);
+  std::optional<simulation::Recorded> ran;
+  try {
+    ran = wants_panel(options, options.plain) ? resume_live(options, preset, session)
+                                              : resume_plainly(options, preset, session);
+  } catch (const std::invalid_argument& error) {
+    throw base::WorldError("resume", options.run, error.what());
+  }
+  if (!ran) return session.stopped();
+  session.print_notes();
+  print_run(session, ran->summary, options.run);
+  return session.ended(ran->result.outcome);
+}
+
+// rift run
+
+constexpr const char* nothing_written = "nothing was written, and the same command starts anew";
 
 /// Whether the folder holds a run that the same command has begun under a budget: a command with one goes on
 /// with it.
@@ -50,128 +155,91 @@ bool goes_on(const RunOptions& options, const scene::Preset& preset, const fs::p
 /// command goes on with.
 fs::path folder_for(const RunOptions& options, const scene::Preset& preset) {
   if (!options.out.empty()) return options.out;
-  const std::string name = options.replay.empty() ? fs::path(options.scene.preset).stem().string() : "replay";
+  const std::string name = options.replay.empty() ? fs::path(options.preset).stem().string() : "replay";
   fs::path folder = fs::path("runs") / name;
   for (int k = 2; fs::exists(folder) && !goes_on(options, preset, folder); ++k)
     folder = fs::path("runs") / fmt::format("{}-{}", name, k);
   return folder;
 }
 
-/// What both ways to run have in common.
-struct Way {
-  const RunOptions& options;
-  const scene::Preset& preset;
-  const StopSignal& stop;
-  ProgressLine& line;
-  double checkpoint_s;
-  Clock::time_point start = Clock::now();
-
-  void begin_film(const fs::path& folder) const {
-    options.film->begin(folder, options.scene.threads > 0 && options.scene.threads < base::available_cpus());
-  }
-};
+void begin_film(const RunOptions& options, const fs::path& folder) {
+  options.film->begin(folder, options.threads > 0 && options.threads < base::available_cpus());
+}
 
 /// With lines of progress. Nothing where the user stopped it before its first step.
-std::optional<simulation::Recorded> run_plainly(const Way& way, const fs::path& path,
-                                                base::Cache& cache) try {
-  results::ClaimedFolder folder(path, way.options.force);
-  if (!folder.has_locks()) base::message("rift run: {}\n", simulation::no_locks_note(path));
-  const simulation::Prepared prepared = simulation::prepare(way.preset, scenes_of_run(way.preset), cache,
-                                                            [&](std::string_view stage, double done) {
-                                                              way.line.tell(stage, done);
-                                                              return way.stop.received() == 0;
-                                                            });
+std::optional<simulation::Recorded> run_plainly(const RunOptions& options, const scene::Preset& preset,
+                                                const fs::path& path, double checkpoint_s,
+                                                Session& session) try {
+  results::ClaimedFolder folder(path, options.force);
+  if (!folder.has_locks()) session.message(simulation::no_locks_note(path));
+  const simulation::Prepared prepared =
+      simulation::prepare(preset, scenes_of_run(preset), session.cache, session.progress_of_stages());
   simulation::check_grip(prepared);
-  way.begin_film(folder.keep());
-  const double preparation = std::chrono::duration<double>(Clock::now() - way.start).count();
-  return simulation::record_run(prepared, path, build_info(),
-                                {.go_on = telling(way.line, way.stop, prepared.lattice.centre.size()),
-                                 .stage = [&](const char* stage) { way.line.tell(stage, 0.0); }},
-                                {.threads = way.options.scene.threads, .checkpoint_s = way.checkpoint_s},
-                                preparation);
+  begin_film(options, folder.keep());
+  return simulation::record_run(
+      prepared, path, build_info(), observer_of(session, prepared.lattice.centre.size()),
+      {.threads = options.threads, .checkpoint_s = checkpoint_s}, session.seconds());
 } catch (const base::Interrupted& interrupted) {
-  way.line.clear();
-  base::message("rift run: {}\n", nothing_kept_text(interrupted.what(), way.stop, nothing_written));
+  say_nothing_kept(session, interrupted.what(), nothing_written);
   return std::nullopt;
 }
 
 /// In the live panel.
-std::optional<simulation::Recorded> run_live(const Way& way, const fs::path& path, const base::Cache& cache) {
-  RunWish wish{.preset = way.preset, .folder = path, .force = way.options.force};
-  wish.threads = way.options.scene.threads;
-  wish.checkpoint_s = way.checkpoint_s;
-  wish.cache = cache;
-  wish.build = build_info();
-  wish.began = [&](const fs::path& folder) { way.begin_film(folder); };
-  auto ran = run_in_panel(std::move(wish), wants_color(way.options.scene.color, stdout), way.stop);
-  if (!ran)
-    base::message("rift run: {}\n",
-                  nothing_kept_text("stopped before the first step", way.stop, nothing_written));
+std::optional<simulation::Recorded> run_live(const RunOptions& options, const scene::Preset& preset,
+                                             const fs::path& path, double checkpoint_s, Session& session) {
+  RunRequest request{.preset = preset, .folder = path, .force = options.force};
+  request.threads = options.threads;
+  request.checkpoint_s = checkpoint_s;
+  request.cache = session.cache;
+  request.build = build_info();
+  request.began = [&](const fs::path& folder) { begin_film(options, folder); };
+  auto ran = run_in_panel(std::move(request), session.color(), session.stop);
+  if (!ran) say_nothing_kept(session, "stopped before the first step", nothing_written);
   return ran;
 }
 
-bool wants_panel(const RunOptions& options) {
-  return !options.plain && !options.scene.quiet && !options.scene.json && panel_there();
-}
-
 /// A preset, or with --replay the one that a steered run has left.
-scene::Preset read_wish(const RunOptions& options) {
-  const scene::Preset preset = read_scene(options.scene);
+scene::Preset read_run(const RunOptions& options) {
+  scene::Preset preset = read_scene(options);
   if (!options.replay.empty() && preset.steering.empty())
-    throw scene::InputError(
-        {scene::Issue{.file = options.replay,
-                      .key = {},
-                      .text = fmt::format("holds no [[steering]]: a run that was steered leaves a {}",
-                                          results::steering_name)}});
+    refuse(options.replay,
+           fmt::format("holds no [[steering]]: a run that was steered leaves a {}", results::steering_name));
   return preset;
 }
 
 double checkpoint_seconds(const RunOptions& options) {
   const scene::Parsed<double> time = scene::read_quantity(options.checkpoint, scene::Dimension::time);
   if (time.value && *time.value > 0) return *time.value;
-  throw scene::InputError(
-      {scene::Issue{.file = "rift run",
-                    .key = {},
-                    .text = fmt::format("--checkpoint {}: {}", options.checkpoint,
-                                        time.value ? "must be above 0 s" : time.problem)}});
+  refuse("rift run", fmt::format("--checkpoint {}: {}", options.checkpoint,
+                                 time.value ? "must be above 0 s" : time.problem));
 }
 
 ExitCode run(const RunOptions& options) {
-  const scene::Preset preset = read_wish(options);
+  const scene::Preset preset = read_run(options);
   const double checkpoint_s = checkpoint_seconds(options);
   const std::optional<double> budget = read_budget("rift run", options.budget);
-  if (options.scene.print_config) {
-    base::print_text(scene::preset_text(preset));
-    return ExitCode::done;
-  }
+  if (prints_config(options, preset)) return ExitCode::done;
   (void)scenes_of_run(preset);  // a study is refused before a folder is claimed
   if (const std::string trouble = options.film->trouble_with(preset, options.force); !trouble.empty()) {
     base::message("rift run: {}\n", trouble);
     return ExitCode::bad_input;
   }
   const fs::path path = folder_for(options, preset);
-  if (goes_on(options, preset, path))
-    return resume({.run = path.string(),
-                   .color = options.scene.color,
-                   .budget = options.budget,
-                   .threads = options.scene.threads,
-                   .quiet = options.scene.quiet,
-                   .json = options.scene.json,
-                   .plain = options.plain,
-                   .no_cache = options.scene.no_cache});
-  const StopSignal stop(budget);
-  ProgressLine line(progress_style(options.scene.quiet, options.scene.json));
-  base::Cache cache = cache_for(options.scene);
-  const Way way{options, preset, stop, line, checkpoint_s};
+  if (goes_on(options, preset, path)) {
+    const ResumeOptions going_on{options, path.string(), options.budget, options.plain};
+    return resume(going_on);
+  }
+  Session session("rift run", options, budget);
   const std::optional<simulation::Recorded> ran =
-      wants_panel(options) ? run_live(way, path, cache) : run_plainly(way, path, cache);
-  if (!ran) return stopped_by(stop);
-  const FilmOfRun::Result film = options.film->finish(line, [&] { return stop.received() == 0; });
-  line.clear();
-  print_notes(cache);
-  print_run(ran->summary, path, options.scene.json, wants_color(options.scene.color, stdout), film.path);
-  if (!film.trouble.empty()) base::message("rift run: no film: {}\n", film.trouble);
-  const ExitCode code = exit_code_of(ran->result.outcome, stop);
+      wants_panel(options, options.plain) ? run_live(options, preset, path, checkpoint_s, session)
+                                          : run_plainly(options, preset, path, checkpoint_s, session);
+  if (!ran) return session.stopped();
+  const FilmOfRun::Result film = options.film->finish(session);
+  session.line.clear();
+  session.print_notes();
+  print_run(session, ran->summary, path, film.path);
+  if (!film.trouble.empty()) session.message("no film: " + film.trouble);
+  const ExitCode code = session.ended(ran->result.outcome);
   return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
 }
 
@@ -181,17 +249,16 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("run", "One scene: a plate, a crack, its dynamic energy release rate");
   const auto options = std::make_shared<RunOptions>();
-  add_scene_options(command, options->scene);
+  add_scene_options(command, *options);
   options->film = std::make_unique<FilmOfRun>(command);
   command.add_option("--out", options->out, "Folder of the run (default: runs/NAME, numbered if it exists)");
   command
       .add_option("--checkpoint", options->checkpoint,
                   "Time between two checkpoints, for 'rift resume' after a kill or a power cut")
       ->capture_default_str();
-  command.add_option(
-      "--budget", options->budget,
-      "Stop after this time (\"2 h\") with exit code 4: the same command, or 'rift resume', goes on from its "
-      "checkpoint; before the first step nothing is written");
+  command.add_option("--budget", options->budget,
+                     "Stop after this time (\"2 h\") with exit code 4: the same command, or 'rift resume', "
+                     "goes on from its checkpoint; before the first step nothing is written");
   command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
   command.add_flag("--force", options->force, "Replace the run that is in the folder");
   CLI::Option* preset = command.get_option("preset");
@@ -200,11 +267,27 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
       fmt::format("Repeat a run that was steered, to the bit: its {}", results::steering_name));
   preset->required(false)->excludes(replay);
   command.callback([options, preset, &exit_code] {
-    if (options->scene.preset.empty() && options->replay.empty())
-      throw CLI::RequiredError(preset->get_name());
-    if (!options->replay.empty()) options->scene.preset = options->replay;
+    if (options->preset.empty() && options->replay.empty()) throw CLI::RequiredError(preset->get_name());
+    if (!options->replay.empty()) options->preset = options->replay;
     exit_code = run(*options);
   });
+}
+
+void add_resume(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command =
+      *app.add_subcommand("resume", "Go on with a run that was stopped or killed, to the same bits");
+  const auto options = std::make_shared<ResumeOptions>();
+  command.add_option("run", options->run, "Folder of the run")->required();
+  add_threads(command, *options);
+  command.add_option(
+      "--budget", options->budget,
+      "Stop after this time (\"2 h\") with a checkpoint and exit code 4; the same command goes on");
+  command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
+  add_quiet(command, *options);
+  add_json(command, *options);
+  add_no_cache(command, *options);
+  add_color_option(command, options->color);
+  command.callback([options, &exit_code] { exit_code = resume(*options); });
 }
 
 }  // namespace rift::studio

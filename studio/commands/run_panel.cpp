@@ -1,6 +1,5 @@
 #include "studio/commands/run_panel.hpp"
 
-#include "studio/commands/common.hpp"
 #include "studio/terminal/bench.hpp"
 #include "studio/terminal/terminal.hpp"
 #include "studio/workbench/panel_screen.hpp"
@@ -21,9 +20,14 @@ Workshop workshop_here(int threads) {
   return w;
 }
 
+ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session) {
+  work_in_terminal(std::move(first), session.color(), [&] { return !session.goes_on(); });
+  return session.goes_on() ? ExitCode::done : session.stopped();
+}
+
 bool panel_there() { return Terminal::there(); }
 
-std::optional<simulation::Recorded> run_in_panel(RunWish wish, bool color, const StopSignal& stop) {
+std::optional<simulation::Recorded> run_in_panel(RunRequest wish, bool color, const StopSignal& stop) {
   Workshop workshop = workshop_here(wish.threads);
   auto screen = std::make_unique<RunScreen>(workshop, std::move(wish), true);
   const RunScreen& panel = *screen;
@@ -31,7 +35,7 @@ std::optional<simulation::Recorded> run_in_panel(RunWish wish, bool color, const
   ProgressLine line(ProgressStyle::plain);
   const auto go_on_unseen = [&](bool gone) {
     if (gone) run->go_on_alone();
-    line.tell("run", panel.live().done, panel.live().state);
+    line.show("run", panel.live().done, panel.live().state);
   };
   work_in_terminal(
       std::move(screen), color, [&] { return stop.received() != 0; }, go_on_unseen);

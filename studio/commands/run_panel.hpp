@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studio/commands/scene_options.hpp"
+#include "studio/commands/session.hpp"
 #include "studio/workbench/live_run.hpp"
 #include "studio/workbench/screen.hpp"
 
@@ -11,12 +11,15 @@ namespace rift::studio {
 /// What the workbench's screens share, for whoever works in this folder.
 Workshop workshop_here(int threads);
 
+/// Shows a screen, and those that it leads to, until the last one is left or the session is stopped.
+ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session);
+
 /// Whether there is a terminal for a live panel, and this build has one.
 bool panel_there();
 
 /// Runs in the live panel, which goes when the run has ended. While another job has the terminal, or when it
 /// is gone, lines of progress stand for the panel. @return nothing where it was stopped before its first
 /// step. Throws what the run threw.
-std::optional<simulation::Recorded> run_in_panel(RunWish wish, bool color, const StopSignal& stop);
+std::optional<simulation::Recorded> run_in_panel(RunRequest wish, bool color, const StopSignal& stop);
 
 }  // namespace rift::studio

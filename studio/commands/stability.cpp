@@ -1,8 +1,6 @@
-#include "engine/base/console.hpp"
-#include "engine/base/text.hpp"
 #include "engine/stability/suite.hpp"
 #include "studio/commands/commands.hpp"
-#include "studio/commands/scene_options.hpp"
+#include "studio/commands/session.hpp"
 #include "studio/reports/stability_report.hpp"
 
 #include <CLI/CLI.hpp>
@@ -10,52 +8,40 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 
 namespace rift::studio {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-struct StabilityOptions {
+struct StabilityOptions : SessionOptions {
   stability::SuiteOptions suite;
-  std::string out, color;
-  bool force = false, quiet = false, json = false;
+  std::string out;
+  bool force = false;
 };
 
 ExitCode stability(const StabilityOptions& options) {
   const std::vector<stability::StabilityCase> cases = stability::stability_cases(options.suite);
   if (cases.empty())
-    throw scene::InputError(
-        {scene::Issue{.file = "rift stability",
-                      .key = {},
-                      .text = fmt::format("no family of cases has '{}' in its name", options.suite.only)}});
+    refuse("rift stability", fmt::format("no family of cases has '{}' in its name", options.suite.only));
   std::optional<ReportFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out, options.force);
-  const auto start = Clock::now();
-  const StopSignal stop;
-  ProgressLine line(progress_style(options.quiet, options.json));
+  Session session("rift stability", options);
   StabilityReport report{.rows = {}, .growth = {}, .build = build_info(), .wall_s = 0};
   for (const stability::StabilityCase& one : cases) {
-    line.tell(one.family, static_cast<double>(report.rows.size()) / static_cast<double>(cases.size()),
-              one.name);
+    session.progress(one.family, static_cast<double>(report.rows.size()) / static_cast<double>(cases.size()),
+                     one.name);
     report.rows.push_back(stability::try_case(one));
-    if (stop.received() != 0) break;
+    if (!session.goes_on()) break;
   }
-  if (!options.out.empty() && stop.received() == 0) report.growth = stability::growth_around_the_limit();
-  line.clear();
-  report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  if (options.json)
-    base::print_text(base::json_text(stability_json(report), 2) + "\n");
-  else
-    base::print_text(stability_text(report, wants_color(options.color, stdout)));
-  if (stop.received() != 0) return static_cast<ExitCode>(128 + stop.received());
-  if (!options.out.empty()) {
-    line.tell("report", 0.0);
-    write_stability_report(report, folder->keep());
-    line.clear();
+  if (folder && session.goes_on()) report.growth = stability::growth_around_the_limit();
+  session.line.clear();
+  report.wall_s = session.seconds();
+  session.print_result(stability_json(report),
+                       [&] { base::print_text(stability_text(report, session.color())); });
+  if (!session.goes_on()) return session.stopped();
+  if (folder) {
+    session.write([&] { write_stability_report(report, folder->keep()); });
     if (!options.json)
       base::print("{}/  report.html, table.csv, claims.csv, summary.json, charts\n", options.out);
   }
@@ -76,8 +62,8 @@ void add_stability(CLI::App& app, ExitCode& exit_code) {
   command.add_option("--out", options->out,
                      "Folder for report.html, table.csv, claims.csv, summary.json and charts");
   command.add_flag("--force", options->force, "Replace the report that is in the folder");
-  command.add_flag("--quiet", options->quiet, "No progress on stderr");
-  command.add_flag("--json", options->json, "Progress as JSON lines on stderr, the result as JSON on stdout");
+  add_quiet(command, *options);
+  add_json(command, *options);
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = stability(*options); });
 }

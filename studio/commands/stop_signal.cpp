@@ -1,6 +1,6 @@
 #include "studio/commands/stop_signal.hpp"
 
-#include "engine/scene/issue.hpp"
+#include "studio/commands/common.hpp"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -22,11 +22,9 @@ std::optional<double> read_budget(const std::string& command, const std::string&
   unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
   const double seconds = unit == "s" ? 1.0 : unit == "min" ? 60.0 : unit == "h" ? 3600.0 : 0.0;
   if (error != std::errc() || seconds == 0.0 || !(value > 0.0) || !(value * seconds < 1e9))
-    throw scene::InputError({scene::Issue{
-        .file = command,
-        .key = {},
-        .text = fmt::format(
-            "--budget {}: expected a time with its unit, such as \"90 s\", \"10 min\" or \"2 h\"", text)}});
+    refuse(command,
+           fmt::format("--budget {}: expected a time with its unit, such as \"90 s\", \"10 min\" or \"2 h\"",
+                       text));
   return value * seconds;
 }
 
@@ -46,9 +44,8 @@ void note_signal(int number, siginfo_t* info, void*) {
 
 StopSignal::StopSignal(std::optional<double> budget) {
   if (budget)
-    until_ =
-        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                               std::chrono::duration<double>(*budget));
+    until_ = base::Clock::now() +
+             std::chrono::duration_cast<base::Clock::duration>(std::chrono::duration<double>(*budget));
   stop_signal = 0;
   struct sigaction action {};
   action.sa_sigaction = note_signal;
@@ -67,7 +64,7 @@ StopSignal::~StopSignal() {
 
 int StopSignal::received() const {
   if (stop_signal != 0) return stop_signal;
-  return until_ && std::chrono::steady_clock::now() >= *until_ ? time_is_up : 0;
+  return until_ && base::Clock::now() >= *until_ ? time_is_up : 0;
 }
 
 void let_large_writes_fail() { std::signal(SIGXFSZ, SIG_IGN); }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <chrono>
+#include "engine/base/clock.hpp"
+
 #include <optional>
 #include <string>
 
@@ -25,7 +26,7 @@ class StopSignal {
   int received() const;  // the signal's number, 0 for none
 
  private:
-  std::optional<std::chrono::steady_clock::time_point> until_;
+  std::optional<base::Clock::time_point> until_;
 };
 
 /// A write beyond the largest size of a file (`ulimit -f`) fails with EFBIG, as on a full disk, and no longer

@@ -1,7 +1,5 @@
-#include "engine/base/console.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_panel.hpp"
-#include "studio/commands/scene_options.hpp"
 #include "studio/terminal/bench.hpp"
 #include "studio/terminal/terminal.hpp"
 #include "studio/workbench/home_screen.hpp"
@@ -15,9 +13,8 @@
 namespace rift::studio {
 namespace {
 
-struct StudioOptions {
-  std::string preset, lesson, color;
-  int threads = 0;
+struct StudioOptions : SessionOptions {
+  std::string preset, lesson;
 };
 
 std::unique_ptr<Screen> first_screen(const StudioOptions& options, Workshop& workshop) {
@@ -29,22 +26,18 @@ std::unique_ptr<Screen> first_screen(const StudioOptions& options, Workshop& wor
 ExitCode open_studio(const StudioOptions& options) {
   if (const std::string why = Terminal::why_not(); !why.empty()) {
     base::message(
-        "rift studio: needs a terminal, and this is {}; without one 'rift run PRESET' runs a scene, "
-        "'rift study "
-        "PRESET' a study, 'rift list' shows the presets, 'rift --help' the rest\n",
+        "rift studio: needs a terminal, and this is {}; without one 'rift run PRESET' runs a scene, 'rift "
+        "study PRESET' a study, 'rift list' shows the presets, 'rift --help' the rest\n",
         why);
     return ExitCode::bad_input;
   }
   Workshop workshop = workshop_here(options.threads);
-  const StopSignal stop;
-  work_in_terminal(first_screen(options, workshop), wants_color(options.color, stdout),
-                   [&] { return stop.received() != 0; });
-  return stop.received() == 0 ? ExitCode::done : static_cast<ExitCode>(128 + stop.received());
+  return work_in_terminal(first_screen(options, workshop), Session("rift studio", options));
 }
 
 }  // namespace
 
-ExitCode open_studio() { return open_studio(StudioOptions{.preset = {}, .lesson = {}, .color = "auto"}); }
+ExitCode open_studio() { return open_studio(StudioOptions{}); }
 
 void add_studio(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =

@@ -1,23 +1,16 @@
-#include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
-#include "engine/base/world_error.hpp"
-#include "engine/study/identity.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
-#include "studio/commands/common.hpp"
-#include "studio/commands/scene_options.hpp"
-#include "studio/commands/stop_signal.hpp"
+#include "studio/commands/session.hpp"
 #include "studio/reports/study_report.hpp"
-#include "studio/reports/study_table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <charconv>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -26,13 +19,11 @@ namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 constexpr double assumed_beam_steps_per_s = 1e8, long_study_s = 600.0;
 
-struct StudyCommand {
-  SceneOptions scene;
+struct StudyCommand : SceneOptions {
   std::string out, shard, budget;
   bool yes = false;
 };
@@ -46,12 +37,12 @@ Shard read_shard(const std::string& text) {
   Shard shard;
   const char *at = text.data(), *end = at + text.size();
   auto [slash, error] = std::from_chars(at, end, shard.index);
-  bool sound = error == std::errc() && slash != end && *slash == '/';
-  if (sound) {
+  bool valid = error == std::errc() && slash != end && *slash == '/';
+  if (valid) {
     const auto last = std::from_chars(slash + 1, end, shard.of);
-    sound = last.ec == std::errc() && last.ptr == end;
+    valid = last.ec == std::errc() && last.ptr == end;
   }
-  if (!sound) refuse("rift study", fmt::format("--shard {}: expected i/n, such as 2/8", text));
+  if (!valid) refuse("rift study", fmt::format("--shard {}: expected i/n, such as 2/8", text));
   if (shard.of < 1) refuse("rift study", fmt::format("--shard {}: there must be at least 1 part", text));
   if (shard.index < 1 || shard.index > shard.of)
     refuse("rift study", fmt::format("--shard {}: the index must lie in 1 to {}", text, shard.of));
@@ -62,10 +53,10 @@ void check_holds_study(const scene::Preset& preset) {
   if (!preset.study.empty()) return;
   const std::string what =
       preset.lanes.empty()
-          ? "no [study] in it: write a table [study] with a list of values per axis, such as "
-            "crack_velocity = [\"0.3 c_r\", \"0.5 c_r\"] and seed = [1, 2]; 'rift run' runs one scene"
+          ? "no [study] in it: write a table [study] with a list of values per axis, such as crack_velocity "
+            "= [\"0.3 c_r\", \"0.5 c_r\"] and seed = [1, 2]; 'rift run' runs one scene"
           : "lanes and no [study] in it: 'rift run' runs them, [[study.rows]] makes a study of them";
-  throw scene::InputError({scene::Issue{.file = preset.name, .key = {}, .text = what}});
+  refuse(preset.name, what);
 }
 
 /// Seconds that what is missing of this part takes, roughly.
@@ -85,26 +76,20 @@ double estimated_seconds(const scene::Preset& preset, const study::StudyOptions&
 std::string finished_text(const study::SummaryRow& row, int done, int of) {
   const Table table = scenario_table({row});
   std::string text = fmt::format("[{}/{}]", done, of);
-  const std::size_t axes = row.at("axes").size();
+  const std::size_t axes = row.axes.size();
   for (std::size_t k = 0; k < axes; ++k)
     if (table.rows[0][k] != "-")
       text += fmt::format(" {} {}", table.head[k], table.rows[0][k]) + (k + 1 < axes ? "," : ":");
-  const std::string outcome = row.at("outcome").get<std::string>();
   text += fmt::format("  ratio {}  {} s", table.rows[0][axes], table.rows[0][axes + 3]);
-  return outcome == "finished" ? text
-                               : text + "  " + outcome + ": " + base::json_text(row.at("outcome_where"));
+  const Json where = row.outcome_where.empty() ? Json(nullptr) : Json(row.outcome_where);
+  return row.outcome == "finished" ? text : text + "  " + row.outcome + ": " + base::json_text(where);
 }
 
-void tell_finished(const StudyCommand& command, ProgressLine& line, const study::SummaryRow& row, int done,
-                   int of) {
-  line.clear();
-  if (command.scene.quiet) return;
-  if (command.scene.json) {
-    const Json told{{"finished", row.at("row")}, {"axes", row.at("axes")}, {"done", done}, {"of", of}};
-    base::message("{}\n", base::json_text(told));
-  } else {
-    base::message("{}\n", finished_text(row, done, of));
-  }
+void show_finished(Session& session, const study::SummaryRow& row, int done, int of) {
+  session.line.clear();
+  if (session.options.quiet) return;
+  const Json json{{"finished", row.row}, {"axes", to_json(row).at("axes")}, {"done", done}, {"of", of}};
+  base::message("{}\n", session.options.json ? base::json_text(json) : finished_text(row, done, of));
 }
 
 /// What a study has left in its folder so far.
@@ -115,13 +100,8 @@ std::string files_in(const fs::path& folder) {
   return names;
 }
 
-void print_result(const StudyCommand& command, const scene::Preset& preset, const study::StudyResult& result,
-                  const fs::path& folder) {
-  if (command.scene.json) {
-    base::print_text(base::json_text(Json{{"preset", preset.name}, {"scenarios", result.rows}}, 2) + "\n");
-    return;
-  }
-  const bool color = wants_color(command.scene.color, stdout);
+void print_tables(const StudyCommand& command, const study::StudyResult& result, const fs::path& folder,
+                  bool color) {
   const Table table = scenario_table(result.rows), seeds = seed_table(result.rows);
   if (!table.rows.empty()) base::print_text(plain_table(table, color) + "\n");
   if (!seeds.rows.empty()) base::print_text("mean ± scatter over seeds\n" + plain_table(seeds, color) + "\n");
@@ -137,76 +117,55 @@ void print_result(const StudyCommand& command, const scene::Preset& preset, cons
 
 /// table.csv always; charts and report unless the user wants to be let go. A part of a study leaves all of
 /// them to the call that gathers the parts.
-ExitCode write_files(const StudyCommand& command, const scene::Preset& preset,
-                     const study::StudyResult& result, const fs::path& folder) {
-  if (!command.shard.empty()) return ExitCode::done;
-  const std::string csv = study_csv(result.rows);
-  if (csv.empty()) return ExitCode::done;
+void write_files(const StudyCommand& command, const scene::Preset& preset, const study::StudyResult& result,
+                 const fs::path& folder) {
+  const std::string csv = command.shard.empty() ? study_csv(to_json(result.rows)) : "";
+  if (csv.empty()) return;
   base::write_whole_file(folder / "table.csv", csv);
-  if (result.outcome == simulation::Outcome::stopped) return ExitCode::done;
-  try {
+  if (result.outcome != simulation::Outcome::stopped)
     write_study_report(preset, build_info(), result, folder);
-  } catch (const base::WorldError& error) {
-    base::message("rift study: {}\n", error.what());
-    return ExitCode::world_failed;
-  }
-  return ExitCode::done;
 }
 
 ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const study::StudyOptions& options,
                  std::optional<double> budget) {
-  const auto start = Clock::now();
-  const StopSignal stop;
-  ProgressLine line(progress_style(command.scene.quiet, command.scene.json));
-  base::Cache cache = cache_for(command.scene);
-  const auto in_time = [&] {
-    return !budget || Clock::now() - start < std::chrono::duration<double>(*budget);
-  };
+  Session session("rift study", command, budget);
   study::StudyObserver observer;
   observer.progress = [&](std::string_view stage, double done) {
-    line.tell("study", done, stage);
-    return stop.received() == 0 && in_time();
+    return session.progress("study", done, stage);
   };
   observer.finished = [&](const study::SummaryRow& row, int done, int of) {
-    tell_finished(command, line, row, done, of);
+    show_finished(session, row, done, of);
   };
-  const study::StudyResult result = study::run_study(preset, options, cache, build_info(), observer);
-  line.clear();
-  for (const std::string& note : cache.notes) base::message("note: {}\n", note);
-  line.tell("report", 0.0);
-  const ExitCode files = write_files(command, preset, result, options.folder);
-  line.clear();
-  print_result(command, preset, result, options.folder);
+  const study::StudyResult result = study::run_study(preset, options, session.cache, build_info(), observer);
+  session.line.clear();
+  for (const std::string& note : session.cache.notes) base::message("note: {}\n", note);
+  const ExitCode files = session.write_or_say([&] { write_files(command, preset, result, options.folder); });
+  session.print_result(Json{{"preset", preset.name}, {"scenarios", to_json(result.rows)}},
+                       [&] { print_tables(command, result, options.folder, session.color()); });
   if (result.outcome == simulation::Outcome::stopped) {
-    const bool by_signal = stop.received() != 0;
-    base::message("rift study: {}; the same command goes on from here\n",
-                  by_signal ? "stopped" : "the budget ran out");
-    return by_signal ? static_cast<ExitCode>(128 + stop.received()) : ExitCode::budget_ran_out;
+    session.message(fmt::format("{}; the same command goes on from here",
+                                session.ran_out_of_budget() ? "the budget ran out" : "stopped"));
+    return session.stopped();
   }
-  if (files != ExitCode::done) return files;
-  return result.outcome == simulation::Outcome::diverged ? ExitCode::diverged : ExitCode::done;
+  return files != ExitCode::done ? files : session.ended(result.outcome);
 }
 
 ExitCode study(const StudyCommand& command) {
   const Shard shard = read_shard(command.shard);
   const std::optional<double> budget = read_budget("rift study", command.budget);
-  const scene::Preset preset = read_scene(command.scene);
-  if (command.scene.print_config) {
-    base::print_text(scene::preset_text(preset));
-    return ExitCode::done;
-  }
+  const scene::Preset preset = read_scene(command);
+  if (prints_config(command, preset)) return ExitCode::done;
   check_holds_study(preset);
   study::StudyOptions options;
-  options.folder = command.out.empty() ? fs::path("studies") / fs::path(command.scene.preset).stem()
-                                       : fs::path(command.out);
-  options.threads = command.scene.threads;
+  options.folder =
+      command.out.empty() ? fs::path("studies") / fs::path(command.preset).stem() : fs::path(command.out);
+  options.threads = command.threads;
   options.shard = shard.index;
   options.shards = shard.of;
   const double seconds = estimated_seconds(preset, options, build_info());
   if (seconds > long_study_s && !command.yes && !budget)
     refuse("rift study", fmt::format("about {} for what is missing (at 100 M beams/s, lanes side by side): "
-                                     "--yes starts it, --budget TIME "
-                                     "does what fits",
+                                     "--yes starts it, --budget TIME does what fits",
                                      duration_text(seconds)));
   return compute(command, preset, options, budget);
 }
@@ -217,7 +176,7 @@ void add_study(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "study", "The scenarios of a preset's [study]: table, charts, report; goes on where it was");
   const auto options = std::make_shared<StudyCommand>();
-  add_scene_options(command, options->scene);
+  add_scene_options(command, *options);
   command.add_option(
       "--out", options->out,
       "Folder of the study (default: studies/NAME); one that holds the same study is continued");

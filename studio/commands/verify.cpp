@@ -32,7 +32,7 @@ std::string verdict(const results::Verification& v, const std::string& run) {
 
 ExitCode verify(const VerifyOptions& options) {
   ProgressLine line(progress_style(false, options.json));
-  line.tell("verify", 0.0);
+  line.show("verify", 0.0);
   const results::Verification v = results::verify_run(options.run, !options.check_only);
   line.clear();
   if (options.json) {

@@ -1,7 +1,5 @@
-#include "engine/base/console.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_panel.hpp"
-#include "studio/commands/scene_options.hpp"
 #include "studio/terminal/bench.hpp"
 #include "studio/terminal/terminal.hpp"
 #include "studio/workbench/panel_screen.hpp"
@@ -14,25 +12,21 @@
 namespace rift::studio {
 namespace {
 
-struct WatchOptions {
-  std::string run, color;
+struct WatchOptions : SessionOptions {
+  std::string run;
 };
 
 ExitCode watch(const WatchOptions& options) {
   if (const std::string why = Terminal::why_not(); !why.empty()) {
     base::message(
-        "rift watch: needs a terminal, and this is {0}; without one, look at {1}/series.csv or rift "
-        "render {1} "
-        "--at 1\n",
+        "rift watch: needs a terminal, and this is {0}; without one, look at {1}/series.csv or rift render "
+        "{1} --at 1\n",
         why, options.run);
     return ExitCode::bad_input;
   }
   Workshop workshop = workshop_here(0);
   auto screen = std::make_unique<WatchScreen>(workshop, options.run);
-  const StopSignal stop;
-  work_in_terminal(std::move(screen), wants_color(options.color, stdout),
-                   [&] { return stop.received() != 0; });
-  return stop.received() == 0 ? ExitCode::done : static_cast<ExitCode>(128 + stop.received());
+  return work_in_terminal(std::move(screen), Session("rift watch", options));
 }
 
 }  // namespace

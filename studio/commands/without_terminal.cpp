@@ -16,7 +16,7 @@ constexpr const char* without_panels =
 
 bool panel_there() { return false; }
 
-std::optional<simulation::Recorded> run_in_panel(RunWish, bool, const StopSignal&) { return std::nullopt; }
+std::optional<simulation::Recorded> run_in_panel(RunRequest, bool, const StopSignal&) { return std::nullopt; }
 
 ExitCode open_studio() {
   base::message("rift studio: {}; 'rift run PRESET' runs a scene, 'rift list' shows the presets\n",

@@ -14,8 +14,7 @@ constexpr const char* without_renderer =
 
 }  // namespace
 
-void draw_claim(JudgedClaim& claim, const std::filesystem::path&, int, base::Cache&, int,
-                const std::function<bool(std::string_view, double)>&) {
+void draw_claim(JudgedClaim& claim, const std::filesystem::path&, int, Session&) {
   claim.not_drawn = "this rift was built without its renderer";
 }
 
@@ -29,7 +28,7 @@ FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
 
 FilmOfRun::~FilmOfRun() = default;
 void FilmOfRun::begin(const std::filesystem::path&, bool) {}
-FilmOfRun::Result FilmOfRun::finish(ProgressLine&, const std::function<bool()>&) { return {}; }
+FilmOfRun::Result FilmOfRun::finish(Session&) { return {}; }
 
 bool FilmOfRun::wanted() const { return maker_->wanted; }
 

@@ -1,17 +1,14 @@
 #include "studio/reports/accuracy_report.hpp"
 
-#include "engine/base/files.hpp"
-#include "engine/base/world_error.hpp"
-#include "engine/study/curve.hpp"
+#include "engine/claims/curve.hpp"
 #include "studio/charts/chart_script.hpp"
+#include "studio/reports/report.hpp"
 #include "studio/text/html.hpp"
-#include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace rift::studio {
 namespace {
@@ -25,79 +22,78 @@ std::string error_text(double error) {
   return std::abs(error) < 9.5e-4 ? fmt::format("{:+.1e}", error) : fmt::format("{:+.4f}", error);
 }
 
-std::string remark(const study::Accuracy& accuracy, const study::AccuracyLine& line, int position) {
+std::string remark(const accuracy::Accuracy& accuracy, const accuracy::AccuracyLine& line, int position) {
   std::vector<std::string> remarks;
-  if (line.knob == study::Knob::elements && std::isfinite(line.error) && !line.resolved() &&
+  if (line.factor == accuracy::Factor::elements && std::isfinite(line.error) && !line.resolved() &&
       line.uncertainty > 0.0)
     remarks.emplace_back("below the scatter");
   if (line.reference) remarks.emplace_back("reference");
-  if (line.knob == study::Knob::kinematics && !line.reference) remarks.emplace_back("another model");
+  if (line.factor == accuracy::Factor::kinematics && !line.reference) remarks.emplace_back("another model");
   if (position == accuracy.recommended)
     remarks.emplace_back("recommended");
   else if (std::find(accuracy.front.begin(), accuracy.front.end(), position) != accuracy.front.end())
     remarks.emplace_back("on the front");
-  std::string text;
-  for (const std::string& r : remarks) text += (text.empty() ? "" : ", ") + r;
-  return text;
+  return fmt::format("{}", fmt::join(remarks, ", "));
 }
 
 double lane_wall(const AccuracyReport& report) {
   double sum = 0.0;
-  for (const study::SummaryRow& row : report.lanes) sum += study::number_in(row, "wall_fracture_s");
+  for (const study::SummaryRow& row : report.lanes) sum += row.wall_fracture_s;
   return sum / static_cast<double>(report.lanes.size());
 }
 
-std::string scatter_text(const study::Accuracy& accuracy) {
+std::string scatter_text(const accuracy::Accuracy& accuracy) {
   if (!std::isfinite(accuracy.specimen_scatter)) return {};
   return fmt::format("; specimens of the finest lattice scatter by {:.3f} (standard deviation)",
                      accuracy.specimen_scatter);
 }
 
-Json line_json(const study::AccuracyLine& line) {
-  const auto number = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
-  return {{"knob", study::name_of(line.knob)},
+Json line_json(const accuracy::AccuracyLine& line) {
+  return {{"knob", accuracy::name_of(line.factor)},
           {"variant", line.label},
           {"specimens", line.specimens},
-          {"ratio", number(line.ratio)},
-          {"scatter", number(line.scatter)},
-          {"error", number(line.error)},
-          {"uncertainty", number(line.uncertainty)},
+          {"ratio", line.ratio},
+          {"scatter", line.scatter},
+          {"error", line.error},
+          {"uncertainty", line.uncertainty},
           {"resolved", line.resolved()},
-          {"error_converged", number(line.converged)},
-          {"error_converged_uncertainty", number(line.converged_uncertainty)},
-          {"error_broberg", number(line.error_broberg)},
-          {"wall_s", number(line.wall_s)},
+          {"error_converged", line.converged},
+          {"error_converged_uncertainty", line.converged_uncertainty},
+          {"error_broberg", line.error_broberg},
+          {"wall_s", line.wall_s},
           {"cannot_be", line.cannot_be.empty() ? Json(nullptr) : Json(line.cannot_be)}};
 }
 
 }  // namespace
 
-Table accuracy_table(const study::Accuracy& accuracy) {
+Table accuracy_table(const accuracy::Accuracy& accuracy) {
   Table table{.head = {"knob", "variant", "ratio", "error", "±", "converged", "to Broberg", "wall [s]", ""},
               .rows = {}};
-  study::Knob last = study::Knob::scene;
+  accuracy::Factor last = accuracy::Factor::scene;
   for (std::size_t k = 0; k < accuracy.lines.size(); ++k) {
-    const study::AccuracyLine& line = accuracy.lines[k];
-    const std::string knob = k > 0 && line.knob == last ? "" : study::name_of(line.knob);
-    last = line.knob;
+    const accuracy::AccuracyLine& line = accuracy.lines[k];
+    const std::string factor = k > 0 && line.factor == last ? "" : accuracy::name_of(line.factor);
+    last = line.factor;
     if (!line.cannot_be.empty()) {
-      table.rows.push_back({knob, line.label, "-", "-", "-", "-", "-", "-", "cannot be: " + line.cannot_be});
+      table.rows.push_back(
+          {factor, line.label, "-", "-", "-", "-", "-", "-", "cannot be: " + line.cannot_be});
       continue;
     }
-    table.rows.push_back({knob, line.label, number_cell(line.ratio, "{:.5f}"), error_text(line.error),
-                          line.knob == study::Knob::elements ? number_cell(line.uncertainty, "{:.4f}") : "-",
-                          error_text(line.converged), number_cell(line.error_broberg, "{:+.3f}"),
-                          number_cell(line.wall_s, "{:.3f}"), remark(accuracy, line, static_cast<int>(k))});
+    table.rows.push_back(
+        {factor, line.label, number_cell(line.ratio, "{:.5f}"), error_text(line.error),
+         line.factor == accuracy::Factor::elements ? number_cell(line.uncertainty, "{:.4f}") : "-",
+         error_text(line.converged), number_cell(line.error_broberg, "{:+.3f}"),
+         number_cell(line.wall_s, "{:.3f}"), remark(accuracy, line, static_cast<int>(k))});
   }
   return table;
 }
 
 std::string recommendation_text(const AccuracyReport& report) {
-  const study::Accuracy& a = report.accuracy;
+  const accuracy::Accuracy& a = report.accuracy;
   if (a.recommended < 0)
     return fmt::format("no variant is within the goal of {:g}; the most accurate one is {}", report.goal,
                        a.front.empty() ? std::string("not known") : a.lines[a.front.back()].label);
-  const study::AccuracyLine& line = a.lines[a.recommended];
+  const accuracy::AccuracyLine& line = a.lines[a.recommended];
   std::string text =
       fmt::format("{}: error {} in {:.2f} s", line.label, error_text(line.step_error), line.wall_s);
   if (!report.lanes.empty())
@@ -106,7 +102,7 @@ std::string recommendation_text(const AccuracyReport& report) {
 }
 
 std::string lattice_text(const AccuracyReport& report) {
-  const study::Accuracy& a = report.accuracy;
+  const accuracy::Accuracy& a = report.accuracy;
   std::string text = "the finest one that was tried, so that its own error is not known";
   if (std::isfinite(a.lattice_error)) {
     const bool resolved = std::abs(a.lattice_error) > 2.0 * a.lattice_uncertainty;
@@ -116,7 +112,7 @@ std::string lattice_text(const AccuracyReport& report) {
   text += scatter_text(a);
   if (!std::isfinite(a.lattice_error)) return text;
   if (a.recommended_whole < 0) return text + "; no variant is known to keep to the goal with it";
-  const study::AccuracyLine& line = a.lines[a.recommended_whole];
+  const accuracy::AccuracyLine& line = a.lines[a.recommended_whole];
   text += fmt::format("; with it, the cheapest within the goal is {}: {} in {:.2f} s", line.label,
                       error_text(line.converged), line.wall_s);
   return text +
@@ -128,26 +124,26 @@ std::string accuracy_text(const AccuracyReport& report, bool color) {
   text +=
       "error: against what the knob is compared with; converged: against the converged reference, all parts "
       "together\n";
-  for (const std::string& line : study::reference_texts(report.accuracy)) text += "  " + line + "\n";
+  for (const std::string& line : accuracy::reference_texts(report.accuracy)) text += "  " + line + "\n";
   for (const std::string& note : report.notes) text += "  note: " + note + "\n";
   text += "recommended on this lattice: " + recommendation_text(report) + "\n";
   return text + "the lattice itself: " + lattice_text(report) + "\n";
 }
 
-std::vector<study::SummaryRow> accuracy_rows(const AccuracyReport& report) {
-  const auto number = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
-  std::vector<study::SummaryRow> rows;
-  for (const study::AccuracyLine& line : report.accuracy.lines)
-    for (const int k : line.tried) {
-      study::SummaryRow row = report.tried[static_cast<std::size_t>(k)].row;
-      if (!row.is_object()) continue;
+Json accuracy_rows(const AccuracyReport& report) {
+  Json rows = Json::array();
+  for (const accuracy::AccuracyLine& line : report.accuracy.lines)
+    for (const int k : line.results) {
+      const std::optional<study::SummaryRow>& computed = report.results[static_cast<std::size_t>(k)].row;
+      if (!computed) continue;
+      Json row = to_json(*computed);
       row["row"] = k;
-      row["error_converged"] = number(line.converged);
-      row["knob"] = study::name_of(line.knob);
+      row["error_converged"] = line.converged;
+      row["knob"] = accuracy::name_of(line.factor);
       row["variant"] = line.label;
-      row["error_knob"] = number(line.error);
-      row["uncertainty"] = number(line.uncertainty);
-      row["wall_march_s"] = number(line.wall_s);
+      row["error_knob"] = line.error;
+      row["uncertainty"] = line.uncertainty;
+      row["wall_march_s"] = line.wall_s;
       rows.push_back(std::move(row));
     }
   return rows;
@@ -155,7 +151,7 @@ std::vector<study::SummaryRow> accuracy_rows(const AccuracyReport& report) {
 
 Json accuracy_json(const AccuracyReport& report) {
   Json lines = Json::array();
-  for (const study::AccuracyLine& line : report.accuracy.lines) lines.push_back(line_json(line));
+  for (const accuracy::AccuracyLine& line : report.accuracy.lines) lines.push_back(line_json(line));
   Json recommended = nullptr;
   if (report.accuracy.recommended >= 0) {
     recommended = line_json(report.accuracy.lines[report.accuracy.recommended]);
@@ -166,10 +162,8 @@ Json accuracy_json(const AccuracyReport& report) {
           {"version", report.build.version},
           {"goal", report.goal},
           {"notes", report.notes},
-          {"compared", study::reference_texts(report.accuracy)},
-          {"specimen_scatter", std::isfinite(report.accuracy.specimen_scatter)
-                                   ? Json(report.accuracy.specimen_scatter)
-                                   : Json(nullptr)},
+          {"compared", accuracy::reference_texts(report.accuracy)},
+          {"specimen_scatter", report.accuracy.specimen_scatter},
           {"lines", lines},
           {"recommendation", recommendation_text(report)},
           {"lattice", lattice_text(report)},
@@ -178,54 +172,39 @@ Json accuracy_json(const AccuracyReport& report) {
 }
 
 void write_accuracy_report(const AccuracyReport& report, const std::filesystem::path& folder) {
-  std::string figures;
-  std::optional<base::WorldError> failure;
-  for (const NamedChart& named : accuracy_charts(report.tried, report.accuracy, report.goal)) {
-    try {
-      figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
-    } catch (const base::WorldError& error) {
-      failure = error;
-      figures += html_paragraph(fmt::format("{}: {}", named.name, error.what()));
-    }
-  }
   std::string compared = html_paragraph(
       "\"error\" is against what the knob is compared with, and nothing else; \"converged\" is against the "
-      "converged "
-      "reference, all parts together; the distance to Broberg's theory is no error of the computation and is "
-      "kept "
-      "apart. Wall times are those of the march alone, each variant by itself: packing and static solve are "
-      "cached.");
-  for (const std::string& line : study::reference_texts(report.accuracy)) compared += html_paragraph(line);
+      "converged reference, all parts together; the distance to Broberg's theory is no error of the "
+      "computation and is kept apart. Wall times are those of the march alone, each variant by itself: "
+      "packing and static solve are cached.");
+  for (const std::string& line : accuracy::reference_texts(report.accuracy)) compared += html_paragraph(line);
   for (const std::string& note : report.notes) compared += html_paragraph("Note: " + note);
-  std::string body =
-      html_paragraph(fmt::format("Made by `{}`, rift {} ({}), in {}.", report.command, report.build.version,
-                                 report.build.compiler, duration_text(report.wall_s)));
-  body += html_section("Recommended", html_paragraph("On this lattice: " + recommendation_text(report)) +
-                                          html_paragraph("The lattice itself: " + lattice_text(report)));
-  body += html_section("Charts", figures);
-  body += html_section("Variants", html_table(accuracy_table(report.accuracy)));
-  body += html_section("What is compared with what", compared);
-  base::write_whole_file(folder / "report.html", html_page("Error against run time: " + report.preset, body));
-  if (failure) throw base::WorldError(*failure);
+  const std::string recommended = html_paragraph("On this lattice: " + recommendation_text(report)) +
+                                  html_paragraph("The lattice itself: " + lattice_text(report));
+  write_report({.title = "Error against run time: " + report.preset,
+                .opening = {made_by(report.command, report.build, report.wall_s)},
+                .sections = {{"Recommended", recommended},
+                             {"Charts", accuracy_charts(report.results, report.accuracy, report.goal)},
+                             {"Variants", accuracy_table(report.accuracy)},
+                             {"What is compared with what", compared}}},
+               folder);
 }
 
 namespace {
 
 constexpr double smallest_drawn = 1e-7;  // errors below it are rounding, of no use in a chart
 
-/// Points of a logarithmic chart, and how many of them could not be drawn.
-struct LogPoints {
+/// A series of a logarithmic chart, and how many of its points could not be drawn.
+struct LogSeries {
   ChartSeries series;
   int left_out = 0;
 
   void add(double x, double error) {
     if (!std::isfinite(x) || !std::isfinite(error)) return;
-    if (std::abs(error) < smallest_drawn) {
+    if (std::abs(error) < smallest_drawn)
       ++left_out;
-      return;
-    }
-    series.x.push_back(x);
-    series.y.push_back(std::abs(error));
+    else
+      series.add(x, std::abs(error));
   }
 };
 
@@ -235,19 +214,19 @@ std::string left_out_text(int count) {
                      smallest_drawn);
 }
 
-const char* series_label(study::Knob knob) {
-  switch (knob) {
-    case study::Knob::scene:
+const char* series_label(accuracy::Factor factor) {
+  switch (factor) {
+    case accuracy::Factor::scene:
       return "the scene as it is";
-    case study::Knob::time_step:
+    case accuracy::Factor::time_step:
       return "time step, double";
-    case study::Knob::precision:
+    case accuracy::Factor::precision:
       return "time step, single";
-    case study::Knob::together:
+    case accuracy::Factor::together:
       return "single, few samples";
-    case study::Knob::prestress:
+    case accuracy::Factor::prestress:
       return "ramp instead of statics";
-    case study::Knob::samples:
+    case accuracy::Factor::samples:
       return "number of samples";
     default:
       return "elements, to the finest";
@@ -255,149 +234,128 @@ const char* series_label(study::Knob knob) {
 }
 
 /// A line leads from step to step; elements scatter too much to be joined.
-ChartSeries::Style style_of(study::Knob knob) {
-  const bool steps =
-      knob == study::Knob::time_step || knob == study::Knob::precision || knob == study::Knob::together;
+ChartSeries::Style style_of(accuracy::Factor factor) {
+  const bool steps = factor == accuracy::Factor::time_step || factor == accuracy::Factor::precision ||
+                     factor == accuracy::Factor::together;
   return steps ? ChartSeries::Style::line_points : ChartSeries::Style::points;
 }
 
-/// A level line from the cheapest to the dearest point.
-ChartSeries level(const std::string& label, double y, double from, double to) {
-  ChartSeries series{.label = label, .x = {from, to}, .y = {y, y}, .error = {}};
-  series.colour = -1;
-  return series;
-}
-
-NamedChart work_precision(const study::Accuracy& accuracy, double goal) {
-  NamedChart named{"work_precision", {}, {}};
-  Chart& chart = named.chart;
-  chart.title = "What accuracy costs";
-  chart.x_label = "wall time of the march [s]";
-  chart.y_label = "|error of G_{ID}/G_{I0}| [-]";
-  chart.log_x = chart.log_y = true;
-  chart.key_outside = true;
+NamedChart work_precision(const accuracy::Accuracy& accuracy, double goal) {
+  Chart chart{.title = "What accuracy costs",
+              .x_label = "wall time of the march [s]",
+              .y_label = "|error of G_{ID}/G_{I0}| [-]",
+              .log_x = true,
+              .log_y = true};
   int left_out = 0;
   double from = INFINITY, to = 0.0;
-  constexpr study::Knob knobs[] = {study::Knob::time_step, study::Knob::precision, study::Knob::together,
-                                   study::Knob::elements,  study::Knob::samples,   study::Knob::prestress,
-                                   study::Knob::scene};
-  for (const study::Knob knob : knobs) {
-    LogPoints points;
-    points.series.label = series_label(knob);
-    points.series.style = style_of(knob);
-    points.series.colour = static_cast<int>(chart.series.size());
-    for (const study::AccuracyLine& line : accuracy.lines)
-      if (line.knob == knob && line.cannot_be.empty() && line.wall_s > 0.0)
-        points.add(line.wall_s, knob == study::Knob::elements ? line.error : line.step_error);
+  constexpr accuracy::Factor factors[] = {accuracy::Factor::time_step, accuracy::Factor::precision,
+                                          accuracy::Factor::together,  accuracy::Factor::elements,
+                                          accuracy::Factor::samples,   accuracy::Factor::prestress,
+                                          accuracy::Factor::scene};
+  for (const accuracy::Factor factor : factors) {
+    LogSeries points{{.label = series_label(factor),
+                      .style = style_of(factor),
+                      .colour = static_cast<int>(chart.series.size())}};
+    for (const accuracy::AccuracyLine& line : accuracy.lines)
+      if (line.factor == factor && line.cannot_be.empty() && line.wall_s > 0.0)
+        points.add(line.wall_s, factor == accuracy::Factor::elements ? line.error : line.step_error);
     left_out += points.left_out;
     if (points.series.x.empty()) continue;
     from = std::min(from, *std::min_element(points.series.x.begin(), points.series.x.end()));
     to = std::max(to, *std::max_element(points.series.x.begin(), points.series.x.end()));
     chart.series.push_back(std::move(points.series));
   }
-  if (chart.series.empty()) return named;
-  chart.series.push_back(level(fmt::format("goal {:g}", goal), goal, from, to));
-  if (accuracy.specimen_scatter > smallest_drawn)
-    chart.series.push_back(level("scatter of specimens", accuracy.specimen_scatter, from, to));
+  if (!chart.series.empty()) {
+    chart.series.push_back(level(fmt::format("goal {:g}", goal), goal, from, to));
+    if (accuracy.specimen_scatter > smallest_drawn)
+      chart.series.push_back(level("scatter of specimens", accuracy.specimen_scatter, from, to));
+  }
   if (accuracy.recommended >= 0) {
-    const study::AccuracyLine& best = accuracy.lines[static_cast<std::size_t>(accuracy.recommended)];
+    const accuracy::AccuracyLine& best = accuracy.lines[static_cast<std::size_t>(accuracy.recommended)];
     chart.marks.push_back({best.wall_s, best.wall_s, "recommended: " + escape_label(best.label)});
   }
-  named.caption =
-      "Error and the time that the march takes, each variant computed by itself: down and to the left is "
-      "better. "
-      "Errors are against the converged step on the scene's own specimen, those of elements against the "
-      "finest "
-      "lattice, means over the specimens; an error of elements below their scatter is not resolved.";
-  named.caption += left_out_text(left_out);
-  return named;
+  return {"work_precision",
+          "Error and the time that the march takes, each variant computed by itself: down and to the left is "
+          "better. Errors are against the converged step on the scene's own specimen, those of elements "
+          "against the finest lattice, means over the specimens; an error of elements below their scatter is "
+          "not resolved." +
+              left_out_text(left_out),
+          std::move(chart)};
 }
 
 /// C h^p through the second finest step that is drawn, over all of them.
 ChartSeries order_line(const ChartSeries& steps, double order, const std::string& label) {
-  ChartSeries series;
-  series.label = label;
-  series.colour = -1;
+  ChartSeries series{.label = label, .colour = -1};
   const std::size_t at = std::min<std::size_t>(1, steps.x.size() - 1);
-  for (const std::size_t k : {std::size_t{0}, steps.x.size() - 1}) {
-    series.x.push_back(steps.x[k]);
-    series.y.push_back(steps.y[at] * std::pow(steps.x[k] / steps.x[at], order));
-  }
+  for (const double x : {steps.x.front(), steps.x.back()})
+    series.add(x, steps.y[at] * std::pow(x / steps.x[at], order));
   return series;
 }
 
-NamedChart error_step(const study::Accuracy& accuracy) {
-  NamedChart named{"error_step", {}, {}};
-  Chart& chart = named.chart;
-  chart.title = "Error of the time step, on one and the same specimen";
-  chart.x_label = "time step [dt_c]";
-  chart.y_label = "|error of G_{ID}/G_{I0}| against the converged step [-]";
-  chart.log_x = chart.log_y = true;
+NamedChart error_step(const accuracy::Accuracy& accuracy) {
+  Chart chart{.title = "Error of the time step, on one and the same specimen",
+              .x_label = "time step [dt_c]",
+              .y_label = "|error of G_{ID}/G_{I0}| against the converged step [-]",
+              .log_x = true,
+              .log_y = true};
   int left_out = 0;
-  for (const study::Knob knob : {study::Knob::time_step, study::Knob::precision}) {
-    LogPoints points;
-    const bool in_double = knob == study::Knob::time_step;
-    points.series.style = in_double ? ChartSeries::Style::line_points : ChartSeries::Style::points;
-    points.series.colour = in_double ? 0 : 1;
-    points.series.label = in_double ? "double" : "single";
-    for (const study::AccuracyLine& line : accuracy.lines)
-      if (line.knob == knob && line.cannot_be.empty()) points.add(line.value, line.step_error);
+  for (const bool in_double : {true, false}) {
+    LogSeries points{{.label = in_double ? "double" : "single",
+                      .style = in_double ? ChartSeries::Style::line_points : ChartSeries::Style::points,
+                      .colour = in_double ? 0 : 1}};
+    for (const accuracy::AccuracyLine& line : accuracy.lines)
+      if (line.factor == (in_double ? accuracy::Factor::time_step : accuracy::Factor::precision) &&
+          line.cannot_be.empty())
+        points.add(line.value, line.step_error);
     left_out += points.left_out;
     if (!points.series.x.empty()) chart.series.push_back(std::move(points.series));
   }
-  named.caption = "Error of the release rate over the step in parts of the critical one.";
-  for (const study::KnobReference& r : accuracy.reference) {
-    if (r.knob != study::Knob::time_step || chart.series.empty()) continue;
-    const study::Convergence& c = r.convergence;
-    named.caption += " In double: " + c.text + ".";
+  std::string caption = "Error of the release rate over the step in parts of the critical one.";
+  for (const accuracy::FactorReference& r : accuracy.reference) {
+    if (r.factor != accuracy::Factor::time_step || chart.series.empty()) continue;
+    const accuracy::Convergence& c = r.convergence;
+    caption += " In double: " + c.text + ".";
     ChartSeries& in_double = chart.series.front();
     if (c.clean) in_double.label = fmt::format("double, observed order {:.2f}", c.order);
-    const ChartSeries guide = c.clean ? order_line(in_double, c.order, fmt::format("order {:.2f}", c.order))
-                                      : order_line(in_double, 2.0, "order 2, for comparison");
-    chart.series.push_back(guide);
+    chart.series.push_back(c.clean ? order_line(in_double, c.order, fmt::format("order {:.2f}", c.order))
+                                   : order_line(in_double, 2.0, "order 2, for comparison"));
   }
-  named.caption += left_out_text(left_out);
-  return named;
+  return {"error_step", caption + left_out_text(left_out), std::move(chart)};
 }
 
-NamedChart ratio_elements(const std::vector<study::Tried>& tried, const study::Accuracy& accuracy) {
-  NamedChart named{"ratio_elements",
-                   "Ratio over the number of elements, mean of the specimens at each; bars: their standard "
-                   "deviation, each specimen being packed at random.",
-                   {}};
-  Chart& chart = named.chart;
-  chart.title = "Release rate against the number of elements";
-  chart.x_label = "elements";
-  chart.y_label = "G_{ID} / G_{I0} [-]";
-  chart.log_x = true;
-  ChartSeries mean, each;
-  mean.label = "mean of the specimens", mean.style = ChartSeries::Style::line_points;
-  each.label = "each specimen", each.style = ChartSeries::Style::points, each.colour = 1;
-  for (const study::AccuracyLine& line : accuracy.lines) {
-    if (line.knob != study::Knob::elements || !std::isfinite(line.ratio)) continue;
-    mean.x.push_back(line.value), mean.y.push_back(line.ratio), mean.error.push_back(line.scatter);
-    for (const int k : line.tried) {
-      const study::SummaryRow& row = tried[static_cast<std::size_t>(k)].row;
-      if (row.is_object())
-        each.x.push_back(line.value), each.y.push_back(study::number_in(row, "ratio_with_damping"));
-    }
+NamedChart ratio_elements(const std::vector<accuracy::CaseResult>& results,
+                          const accuracy::Accuracy& accuracy) {
+  Chart chart{.title = "Release rate against the number of elements",
+              .x_label = "elements",
+              .y_label = "G_{ID} / G_{I0} [-]",
+              .log_x = true};
+  ChartSeries mean{.label = "mean of the specimens", .style = ChartSeries::Style::line_points},
+      each{.label = "each specimen", .style = ChartSeries::Style::points, .colour = 1};
+  for (const accuracy::AccuracyLine& line : accuracy.lines) {
+    if (line.factor != accuracy::Factor::elements || !std::isfinite(line.ratio)) continue;
+    mean.add(line.value, line.ratio, line.scatter);
+    for (const int k : line.results)
+      if (const auto& row = results[static_cast<std::size_t>(k)].row)
+        each.add(line.value, row->ratio_with_damping);
   }
-  if (mean.x.size() < 2) return named;
-  const double broberg = study::number_in(tried.front().row, "broberg");
-  const double first = mean.x.front(), last = mean.x.back();
-  chart.series = {std::move(mean), std::move(each)};
-  if (std::isfinite(broberg)) chart.series.push_back(level("Broberg", broberg, first, last));
-  return named;
+  if (mean.x.size() >= 2) {
+    const double broberg = results.front().row.value_or(study::SummaryRow{}).broberg;
+    const double first = mean.x.front(), last = mean.x.back();
+    chart.series = {std::move(mean), std::move(each)};
+    if (std::isfinite(broberg)) chart.series.push_back(level("Broberg", broberg, first, last));
+  }
+  return {"ratio_elements",
+          "Ratio over the number of elements, mean of the specimens at each; bars: their standard deviation, "
+          "each specimen being packed at random.",
+          std::move(chart)};
 }
 
 }  // namespace
 
-std::vector<NamedChart> accuracy_charts(const std::vector<study::Tried>& tried,
-                                        const study::Accuracy& accuracy, double goal) {
-  std::vector<NamedChart> charts{work_precision(accuracy, goal), error_step(accuracy),
-                                 ratio_elements(tried, accuracy)};
-  std::erase_if(charts, [](const NamedChart& named) { return named.chart.series.empty(); });
-  return charts;
+std::vector<NamedChart> accuracy_charts(const std::vector<accuracy::CaseResult>& results,
+                                        const accuracy::Accuracy& accuracy, double goal) {
+  return those_with_points(
+      {work_precision(accuracy, goal), error_step(accuracy), ratio_elements(results, accuracy)});
 }
 
 }  // namespace rift::studio

@@ -1,7 +1,7 @@
-#include "studio/reports/beyond_charts.hpp"
-
-#include "engine/study/beyond.hpp"
+#include "engine/base/numbers.hpp"
+#include "engine/claims/lattice_efficiency.hpp"
 #include "studio/charts/curves.hpp"
+#include "studio/reports/reproduction.hpp"
 
 #include <fmt/format.h>
 
@@ -15,19 +15,18 @@
 namespace rift::studio {
 namespace {
 
-namespace fs = std::filesystem;
 using Style = ChartSeries::Style;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The cells' values over r_l (columns) and p (rows).
-HeatMap map_chart(const std::vector<study::MapCell>& cells, const std::string& title,
-                  const std::function<double(const study::MapCell&)>& value) {
+HeatMap map_chart(const std::vector<claims::MapCell>& cells, const std::string& title,
+                  const std::function<double(const claims::MapCell&)>& value) {
   double farthest = 0.0;  // of any cell and velocity, so that all maps have the same colours
-  for (const study::MapCell& cell : cells)
+  for (const claims::MapCell& cell : cells)
     farthest = std::max(farthest, *std::max_element(cell.distance.begin(), cell.distance.end()));
   std::set<double> zones, powers;
-  for (const study::MapCell& cell : cells) zones.insert(cell.zone), powers.insert(cell.relaxation);
+  for (const claims::MapCell& cell : cells) zones.insert(cell.zone), powers.insert(cell.relaxation);
   HeatMap map{.title = title,
               .x_label = "length of the damage zone r_l [mean radii]",
               .y_label = "power p of the relaxation [-]",
@@ -37,7 +36,7 @@ HeatMap map_chart(const std::vector<study::MapCell>& cells, const std::string& t
               .value = std::vector<double>(zones.size() * powers.size(), nothing),
               .text = std::vector<std::string>(zones.size() * powers.size()),
               .value_range = {0.0, farthest}};
-  for (const study::MapCell& cell : cells) {
+  for (const claims::MapCell& cell : cells) {
     const auto column = std::distance(zones.begin(), zones.find(cell.zone));
     const auto row = std::distance(powers.begin(), powers.find(cell.relaxation));
     const std::size_t at = static_cast<std::size_t>(row) * zones.size() + static_cast<std::size_t>(column);
@@ -47,155 +46,137 @@ HeatMap map_chart(const std::vector<study::MapCell>& cells, const std::string& t
   return map;
 }
 
-double distance_at(const study::MapCell& cell, double v) {
+double distance_at(const claims::MapCell& cell, double v) {
   for (std::size_t k = 0; k < cell.v.size(); ++k)
     if (std::abs(cell.v[k] - v) < 1e-9) return cell.distance[k];
   return nothing;
 }
 
-std::vector<Figure> maps(const study::Evidence& evidence, const fs::path& folder) {
-  const std::vector<study::MapCell> cells = study::map_of(evidence);
+std::vector<NamedChart> maps(const claims::Evidence& evidence) {
+  const std::vector<claims::MapCell> cells = claims::map_of(evidence);
   if (cells.empty()) return {};
-  std::vector<Figure> figures;
   const std::string title = "Distance to Broberg";
-  figures.push_back(
-      {draw_chart(map_chart(cells, title + ", mean over the velocities",
-                            [](const study::MapCell& cell) { return study::mean_of(cell.distance); }),
-                  folder, "beyond_map"),
-       "Distance to Broberg over relaxation and damage zone, mean over the velocities."});
-  for (const double v : cells.front().v) {
-    const HeatMap map = map_chart(cells, fmt::format("{} at {:g} c_r", title, v),
-                                  [v](const study::MapCell& cell) { return distance_at(cell, v); });
-    figures.push_back({draw_chart(map, folder, fmt::format("beyond_map_{:02.0f}", 10.0 * v)),
-                       fmt::format("At {:g} c_r.", v)});
-  }
-  return figures;
+  std::vector<NamedChart> charts{
+      {"beyond_map", "Distance to Broberg over relaxation and damage zone, mean over the velocities.",
+       map_chart(cells, title + ", mean over the velocities",
+                 [](const claims::MapCell& cell) { return base::mean_of(cell.distance); })}};
+  for (const double v : cells.front().v)
+    charts.push_back({fmt::format("beyond_map_{:02.0f}", 10.0 * v), fmt::format("At {:g} c_r.", v),
+                      map_chart(cells, fmt::format("{} at {:g} c_r", title, v),
+                                [v](const claims::MapCell& cell) { return distance_at(cell, v); })});
+  return charts;
 }
 
-ChartSeries efficiency_series(const std::string& label, const std::vector<study::EfficiencyPoint>& points,
+ChartSeries efficiency_series(const std::string& label, const std::vector<claims::EfficiencyPoint>& points,
                               int colour) {
-  ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
-  for (const study::EfficiencyPoint& p : points) {
-    series.x.push_back(p.v);
-    series.y.push_back(study::mean_of(p.ratio));
-    series.error.push_back(study::deviation_of(p.ratio));
-  }
-  return series;
+  return series_of(label, Style::line_points, colour, points,
+                   [](const claims::EfficiencyPoint& p) { return mean_point(p.v, p.ratio); });
 }
+
+constexpr const char* efficiency_label = "G_{ID} / G_{I0} = {/Symbol h} [-]";
 
 Chart efficiency_against_velocity(const std::string& title) {
   Chart chart = chart_of_references(title);
-  chart.y_label = "G_{ID} / G_{I0} = {/Symbol h} [-]";
+  chart.y_label = efficiency_label;
   return chart;
 }
 
 /// The efficiency over r_l, a curve per velocity.
-Chart efficiency_against_zone(const study::Evidence& evidence) {
-  Chart chart;
-  chart.title = "Lattice efficiency of a steady strip";
-  chart.x_label = "length of the damage zone r_l [mean radii]";
-  chart.y_label = "G_{ID} / G_{I0} = {/Symbol h} [-]";
-  chart.y_range = {0.0, 1.1};
-  chart.log_x = true;
-  chart.key_outside = true;
+Chart efficiency_against_zone(const claims::Evidence& evidence) {
+  Chart chart{.title = "Lattice efficiency of a steady strip",
+              .x_label = "length of the damage zone r_l [mean radii]",
+              .y_label = efficiency_label,
+              .y_range = {0.0, 1.1},
+              .log_x = true};
   std::map<double, ChartSeries> curves;
-  const std::vector<double> zones = study::zones_of(evidence);
+  const std::vector<double> zones = claims::zones_of(evidence);
   for (const double zone : zones)
-    for (const study::EfficiencyPoint& p : study::efficiency(evidence, 1.0, zone)) {
-      ChartSeries& curve = curves[p.v];
-      curve.x.push_back(zone);
-      curve.y.push_back(study::mean_of(p.ratio));
-      curve.error.push_back(study::deviation_of(p.ratio));
+    for (const claims::EfficiencyPoint& p : claims::efficiency(evidence, 1.0, zone)) {
+      const ChartPoint mean = mean_point(zone, p.ratio);
+      curves[p.v].add(mean.x, mean.y, mean.error);
     }
-  int colour = 0;
   for (auto& [v, curve] : curves) {
     curve.label = fmt::format("{:g} c_r", v);
-    curve.style = Style::line_points;
-    curve.colour = colour++;
+    curve.style = Style::line_points, curve.colour = static_cast<int>(chart.series.size());
     chart.series.push_back(std::move(curve));
   }
-  if (!zones.empty())
-    chart.series.push_back(
-        {"all that is stored", {zones.front(), zones.back()}, {1.0, 1.0}, {}, Style::dashed, -1});
+  if (!zones.empty()) chart.series.push_back(level("all that is stored", 1.0, zones.front(), zones.back()));
   return chart;
 }
 
 /// Shares of the wake's kinetic energy by size, a curve per row.
 Chart wake_chart(const std::string& title,
                  const std::vector<std::pair<std::string, study::SummaryRow>>& rows) {
-  Chart chart;
-  chart.title = title;
-  chart.x_label = "size of what moves together [mean radii]";
-  chart.y_label = "share of the kinetic energy behind the tip [-]";
-  chart.y_range = {0.0, {}};
-  chart.log_x = true;
-  chart.key_outside = true;
+  Chart chart{.title = title,
+              .x_label = "size of what moves together [mean radii]",
+              .y_label = "share of the kinetic energy behind the tip [-]",
+              .y_range = {.min = 0.0},
+              .log_x = true};
   int colour = 0;
   for (const auto& [label, row] : rows) {
-    ChartSeries curve{label, {}, {}, {}, Style::line_points, colour++};
-    for (const study::WakeBand& band : study::wake_bands(row))
-      curve.x.push_back(band.cell), curve.y.push_back(band.share);
+    ChartSeries curve = series_of(label, Style::line_points, colour++, claims::wake_bands(row),
+                                  [](const claims::WakeBand& band) {
+                                    return ChartPoint{band.cell, band.share};
+                                  });
     if (!curve.x.empty()) chart.series.push_back(std::move(curve));
   }
   return chart;
 }
 
 /// The first specimen's rows with linear relaxation, by velocity and zone.
-std::map<std::pair<double, double>, study::SummaryRow> strip_rows(const study::Evidence& evidence) {
+std::map<std::pair<double, double>, study::SummaryRow> strip_rows(const claims::Evidence& evidence) {
   std::map<std::pair<double, double>, study::SummaryRow> rows;
   for (const study::SummaryRow& row : evidence.rows)
-    if (row.is_object() && study::number_in(row, "relaxation") == 1.0 && row.at("seed") == 1)
-      rows[{study::number_in(row, "crack_velocity_over_cr"), study::number_in(row, "damage_zone_ratio")}] =
-          row;
+    if (row.relaxation == 1.0 && row.seed == 1)
+      rows[{row.crack_velocity_over_cr, row.damage_zone_ratio}] = row;
   return rows;
 }
 
-void add_wakes(std::vector<Figure>& figures, const study::Evidence& evidence, const fs::path& folder) {
+void add_wakes(std::vector<NamedChart>& charts, const claims::Evidence& evidence) {
   std::vector<std::pair<std::string, study::SummaryRow>> zones, velocities;
   for (const auto& [place, row] : strip_rows(evidence)) {
     if (place.first == 0.5) zones.emplace_back(fmt::format("r_l = {:g}", place.second), row);
     if (place.second == 1.0) velocities.emplace_back(fmt::format("{:g} c_r", place.first), row);
   }
   const auto add = [&](const std::string& name, const std::string& title, const auto& rows) {
-    const Chart chart = wake_chart(title, rows);
+    Chart chart = wake_chart(title, rows);
     if (!chart.series.empty())
-      figures.push_back({draw_chart(chart, folder, name), title + "; what the bands lack of 1 is rotation."});
+      charts.push_back({name, title + "; what the bands lack of 1 is rotation.", std::move(chart)});
   };
   add("beyond_wake_zone", "Kinetic energy behind the tip by size, 0.5 c_r", zones);
   add("beyond_wake_velocity", "Kinetic energy behind the tip by size, r_l = 1", velocities);
 }
 
-std::vector<Figure> efficiencies(const study::Evidence& evidence, const fs::path& folder) {
-  std::vector<Figure> figures;
-  const Chart zones = efficiency_against_zone(evidence);
-  if (zones.series.size() < 2) return figures;
-  figures.push_back({draw_chart(zones, folder, "beyond_efficiency"),
-                     "The efficiency against the length of the damage zone; bars: three specimens."});
+std::vector<NamedChart> efficiencies(const claims::Evidence& evidence) {
+  Chart zones = efficiency_against_zone(evidence);
+  if (zones.series.size() < 2) return {};
   Chart velocity = efficiency_against_velocity("Lattice efficiency of a steady strip, linear relaxation");
   int colour = 0;
-  for (const double zone : study::zones_of(evidence))
-    velocity.series.push_back(
-        efficiency_series(fmt::format("r_l = {:g}", zone), study::efficiency(evidence, 1.0, zone), colour++));
-  figures.push_back(
-      {draw_chart(velocity, folder, "beyond_efficiency_velocity"), "The same against velocity."});
+  for (const double zone : claims::zones_of(evidence))
+    velocity.series.push_back(efficiency_series(fmt::format("r_l = {:g}", zone),
+                                                claims::efficiency(evidence, 1.0, zone), colour++));
+  std::vector<NamedChart> charts{
+      {"beyond_efficiency", "The efficiency against the length of the damage zone; bars: three specimens.",
+       std::move(zones)},
+      {"beyond_efficiency_velocity", "The same against velocity.", std::move(velocity)}};
   for (const double zone : {1.0, 4.0, 16.0}) {
     Chart chart = efficiency_against_velocity(fmt::format("Lattice efficiency at r_l = {:g}", zone));
     colour = 0;
     for (const auto& [label, p] : {std::pair{"square root", 0.5}, {"linear", 1.0}, {"quadratic", 2.0}}) {
-      const std::vector<study::EfficiencyPoint> points = study::efficiency(evidence, p, zone);
+      const std::vector<claims::EfficiencyPoint> points = claims::efficiency(evidence, p, zone);
       if (!points.empty()) chart.series.push_back(efficiency_series(label, points, colour));
       ++colour;
     }
     if (chart.series.size() > 4)
-      figures.push_back({draw_chart(chart, folder, fmt::format("beyond_relaxation_{:g}", zone)),
-                         fmt::format("Three relaxations at r_l = {:g}.", zone)});
+      charts.push_back({fmt::format("beyond_relaxation_{:g}", zone),
+                        fmt::format("Three relaxations at r_l = {:g}.", zone), std::move(chart)});
   }
-  add_wakes(figures, evidence, folder);
-  return figures;
+  add_wakes(charts, evidence);
+  return charts;
 }
 
 /// Measured ratios and efficiency times Broberg, of the smallest elements; and ratio over efficiency.
-Chart own_problem_chart(const std::vector<study::OwnProblem>& points, bool over_efficiency) {
+Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool over_efficiency) {
   Chart chart =
       chart_of_references(over_efficiency ? "Broberg's own problem: G_{ID} over the lattice efficiency"
                                           : "Broberg's own problem");
@@ -203,13 +184,12 @@ Chart own_problem_chart(const std::vector<study::OwnProblem>& points, bool over_
   if (over_efficiency) chart.y_label = "G_{ID} / (G_{I0} {/Symbol h}) [-]";
   std::map<double, std::pair<ChartSeries, ChartSeries>> curves;
   double most = 0.0;
-  for (const study::OwnProblem& p : points) most = std::max(most, p.elements);
-  for (const study::OwnProblem& p : points) {
+  for (const claims::BrobergProblem& p : points) most = std::max(most, p.elements);
+  for (const claims::BrobergProblem& p : points) {
     if (p.elements < most) continue;
     auto& [measured, expected] = curves[p.zone];
-    measured.x.push_back(p.v),
-        measured.y.push_back(over_efficiency ? p.over_efficiency() : study::mean_of(p.ratio));
-    expected.x.push_back(p.v), expected.y.push_back(p.efficiency * p.broberg);
+    measured.add(p.v, over_efficiency ? p.over_efficiency() : base::mean_of(p.ratio));
+    expected.add(p.v, p.efficiency * p.broberg);
   }
   int colour = 0;
   for (auto& [zone, pair] : curves) {
@@ -227,25 +207,18 @@ Chart own_problem_chart(const std::vector<study::OwnProblem>& points, bool over_
 }
 
 /// Ratio over efficiency and Broberg, against the size of the elements, with the straight line on to 0.
-Chart size_chart(const std::vector<study::OwnProblem>& points) {
-  Chart chart;
-  chart.title = "Broberg's own problem, as the elements grow small";
-  chart.x_label = "mean radius over half length R / a [-]";
-  chart.y_label = "G_{ID} / (G_{I0} {/Symbol h} Broberg) [-]";
-  chart.x_range = {0.0, {}};
-  chart.key_outside = true;
+Chart size_chart(const std::vector<claims::BrobergProblem>& points) {
+  Chart chart{.title = "Broberg's own problem, as the elements grow small",
+              .x_label = "mean radius over half length R / a [-]",
+              .y_label = "G_{ID} / (G_{I0} {/Symbol h} Broberg) [-]",
+              .x_range = {.min = 0.0}};
   std::map<std::pair<double, double>, ChartSeries> curves;
-  for (const study::OwnProblem& p : points) {
-    ChartSeries& curve = curves[{p.v, p.zone}];
-    curve.x.push_back(p.radius_m / p.half_length_m);
-    curve.y.push_back(p.over_efficiency() / p.broberg);
-    curve.error.push_back(study::deviation_of(p.ratio) / p.efficiency / p.broberg);
-  }
-  for (const study::Extrapolated& e : study::extrapolated(points)) {
-    curves[{e.v, e.zone}].x.push_back(0.0);
-    curves[{e.v, e.zone}].y.push_back(e.limit / e.broberg);
-    curves[{e.v, e.zone}].error.push_back(nothing);
-  }
+  for (const claims::BrobergProblem& p : points)
+    curves[{p.v, p.zone}].add(
+        p.radius_m / p.half_length_m, p.over_efficiency() / p.broberg,
+        p.ratio.size() > 1 ? base::deviation_of(p.ratio) / p.efficiency / p.broberg : nothing);
+  for (const claims::Extrapolated& e : claims::extrapolated(points))
+    curves[{e.v, e.zone}].add(0.0, e.limit / e.broberg);
   double farthest = 0.0;
   int colour = 0;
   for (auto& [place, curve] : curves) {
@@ -256,33 +229,29 @@ Chart size_chart(const std::vector<study::OwnProblem>& points) {
     curve.colour = colour++;
     chart.series.push_back(std::move(curve));
   }
-  chart.series.push_back({"Broberg", {0.0, farthest}, {1.0, 1.0}, {}, Style::dashed, -1});
+  chart.series.push_back(level("Broberg", 1.0, 0.0, farthest));
   return chart;
 }
 
-std::vector<Figure> own_problems(const study::Evidence& evidence, const fs::path& folder) {
-  const std::vector<study::OwnProblem> points = study::own_problem(evidence);
-  std::vector<Figure> figures;
-  if (points.empty()) return figures;
-  figures.push_back(
-      {draw_chart(own_problem_chart(points, false), folder, "beyond_broberg"),
-       "Measured (points) and the efficiency times Broberg's factor (lines), smallest elements."});
-  figures.push_back({draw_chart(own_problem_chart(points, true), folder, "beyond_broberg_over_efficiency"),
-                     "The same over the efficiency."});
-  const Chart sizes = size_chart(points);
-  if (sizes.series.size() > 1)
-    figures.push_back(
-        {draw_chart(sizes, folder, "beyond_broberg_size"), "Two sizes, and straight on to R = 0."});
-  return figures;
+std::vector<NamedChart> own_problems(const claims::Evidence& evidence) {
+  const std::vector<claims::BrobergProblem> points = claims::broberg_problem(evidence);
+  if (points.empty()) return {};
+  std::vector<NamedChart> charts{
+      {"beyond_broberg",
+       "Measured (points) and the efficiency times Broberg's factor (lines), smallest elements.",
+       own_problem_chart(points, false)},
+      {"beyond_broberg_over_efficiency", "The same over the efficiency.", own_problem_chart(points, true)}};
+  if (Chart sizes = size_chart(points); sizes.series.size() > 1)
+    charts.push_back({"beyond_broberg_size", "Two sizes, and straight on to R = 0.", std::move(sizes)});
+  return charts;
 }
 
 }  // namespace
 
-std::vector<Figure> draw_beyond(const study::Claim& claim, const study::Evidence& evidence,
-                                const fs::path& folder) {
-  if (claim.name == "beyond_map") return maps(evidence, folder);
-  if (claim.name == "beyond_efficiency") return efficiencies(evidence, folder);
-  return own_problems(evidence, folder);
+std::vector<NamedChart> beyond_charts(const claims::Claim& claim, const claims::Evidence& evidence) {
+  if (claim.name == "beyond_map") return maps(evidence);
+  if (claim.name == "beyond_efficiency") return efficiencies(evidence);
+  return own_problems(evidence);
 }
 
 }  // namespace rift::studio

@@ -1,11 +1,11 @@
 #include "studio/reports/calibration_report.hpp"
 
-#include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
-#include "engine/base/world_error.hpp"
 #include "engine/calibration/calibrate.hpp"
+#include "engine/claims/curve.hpp"
 #include "engine/lattice/lattice.hpp"
-#include "engine/study/curve.hpp"
+#include "studio/reports/report.hpp"
+#include "studio/reports/study_report.hpp"
 #include "studio/text/html.hpp"
 
 #include <fmt/format.h>
@@ -15,21 +15,13 @@
 
 namespace rift::studio {
 
-namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "110.6 ± 2.3"; without a deviation where there is none.
-std::string with_deviation(double mean, double deviation, int digits) {
-  const std::string text = fmt::format("{:.{}f}", mean, digits);
-  return std::isnan(deviation) ? text : fmt::format("{} ± {:.{}f}", text, deviation, digits);
-}
-
 constexpr const char* left_out =
     "Left out: a scan of E_mu, for every modulus is proportional to it; a scan of nu_mu, which changes E and "
-    "nu "
-    "by less than 0.5 %.";
+    "nu by less than 0.5 %.";
 
 Json json_of(const calibration::Scattered& s) { return {{"mean", s.mean}, {"deviation", s.deviation}}; }
 
@@ -45,7 +37,7 @@ Table table_of(const calibration::CalibrationStudy& study) {
     return calibration::scattered(values);
   };
   const auto text = [](const calibration::Scattered& s, int digits) {
-    return with_deviation(s.mean, s.deviation, digits);
+    return scatter_cell(s.mean, s.deviation, digits);
   };
   for (const auto& packings : study.by_size)
     table.rows.push_back(
@@ -78,7 +70,7 @@ Table scan_table(const calibration::CalibrationStudy& study) {
       table.rows.push_back({fmt::format("{:g}", cylinders.front().beams[k].radius_ratio),
                             fmt::format("{:g}", cylinders.front().beams[k].poisson_ratio),
                             fmt::format("{:.5f} ± {:.5f}", young[k].mean, young[k].deviation),
-                            with_deviation(nu[k].mean, nu[k].deviation, 4)});
+                            scatter_cell(nu[k].mean, nu[k].deviation, 4)});
   };
   add(study.scan);
   add(study.twisted);
@@ -96,21 +88,6 @@ Table tensor_table(const calibration::CalibrationStudy& study) {
           fmt::format("{:.3f}", lattice::bulk_micro_material.young_modulus / 1e9 * box.stiffness(r, c)));
   }
   return table;
-}
-
-std::string csv_of(const std::vector<study::SummaryRow>& rows) {
-  std::string csv;
-  for (const auto& [name, value] : rows.front().items()) csv += (csv.empty() ? "" : ",") + name;
-  csv += '\n';
-  for (const study::SummaryRow& row : rows) {
-    std::string line;
-    for (const auto& [name, value] : row.items())
-      line += (line.empty() ? "" : ",") + (value.is_null()     ? ""
-                                           : value.is_string() ? value.get<std::string>()
-                                                               : base::json_text(value));
-    csv += line + '\n';
-  }
-  return csv;
 }
 
 }  // namespace
@@ -133,16 +110,14 @@ std::string calibration_text(const Calibration& c, bool color) {
                              color) +
                      "\n";
   text += fmt::format("  E_mu        {} GPa\n",
-                      with_deviation(b.micro.young_modulus / 1e9, b.micro_young_deviation / 1e9, 2));
+                      scatter_cell(b.micro.young_modulus / 1e9, b.micro_young_deviation / 1e9, 2));
   text += fmt::format("  nu_mu       {:g}\n", b.micro.poisson_ratio);
-  text +=
-      fmt::format("  r_mu        {}\n", with_deviation(b.micro.radius_ratio, b.radius_ratio_deviation, 4));
+  text += fmt::format("  r_mu        {}\n", scatter_cell(b.micro.radius_ratio, b.radius_ratio_deviation, 4));
   text += fmt::format("  of a single packing: the scatter over {} cylinders of {} elements, which show\n",
                       c.scene.calibration.packings, c.scene.calibration.elements);
   text += fmt::format("  E           {} GPa\n",
-                      with_deviation(b.young_modulus.mean / 1e9, b.young_modulus.deviation / 1e9, 3));
-  text +=
-      fmt::format("  nu          {}\n", with_deviation(b.poisson_ratio.mean, b.poisson_ratio.deviation, 4));
+                      scatter_cell(b.young_modulus.mean / 1e9, b.young_modulus.deviation / 1e9, 3));
+  text += fmt::format("  nu          {}\n", scatter_cell(b.poisson_ratio.mean, b.poisson_ratio.deviation, 4));
   text += fmt::format("  attainable  nu from {:.3f} to {:.3f}\n", b.attainable[0], b.attainable[1]);
   return text + fmt::format("  {}\n\n", left_out) + material_block(c);
 }
@@ -168,146 +143,136 @@ Json calibration_json(const Calibration& c) {
   return j;
 }
 
-void write_calibration_report(const Calibration& c, const fs::path& folder) {
-  const std::vector<study::SummaryRow> rows = calibration::rows_of(*c.study);
-  base::make_folder(folder);
-  base::write_whole_file(folder / "table.csv", csv_of(rows));
-  base::write_whole_file(folder / "material.toml", material_block(c));
-  base::write_whole_file(folder / "summary.json", base::json_text(calibration_json(c), 2) + "\n");
-  std::string figures;
-  for (const NamedChart& named : calibration_charts(rows, lattice::bulk_micro_material.young_modulus))
-    figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
-  std::string body = html_section("Answer", "<pre>" + html_escape(calibration_text(c, false)) + "</pre>");
-  body += html_section("Specimens, with the paper's beams (E_mu = 356 GPa, nu_mu = 0.3, r_mu = 0.3)",
-                       html_table(table_of(*c.study)));
-  body += html_section("Scan of the beams", html_table(scan_table(*c.study)));
-  body += html_section("Stiffness tensor of a periodic box", html_table(tensor_table(*c.study)));
-  body += html_section("Charts", figures);
-  base::write_whole_file(folder / "report.html", html_page("Calibration", body));
+void write_calibration_report(const Calibration& c, const std::filesystem::path& folder) {
+  const std::vector<Json> rows = calibration::rows_of(*c.study);
+  write_report(
+      {.title = "Calibration",
+       .files = {{"table.csv", rows_csv(rows)},
+                 {"material.toml", material_block(c)},
+                 {"summary.json", base::json_text(calibration_json(c), 2) + "\n"}},
+       .sections = {{"Answer", html_lines(calibration_text(c, false))},
+                    {"Specimens, with the paper's beams (E_mu = 356 GPa, nu_mu = 0.3, r_mu = 0.3)",
+                     table_of(*c.study)},
+                    {"Scan of the beams", scan_table(*c.study)},
+                    {"Stiffness tensor of a periodic box", tensor_table(*c.study)},
+                    {"Charts", calibration_charts(rows, lattice::bulk_micro_material.young_modulus)}}},
+      folder);
 }
 
 namespace {
 
 using Style = ChartSeries::Style;
 
+/// Rows of one kind of specimen, and what of them is drawn.
+struct Drawn {
+  const char *series, *label, *x, *y;
+  double scale;
+  int colour;
+};
+
 /// Mean and deviation of one number over the rows that share another.
-ChartSeries series_of(const std::vector<study::SummaryRow>& rows, const std::string& of,
-                      const std::string& label, const std::string& x, const std::string& y, double scale,
-                      int colour) {
+ChartSeries means_of(const std::vector<Json>& rows, const Drawn& d) {
   std::map<double, std::vector<double>> values;
-  for (const study::SummaryRow& row : rows)
-    if (row.at("series") == of && row.at(y).is_number())
-      values[study::number_in(row, x.c_str())].push_back(scale * study::number_in(row, y.c_str()));
-  ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
-  for (const auto& [at, all] : values) {
-    const calibration::Scattered s = calibration::scattered(all);
-    series.x.push_back(at), series.y.push_back(s.mean), series.error.push_back(s.deviation);
-  }
-  return series;
+  for (const Json& row : rows)
+    if (row.at("series") == d.series && row.at(d.y).is_number())
+      values[row.at(d.x).get<double>()].push_back(d.scale * row.at(d.y).get<double>());
+  return series_of(d.label, Style::line_points, d.colour, values, [](const auto& at) {
+    const calibration::Scattered s = calibration::scattered(at.second);
+    return ChartPoint{at.first, s.mean, s.deviation};
+  });
 }
 
 /// One point a packing, for what has no two packings of the same abscissa.
-ChartSeries cloud_of(const std::vector<study::SummaryRow>& rows, const std::string& of,
-                     const std::string& label, const std::string& x, const std::string& y, double scale,
-                     int colour) {
-  ChartSeries series{label, {}, {}, {}, Style::points, colour};
-  for (const study::SummaryRow& row : rows)
-    if (row.at("series") == of)
-      series.x.push_back(study::number_in(row, x.c_str())),
-          series.y.push_back(scale * study::number_in(row, y.c_str()));
+ChartSeries cloud_of(const std::vector<Json>& rows, const Drawn& d) {
+  ChartSeries series{.label = d.label, .style = Style::points, .colour = d.colour};
+  for (const Json& row : rows)
+    if (row.at("series") == d.series)
+      series.add(row.at(d.x).get<double>(), d.scale * row.at(d.y).get<double>());
   return series;
 }
 
-ChartSeries level(const std::string& label, double value, const AxisRange& x) {
-  return {label, {*x.min, *x.max}, {value, value}, {}, Style::dashed, -1};
-}
-
-Chart against_size(const std::vector<study::SummaryRow>& rows, const std::string& y_label) {
-  Chart chart;
-  chart.x_label = "elements N [-]";
-  chart.y_label = y_label;
-  chart.log_x = true;
+/// Cylinders against their number of elements, beside the paper's value.
+Chart against_size(const std::vector<Json>& rows, std::string title, std::string y_label,
+                   std::vector<ChartSeries> series, double paper) {
   double low = 1e300, high = 0.0;
-  for (const study::SummaryRow& row : rows)
+  for (const Json& row : rows)
     if (row.at("series") == "size")
-      low = std::min(low, study::number_in(row, "elements")),
-      high = std::max(high, study::number_in(row, "elements"));
-  chart.x_range = {0.8 * low, 1.25 * high};
-  return chart;
+      low = std::min(low, row.at("elements").get<double>()),
+      high = std::max(high, row.at("elements").get<double>());
+  low *= 0.8, high *= 1.25;
+  series.push_back(level("paper, Table 2", paper, low, high));
+  return {.title = std::move(title),
+          .x_label = "elements N [-]",
+          .y_label = std::move(y_label),
+          .x_range = {low, high},
+          .log_x = true,
+          .series = std::move(series)};
 }
 
-NamedChart young_against_size(const std::vector<study::SummaryRow>& rows, double micro) {
-  Chart chart = against_size(rows, "E_M [GPa]");
-  chart.title = fmt::format(
-      "Young's modulus of cylinders, E_{{/Symbol m}} = {:.0f} GPa, r_{{/Symbol m}} = 0.3", micro / 1e9);
-  chart.series = {
-      series_of(rows, "size", "strain of the middle half", "elements", "young_over_micro", micro / 1e9, 0),
-      series_of(rows, "size", "shortening between the ends", "elements", "young_ends_over_micro", micro / 1e9,
-                1),
-      level("paper, Table 2", 10.3, chart.x_range)};
+NamedChart young_against_size(const std::vector<Json>& rows, double micro) {
   return {"calibration_young",
           "E of compressed cylinders against their number of elements; bars: standard deviation over the "
           "packings.",
-          chart};
+          against_size(
+              rows,
+              fmt::format("Young's modulus of cylinders, E_{{/Symbol m}} = {:.0f} GPa, r_{{/Symbol m}} = 0.3",
+                          micro / 1e9),
+              "E_M [GPa]",
+              {means_of(rows, {"size", "strain of the middle half", "elements", "young_over_micro",
+                               micro / 1e9, 0}),
+               means_of(rows, {"size", "shortening between the ends", "elements", "young_ends_over_micro",
+                               micro / 1e9, 1})},
+              10.3)};
 }
 
-NamedChart poisson_against_size(const std::vector<study::SummaryRow>& rows) {
-  Chart chart = against_size(rows, "{/Symbol n}_M [-]");
-  chart.title = "Poisson's ratio of cylinders, r_{/Symbol m} = 0.3";
-  chart.series = {series_of(rows, "size", "cylinders", "elements", "poisson_ratio", 1.0, 0),
-                  level("paper, Table 2", 0.3, chart.x_range)};
+NamedChart poisson_against_size(const std::vector<Json>& rows) {
   return {"calibration_poisson",
           "nu of compressed cylinders against their number of elements; bars: standard deviation over the "
           "packings.",
-          chart};
+          against_size(rows, "Poisson's ratio of cylinders, r_{/Symbol m} = 0.3", "{/Symbol n}_M [-]",
+                       {means_of(rows, {"size", "cylinders", "elements", "poisson_ratio", 1.0, 0})}, 0.3)};
 }
 
-NamedChart young_against_core(const std::vector<study::SummaryRow>& rows, double micro) {
-  Chart chart;
-  chart.title = "Young's modulus against the coordination of the core";
-  chart.x_label = "coordination away from the walls [-]";
-  chart.y_label = "E_M [GPa]";
-  chart.series = {
-      cloud_of(rows, "size", "cylinders", "core_coordination", "young_over_micro", micro / 1e9, 0),
-      cloud_of(rows, "box", "periodic boxes", "core_coordination", "young_over_micro", micro / 1e9, 1)};
+NamedChart young_against_core(const std::vector<Json>& rows, double micro) {
   return {"calibration_core",
           "A coordination of 6 over all elements, which have fewer contacts at the walls, leaves more of "
-          "them to the "
-          "core the smaller the cylinder: this, not the number of elements, is what E follows.",
-          chart};
+          "them to the core the smaller the cylinder: this, not the number of elements, is what E follows.",
+          Chart{.title = "Young's modulus against the coordination of the core",
+                .x_label = "coordination away from the walls [-]",
+                .y_label = "E_M [GPa]",
+                .series = {cloud_of(rows, {"size", "cylinders", "core_coordination", "young_over_micro",
+                                           micro / 1e9, 0}),
+                           cloud_of(rows, {"box", "periodic boxes", "core_coordination", "young_over_micro",
+                                           micro / 1e9, 1})}}};
 }
 
-NamedChart young_of_scan(const std::vector<study::SummaryRow>& rows) {
-  Chart chart;
-  chart.title = "Scan of the beams' radius: modulus";
-  chart.x_label = "radius ratio r_{/Symbol m} [-]";
-  chart.y_label = "E_M / E_{/Symbol m} [-]";
-  chart.log_x = chart.log_y = true;
-  chart.series = {series_of(rows, "scan", "cylinders, {/Symbol n}_{/Symbol m} = 0.3", "micro_radius_ratio",
-                            "young_over_micro", 1.0, 0)};
+NamedChart young_of_scan(const std::vector<Json>& rows) {
   return {"calibration_scan_young",
           "Every modulus is proportional to E_mu, which is not scanned: E_M = E_mu times what is shown.",
-          chart};
+          Chart{.title = "Scan of the beams' radius: modulus",
+                .x_label = "radius ratio r_{/Symbol m} [-]",
+                .y_label = "E_M / E_{/Symbol m} [-]",
+                .log_x = true,
+                .log_y = true,
+                .series = {means_of(rows, {"scan", "cylinders, {/Symbol n}_{/Symbol m} = 0.3",
+                                           "micro_radius_ratio", "young_over_micro", 1.0, 0})}}};
 }
 
-NamedChart poisson_of_scan(const std::vector<study::SummaryRow>& rows) {
-  Chart chart;
-  chart.title = "Scan of the beams' radius: Poisson's ratio";
-  chart.x_label = "radius ratio r_{/Symbol m} [-]";
-  chart.y_label = "{/Symbol n}_M [-]";
-  chart.series = {
-      series_of(rows, "scan", "{/Symbol n}_{/Symbol m} = 0.3", "micro_radius_ratio", "poisson_ratio", 1.0, 0),
-      cloud_of(rows, "twisted", "{/Symbol n}_{/Symbol m} = 0 and 0.45", "micro_radius_ratio", "poisson_ratio",
-               1.0, 1),
-      {"paper, Table 2", {0.3}, {0.3}, {}, Style::points, -1}};
+NamedChart poisson_of_scan(const std::vector<Json>& rows) {
   return {"calibration_scan_poisson", "nu follows r_mu and hardly knows nu_mu, which only twists beams.",
-          chart};
+          Chart{.title = "Scan of the beams' radius: Poisson's ratio",
+                .x_label = "radius ratio r_{/Symbol m} [-]",
+                .y_label = "{/Symbol n}_M [-]",
+                .series = {means_of(rows, {"scan", "{/Symbol n}_{/Symbol m} = 0.3", "micro_radius_ratio",
+                                           "poisson_ratio", 1.0, 0}),
+                           cloud_of(rows, {"twisted", "{/Symbol n}_{/Symbol m} = 0 and 0.45",
+                                           "micro_radius_ratio", "poisson_ratio", 1.0, 1}),
+                           {"paper, Table 2", {0.3}, {0.3}, {}, Style::points, -1}}}};
 }
 
 }  // namespace
 
-std::vector<NamedChart> calibration_charts(const std::vector<study::SummaryRow>& rows,
-                                           double micro_young_modulus) {
+std::vector<NamedChart> calibration_charts(const std::vector<Json>& rows, double micro_young_modulus) {
   return {young_against_size(rows, micro_young_modulus), poisson_against_size(rows),
           young_against_core(rows, micro_young_modulus), young_of_scan(rows), poisson_of_scan(rows)};
 }

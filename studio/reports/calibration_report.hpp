@@ -2,8 +2,8 @@
 
 #include "engine/calibration/calibrate.hpp"
 #include "engine/simulation/record.hpp"
-#include "engine/study/store.hpp"
-#include "studio/reports/study_report.hpp"
+#include "engine/study/runner.hpp"
+#include "studio/charts/chart.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -32,7 +32,7 @@ void write_calibration_report(const Calibration& calibration, const std::filesys
 /// number of elements and against the coordination of the core, with beams of this modulus; E_M / E_mu and nu
 /// against r_mu. Means over the packings with their standard deviation.
 /// @param[in] micro_young_modulus  [Pa]
-std::vector<NamedChart> calibration_charts(const std::vector<study::SummaryRow>& rows,
+std::vector<NamedChart> calibration_charts(const std::vector<nlohmann::ordered_json>& rows,
                                            double micro_young_modulus);
 
 }  // namespace rift::studio

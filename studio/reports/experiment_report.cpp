@@ -1,18 +1,15 @@
 #include "studio/reports/experiment_report.hpp"
 
-#include "engine/base/files.hpp"
+#include "engine/base/csv.hpp"
 #include "engine/base/text.hpp"
-#include "engine/base/world_error.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
-#include "studio/reports/experiment_charts.hpp"
-#include "studio/text/html.hpp"
-#include "studio/text/progress.hpp"
+#include "studio/reports/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <functional>
 
 namespace rift::studio {
 namespace {
@@ -21,10 +18,6 @@ using Json = nlohmann::ordered_json;
 
 std::string with_band(double rate, double uncertainty) {
   return fmt::format("{:.3f} ± {:.3f}", 1e-3 * rate, 2e-3 * uncertainty);
-}
-
-std::string row_text(const std::string& label, const std::string& content) {
-  return fmt::format("  {:<22}{}\n", label, content);
 }
 
 /// Over the points: of what the uncertainty is made, and how wrong a quasi-static reading is.
@@ -80,38 +73,39 @@ std::string application_text(const experiment::Experiment& e) {
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> conclusions(const ExperimentReport& report) {
+/// What was found, a label and a text a row.
+Table conclusions(const ExperimentReport& report) {
   const experiment::Experiment& e = report.experiment;
   const Means m = means_of(e);
-  std::vector<std::pair<std::string, std::string>> rows{
-      {"course", fmt::format("{}; rows scatter by {:.3g} mm", report.smoothing, 1e3 * e.course.scatter)},
-      {"standard uncertainty", uncertainty_text(e, m) + "; the ± above is twice all of it"},
-      {"read quasi-statically",
-       fmt::format("G_I0 is {:.3f} times the G_IDc of the paper's reading, {:.3f} times the "
-                   "corrected one, on average",
-                   m.over_static, m.corrected_over_static)}};
+  Table table{
+      {"", ""},
+      {{"course", fmt::format("{}; rows scatter by {:.3g} mm", report.smoothing, 1e3 * e.course.scatter)},
+       {"standard uncertainty", uncertainty_text(e, m) + "; the ± above is twice all of it"},
+       {"read quasi-statically", fmt::format("G_I0 is {:.3f} times the G_IDc of the paper's reading, {:.3f} "
+                                             "times the corrected one, on average",
+                                             m.over_static, m.corrected_over_static)}}};
   if (!report.truth.row.empty()) {
-    rows.emplace_back(report.truth_name + ", as paper", truth_text(report, false));
-    rows.emplace_back(report.truth_name + ", corrected", truth_text(report, true));
+    table.rows.push_back({report.truth_name + ", as paper", truth_text(report, false)});
+    table.rows.push_back({report.truth_name + ", corrected", truth_text(report, true)});
   }
   if (!e.application.along.empty() || std::isfinite(e.application.arrested_m))
-    rows.emplace_back("given back", application_text(e));
-  rows.emplace_back("books", fmt::format("close to {:.1e} of the energy", e.worst_residual));
-  return rows;
+    table.rows.push_back({"given back", application_text(e)});
+  table.rows.push_back({"books", fmt::format("close to {:.1e} of the energy", e.worst_residual)});
+  return table;
 }
 
 std::string csv_of(const experiment::Experiment& e) {
   std::string csv =
       "position_m,time_s,crack_velocity_over_cr,g_i0_quasi_static_j_m2,g_idc_j_m2,u_noise_j_m2,u_packing_j_"
-      "m2,"
-      "u_window_j_m2,u_j_m2,efficiency,g_idc_corrected_j_m2,u_corrected_j_m2,correction_factor\n";
+      "m2,u_window_j_m2,u_j_m2,efficiency,g_idc_corrected_j_m2,u_corrected_j_m2,correction_factor\n";
   for (const experiment::CriticalPoint& p : e.along)
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", p.position, p.time, p.over_cr,
-                       p.quasi_static, p.as_paper, p.of_noise, p.of_packing, p.of_window, p.uncertainty,
-                       p.efficiency, p.corrected, p.corrected_uncertainty, p.as_paper / p.quasi_static);
+    csv += base::csv_row(p.position, p.time, p.over_cr, p.quasi_static, p.as_paper, p.of_noise, p.of_packing,
+                         p.of_window, p.uncertainty, p.efficiency, p.corrected, p.corrected_uncertainty,
+                         p.as_paper / p.quasi_static);
   return csv;
 }
 
+/// A table that crack.toughness reads: its columns are apart by semicolons, as measured ones are.
 std::string toughness_csv(const ExperimentReport& report, bool by_position) {
   std::string csv =
       fmt::format("# G_IDc of {}, as the paper reads it{}: for crack.toughness\n{};release_rate [J/m2]\n",
@@ -159,14 +153,13 @@ Table experiment_table(const ExperimentReport& report) {
 
 std::string experiment_text(const ExperimentReport& report, bool color) {
   std::string text = plain_table(experiment_table(report), color) + "\n";
-  for (const auto& [label, content] : conclusions(report)) text += row_text(label, content);
+  for (const auto& row : conclusions(report).rows) text += label_line(row[0], row[1]);
   return text;
 }
 
 Json experiment_json(const ExperimentReport& report) {
   const experiment::Experiment& e = report.experiment;
   const Means m = means_of(e);
-  const auto number = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
   Json along = Json::array();
   for (const experiment::CriticalPoint& p : e.along)
     along.push_back({{"position_m", p.position},
@@ -199,7 +192,7 @@ Json experiment_json(const ExperimentReport& report) {
                            {"velocity_error_expected", e.application.velocity_expected},
                            {"worst_lag_m", e.application.worst_lag},
                            {"rate_error", e.application.rate_error},
-                           {"arrest_m", number(e.application.arrested_m)}};
+                           {"arrest_m", e.application.arrested_m}};
   if (!report.truth.row.empty())
     for (const bool corrected : {false, true}) {
       const Distance d = distance_from_truth(report, corrected);
@@ -209,31 +202,174 @@ Json experiment_json(const ExperimentReport& report) {
   return json;
 }
 
-void write_experiment_report(const ExperimentReport& report, const std::filesystem::path& folder) {
-  base::write_whole_file(folder / "summary.json", base::json_text(experiment_json(report), 2) + "\n");
-  base::write_whole_file(folder / "table.csv", csv_of(report.experiment));
-  base::write_whole_file(folder / "toughness_position.csv", toughness_csv(report, true));
-  base::write_whole_file(folder / "toughness_velocity.csv", toughness_csv(report, false));
-  std::string figures;
-  std::optional<base::WorldError> failure;
-  for (const NamedChart& named : experiment_charts(report)) {
-    try {
-      figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
-    } catch (const base::WorldError& error) {
-      failure = error;
-      figures += html_paragraph(error.what());
-    }
+namespace {
+
+using Style = ChartSeries::Style;
+using Along = std::function<double(const experiment::CriticalPoint&)>;
+
+constexpr double expanded = 2.0;  // standard uncertainties of a band
+
+double mm(const experiment::CriticalPoint& p) { return 1e3 * p.position; }
+double us(const experiment::CriticalPoint& p) { return 1e6 * p.time; }
+double over_cr(const experiment::CriticalPoint& p) { return p.over_cr; }
+
+NamedChart history_chart(const ExperimentReport& report) {
+  ChartSeries rows =
+      series_of("measured", Style::points, 1, report.rows, [](const history::HistoryPoint& row) {
+        return ChartPoint{1e6 * row.time, 1e3 * row.position,
+                          row.uncertainty > 0.0 ? 1e3 * row.uncertainty : NAN};
+      });
+  ChartSeries course{.label = "course"};
+  const history::SmoothedHistory& c = report.experiment.course;
+  const double duration = report.rows.back().time - report.rows.front().time;
+  for (int k = 0; k <= 200; ++k) {
+    const double t = duration * k / 200;
+    course.add(1e6 * (c.first_time + t), 1e3 * history::tip_at(c.history, t));
   }
-  Table said{{"", ""}, {}};
-  for (const auto& [label, content] : conclusions(report)) said.rows.push_back({label, content});
-  std::string body =
-      html_paragraph(fmt::format("Made by `{}`, rift {} ({}), in {}.", report.command, report.build.version,
-                                 report.build.compiler, duration_text(report.wall_s)));
-  body += html_section("What was found", html_table(said)) + html_section("Charts", figures) +
-          html_section("Along the crack", html_table(experiment_table(report)));
-  base::write_whole_file(folder / "report.html",
-                         html_page("From the experiment to G_IDc: " + report.preset, body));
-  if (failure) throw base::WorldError(*failure);
+  return {"history",
+          fmt::format(
+              "What was measured, and the course made of it ({}): the rows scatter around it by {:.3g} mm{}.",
+              report.smoothing, 1e3 * c.scatter,
+              c.chi2 > 0.0 ? fmt::format(", chi^2 {:.2f} a row", c.chi2) : std::string()),
+          Chart{.title = "The measured crack",
+                .x_label = "time [us]",
+                .y_label = "tip position [mm]",
+                .series = {std::move(rows), std::move(course)}}};
+}
+
+NamedChart velocity_chart(const ExperimentReport& report) {
+  const experiment::Experiment& e = report.experiment;
+  ChartSeries band{.label = "band", .style = Style::band}, line{.label = "course"},
+      raw{.label = "differences of rows", .style = Style::points, .colour = 1};
+  double top = 0.0;
+  for (std::size_t k = 0; k < e.along.size(); ++k) {
+    const experiment::CriticalPoint& p = e.along[k];
+    band.add(us(p), p.over_cr,
+             k < e.drawn_speed.size() ? expanded * e.drawn_speed[k] / e.rayleigh_speed : 0.0);
+    line.add(us(p), p.over_cr);
+    top = std::max(top, 1.3 * p.over_cr);
+  }
+  for (std::size_t k = 1; k < report.rows.size(); ++k) {
+    const history::HistoryPoint &a = report.rows[k - 1], &b = report.rows[k];
+    raw.add(0.5e6 * (a.time + b.time), (b.position - a.position) / (b.time - a.time) / e.rayleigh_speed);
+  }
+  return {"velocity",
+          "The course's velocity, its band of two standard deviations from the histories drawn anew, and the "
+          "differences of neighbouring rows.",
+          Chart{.title = "Its velocity",
+                .x_label = "time [us]",
+                .y_label = "velocity [c_R]",
+                .y_range = {-0.1 * top, top + 0.1},
+                .series = {std::move(band), std::move(raw), std::move(line)}}};
+}
+
+/// Both readings, the quasi-static one, and the truth where there is one.
+std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x, Style style) {
+  using Point = experiment::CriticalPoint;
+  const experiment::Experiment& e = report.experiment;
+  std::vector<ChartSeries> all;
+  const auto add = [&](std::string label, Style look, int colour, const Along& y, const Along& u = {}) {
+    all.push_back(series_of(std::move(label), look, colour, e.along, [&](const Point& p) {
+      return ChartPoint{x(p), 1e-3 * y(p), u ? 1e-3 * expanded * u(p) : NAN};
+    }));
+  };
+  const Along paper = [](const Point& p) { return p.as_paper; };
+  const Along corrected = [](const Point& p) { return p.corrected; };
+  const bool lines = style == Style::line;
+  if (lines) {
+    add("", Style::band, 0, paper, [](const Point& p) { return p.uncertainty; });
+    add("", Style::band, 1, corrected, [](const Point& p) { return p.corrected_uncertainty; });
+  }
+  add("G_{IDc}, as the paper", style, 0, paper);
+  add("G_{IDc}, corrected", style, 1, corrected);
+  add("quasi-static G_{I0}", lines ? Style::dashed : style, 2, [](const Point& p) { return p.quasi_static; });
+  if (!lines)
+    all.push_back(series_of("law, made to rise", Style::line, 0, e.law, [](const auto& at) {
+      return ChartPoint{at[0], 1e-3 * at[1]};
+    }));
+  if (!report.truth.row.empty())
+    add(report.truth_name, style, -1, [&](const Point& p) {
+      return fracture::critical_rate(report.truth, p.over_cr, e.rayleigh_speed, p.position);
+    });
+  return all;
+}
+
+NamedChart rate_chart(const ExperimentReport& report, const char* name, const char* title,
+                      const char* x_label, const Along& x, Style style) {
+  return {
+      name,
+      std::string(
+          "What the lattice's damage zone takes (as the paper reads it), the same over the lattice's "
+          "efficiency at that velocity, and what a crack without waves would release under the same grips.") +
+          (style == Style::line ? " Bands: two standard uncertainties of noise, packing and window." : ""),
+      Chart{.title = title,
+            .x_label = x_label,
+            .y_label = "release rate [kJ/m^2]",
+            .y_range = {.min = 0.0},
+            .series = readings(report, x, style)}};
+}
+
+NamedChart efficiency_chart(const experiment::Experiment& e) {
+  return {"efficiency",
+          "The share of what arrives at the tip that the damage zone takes: a crack that runs steadily "
+          "through the same lattice's strip, where all that is stored ahead arrives (Nilsson 1972).",
+          Chart{.title = "Efficiency of the lattice",
+                .x_label = "velocity [c_R]",
+                .y_label = "efficiency [-]",
+                .y_range = {0.0, 1.1},
+                .series = {series_of("steady strip", Style::line_points, 0, e.efficiency,
+                                     [](const experiment::EfficiencyPoint& p) {
+                                       return ChartPoint{p.over_cr, p.efficiency, p.scatter};
+                                     })}}};
+}
+
+NamedChart application_chart(const experiment::Experiment& e) {
+  using Point = experiment::Application::Point;
+  return {
+      "application",
+      fmt::format("A crack that runs by itself, given G_IDc against the velocity, made to rise: its velocity "
+                  "is off by {:.1f} % (root of the mean square), its tip by at most {:.2g} mm.",
+                  100 * e.application.velocity_error, 1e3 * e.application.worst_lag),
+      Chart{.title = "Given back: the crack that runs by itself",
+            .x_label = "tip position [mm]",
+            .y_label = "velocity [c_R]",
+            .y_range = {.min = 0.0},
+            .series = {series_of("measured", Style::line, 0, e.application.along,
+                                 [](const Point& p) {
+                                   return ChartPoint{1e3 * p.position, p.measured_over_cr};
+                                 }),
+                       series_of("by itself", Style::line_points, 1, e.application.along, [](const Point& p) {
+                         return ChartPoint{1e3 * p.position, p.over_cr};
+                       })}}};
+}
+
+}  // namespace
+
+std::vector<NamedChart> experiment_charts(const ExperimentReport& report) {
+  std::vector<NamedChart> charts{
+      history_chart(report),
+      velocity_chart(report),
+      rate_chart(report, "rate_position", "Critical release rate along the crack", "tip position [mm]", mm,
+                 Style::line),
+      rate_chart(report, "rate_time", "Critical release rate in time", "time [us]", us, Style::line),
+      rate_chart(report, "rate_velocity", "Critical release rate against velocity", "velocity [c_R]", over_cr,
+                 Style::points),
+      efficiency_chart(report.experiment)};
+  if (!report.experiment.application.along.empty()) charts.push_back(application_chart(report.experiment));
+  return charts;
+}
+
+void write_experiment_report(const ExperimentReport& report, const std::filesystem::path& folder) {
+  write_report({.title = "From the experiment to G_IDc: " + report.preset,
+                .opening = {made_by(report.command, report.build, report.wall_s)},
+                .files = {{"summary.json", base::json_text(experiment_json(report), 2) + "\n"},
+                          {"table.csv", csv_of(report.experiment)},
+                          {"toughness_position.csv", toughness_csv(report, true)},
+                          {"toughness_velocity.csv", toughness_csv(report, false)}},
+                .sections = {{"What was found", conclusions(report)},
+                             {"Charts", experiment_charts(report)},
+                             {"Along the crack", experiment_table(report)}}},
+               folder);
 }
 
 }  // namespace rift::studio

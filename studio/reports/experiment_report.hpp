@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/experiment/experiment.hpp"
+#include "studio/charts/chart.hpp"
 #include "studio/text/table.hpp"
 
 #include <nlohmann/json.hpp>
@@ -30,6 +31,10 @@ Table experiment_table(const ExperimentReport& report);
 std::string experiment_text(const ExperimentReport& report, bool color);
 
 nlohmann::ordered_json experiment_json(const ExperimentReport& report);
+
+/// Rows and course, velocity, G_IDc against position, time and velocity, the efficiency, and the crack that
+/// ran by itself.
+std::vector<NamedChart> experiment_charts(const ExperimentReport& report);
 
 /// Writes table.csv, toughness_position.csv, toughness_velocity.csv, summary.json, charts/ and report.html.
 /// Throws WorldError where a chart cannot be drawn; the rest is then written.

@@ -1,24 +1,46 @@
 #include "studio/reports/instruments_report.hpp"
 
-#include "engine/base/files.hpp"
+#include "engine/base/csv.hpp"
 #include "engine/base/text.hpp"
-#include "engine/base/world_error.hpp"
 #include "studio/charts/chart_script.hpp"
-#include "studio/reports/instruments_charts.hpp"
-#include "studio/text/html.hpp"
+#include "studio/reports/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace rift::studio {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// How a quantity is drawn: its values times `factor`, in `unit`.
+struct TraceScale {
+  double factor = 1;
+  std::string unit;
+};
+
+TraceScale scale_of(scene::Dimension dimension) {
+  switch (dimension) {
+    case scene::Dimension::force:
+      return {1e-3, "kN"};
+    case scene::Dimension::stress_intensity:
+      return {1e-6, "MPa m^{1/2}"};
+    case scene::Dimension::release_rate:
+      return {1e-3, "kJ/m^2"};
+    case scene::Dimension::length:
+      return {1e6, "um"};
+    case scene::Dimension::strain:
+      return {1.0, ""};
+    default:
+      return {1.0, std::string(scene::si_unit(dimension))};
+  }
+}
 
 std::string with_unit(double value, scene::Dimension dimension) {
   const TraceScale scale = scale_of(dimension);
@@ -38,6 +60,9 @@ std::string distance_text(const measurement::Trace& measured, const measurement:
   if (d.span > 0.0) text += fmt::format("; {:.1f} % of its span", 100.0 * d.rms / d.span);
   return text;
 }
+
+/// Of a moment without any.
+constexpr measurement::StressIntensity no_intensity{NAN, NAN, NAN, NAN, NAN, 0};
 
 /// Why moments have no K, the most frequent reason first.
 std::string without_intensity(const std::vector<measurement::IntensityPoint>& points) {
@@ -59,65 +84,61 @@ std::string span_text(const measurement::Trace& trace) {
              : fmt::format("{:.6g} to {:.6g} us", 1e6 * trace.time.front(), 1e6 * trace.time.back());
 }
 
-std::vector<std::pair<std::string, std::string>> conclusions(const InstrumentsReport& report) {
+/// What was seen, a label and a text a row.
+Table conclusions(const InstrumentsReport& report) {
   const measurement::Instruments& seen = report.seen;
-  std::vector<std::pair<std::string, std::string>> rows{
-      {"camera", fmt::format("{} x {} points, each read over a circle of {:.3g} mm", seen.grid.columns,
-                             seen.grid.rows, 2e3 * seen.subset)}};
+  Table table{{"", ""}, {}};
+  const auto say = [&](const std::string& label, const std::string& text) {
+    table.rows.push_back({label, text});
+  };
+  say("camera", fmt::format("{} x {} points, each read over a circle of {:.3g} mm", seen.grid.columns,
+                            seen.grid.rows, 2e3 * seen.subset));
   const bool blind =
       std::none_of(report.field.begin(), report.field.end(), [](const measurement::SeenField& field) {
         return std::any_of(field.motion.begin(), field.motion.end(),
                            [](const auto& m) { return m.has_value(); });
       });
-  if (blind) rows.emplace_back("", "no subset holds enough elements: widen --subset");
+  if (blind) say("", "no subset holds enough elements: widen --subset");
   if (!seen.finished)
-    rows.emplace_back("unfinished", fmt::format("the run has come to {:.6g} us so far",
-                                                seen.books.empty() ? 0.0 : 1e6 * seen.books.back().time_s));
-  if (!seen.no_intensity.empty()) rows.emplace_back("stress intensities", "none: " + seen.no_intensity);
+    say("unfinished", fmt::format("the run has come to {:.6g} us so far",
+                                  seen.books.empty() ? 0.0 : 1e6 * seen.books.back().time_s));
+  if (!seen.no_intensity.empty()) say("stress intensities", "none: " + seen.no_intensity);
   const FieldAgainstBooks against = field_against_books(report);
   if (seen.no_intensity.empty())
-    rows.emplace_back("ring", fmt::format("{:.3g} to {:.3g} mm around the tip, less at an edge",
-                                          1e3 * seen.ring.inner, 1e3 * seen.ring.outer));
-  if (const std::string why = without_intensity(seen.intensity); !why.empty())
-    rows.emplace_back("moments without K", why);
-  if (seen.grip_moves)
-    rows.emplace_back("G_I0", "of the displacement as the crack starts, from which the grip moves on");
+    say("ring", fmt::format("{:.3g} to {:.3g} mm around the tip, less at an edge", 1e3 * seen.ring.inner,
+                            1e3 * seen.ring.outer));
+  if (const std::string why = without_intensity(seen.intensity); !why.empty()) say("moments without K", why);
+  if (seen.grip_moves) say("G_I0", "of the displacement as the crack starts, from which the grip moves on");
   if (against.moments > 0)
-    rows.emplace_back(
-        "field against books",
+    say("field against books",
         fmt::format("G of the field is {:.3f} G_I0, the damage zone takes {:.3f} of it (mean of {} moments)",
                     against.over_g_i0, against.taken, against.moments));
   const auto closed =
       std::count_if(seen.intensity.begin(), seen.intensity.end(),
                     [](const measurement::IntensityPoint& p) { return p.k && p.k->opening < 0.0; });
   if (closed > 0)
-    rows.emplace_back("closed faces",
-                      fmt::format("K_I is below 0 at {} moments: faces that press are not those of "
-                                  "the fit, K_II alone means something",
-                                  closed));
+    say("closed faces", fmt::format("K_I is below 0 at {} moments: faces that press are not those of the "
+                                    "fit, K_II alone means something",
+                                    closed));
   if (seen.clock != 0.0)
-    rows.emplace_back("clock",
-                      fmt::format("the measured history's: the run's plus {:.8g} us", 1e6 * seen.clock));
+    say("clock", fmt::format("the measured history's: the run's plus {:.8g} us", 1e6 * seen.clock));
   for (const measurement::Trace& measured : report.measured) {
     const auto d = measurement::distance_between(trace_named(report, measured.name), measured);
-    rows.emplace_back(measured.name,
-                      d ? distance_text(measured, *d)
-                        : fmt::format("lies at {}, the run at {}: no time is in both", span_text(measured),
-                                      span_text(trace_named(report, measured.name))));
+    say(measured.name, d ? distance_text(measured, *d)
+                         : fmt::format("lies at {}, the run at {}: no time is in both", span_text(measured),
+                                       span_text(trace_named(report, measured.name))));
   }
-  return rows;
+  return table;
 }
 
 std::string intensity_csv(const measurement::Instruments& seen) {
   std::string csv =
-      "time_s,tip_m,crack_velocity_over_cr,k_i_pa_m1_2,k_ii_pa_m1_2,g_field_j_m2,tip_ahead_m,misfit,"
-      "points,g_id_j_m2\n";
+      "time_s,tip_m,crack_velocity_over_cr,k_i_pa_m1_2,k_ii_pa_m1_2,g_field_j_m2,tip_ahead_m,misfit,points,g_"
+      "id_j_m2\n";
   for (const measurement::IntensityPoint& p : seen.intensity) {
-    csv += fmt::format("{},{},{},", p.time, p.tip, p.over_cr);
-    csv += p.k ? fmt::format("{},{},{},{},{},{},", p.k->opening, p.k->sliding, p.k->release_rate, p.k->ahead,
-                             p.k->misfit, p.k->points)
-               : std::string(",,,,,0,");
-    csv += std::isfinite(p.g_id) ? fmt::format("{}\n", p.g_id) : "\n";
+    const measurement::StressIntensity k = p.k.value_or(no_intensity);
+    csv += base::csv_row(p.time, p.tip, p.over_cr, k.opening, k.sliding, k.release_rate, k.ahead, k.misfit,
+                         k.points, p.g_id);
   }
   return csv;
 }
@@ -160,9 +181,7 @@ Table intensity_table(const InstrumentsReport& report) {
   const std::size_t apart = std::max<std::size_t>(1, points.size() / 12);
   for (std::size_t k = 0; k < points.size(); k += apart) {
     const measurement::IntensityPoint& p = points[k];
-    const measurement::StressIntensity none{
-        .opening = NAN, .sliding = NAN, .release_rate = NAN, .misfit = NAN};
-    const measurement::StressIntensity i = p.k.value_or(none);
+    const measurement::StressIntensity i = p.k.value_or(no_intensity);
     table.rows.push_back({number_cell(1e6 * (p.time + report.seen.clock), "{:.1f}"),
                           number_cell(1e3 * p.tip, "{:.1f}"), number_cell(p.over_cr, "{:.3f}"),
                           number_cell(1e-6 * i.opening, "{:.3f}"), number_cell(1e-6 * i.sliding, "{:.3f}"),
@@ -175,28 +194,24 @@ Table intensity_table(const InstrumentsReport& report) {
 std::string instruments_text(const InstrumentsReport& report, bool color) {
   std::string text;
   if (!report.seen.intensity.empty()) text += plain_table(intensity_table(report), color) + "\n";
-  for (const auto& [label, content] : conclusions(report))
-    text += fmt::format("  {:<22}{}\n", label, content);
+  for (const auto& row : conclusions(report).rows) text += label_line(row[0], row[1]);
   return text;
 }
 
 Json instruments_json(const InstrumentsReport& report) {
-  const auto or_null = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
   const FieldAgainstBooks against = field_against_books(report);
   Json along = Json::array(), measured = Json::array();
   for (const measurement::IntensityPoint& p : report.seen.intensity) {
-    const auto of = [&](double measurement::StressIntensity::*value) {
-      return p.k ? Json((*p.k).*value) : Json(nullptr);
-    };
+    const measurement::StressIntensity k = p.k.value_or(no_intensity);
     along.push_back({{"time_s", p.time},
                      {"tip_m", p.tip},
                      {"crack_velocity_over_cr", p.over_cr},
-                     {"k_i_pa_m1_2", of(&measurement::StressIntensity::opening)},
-                     {"k_ii_pa_m1_2", of(&measurement::StressIntensity::sliding)},
-                     {"g_field_j_m2", of(&measurement::StressIntensity::release_rate)},
-                     {"tip_ahead_m", of(&measurement::StressIntensity::ahead)},
-                     {"misfit", of(&measurement::StressIntensity::misfit)},
-                     {"g_id_j_m2", or_null(p.g_id)}});
+                     {"k_i_pa_m1_2", k.opening},
+                     {"k_ii_pa_m1_2", k.sliding},
+                     {"g_field_j_m2", k.release_rate},
+                     {"tip_ahead_m", k.ahead},
+                     {"misfit", k.misfit},
+                     {"g_id_j_m2", p.g_id}});
   }
   for (const measurement::Trace& trace : report.measured) {
     const auto d = measurement::distance_between(trace_named(report, trace.name), trace);
@@ -212,39 +227,182 @@ Json instruments_json(const InstrumentsReport& report) {
           {"clock_s", report.seen.clock},
           {"subset_radius_m", report.seen.subset},
           {"ring_m", {report.seen.ring.inner, report.seen.ring.outer}},
-          {"field_over_g_i0", or_null(against.over_g_i0)},
-          {"g_id_over_field", or_null(against.taken)},
+          {"field_over_g_i0", against.over_g_i0},
+          {"g_id_over_field", against.taken},
           {"measured", measured},
           {"along", along}};
 }
 
-void write_instruments_report(const InstrumentsReport& report, const std::filesystem::path& folder) {
-  base::write_whole_file(folder / "summary.json", base::json_text(instruments_json(report), 2) + "\n");
-  base::write_whole_file(folder / "stress_intensity.csv", intensity_csv(report.seen));
-  std::string curves, maps;
-  std::optional<base::WorldError> failure;
-  const auto draw = [&](std::string& figures, const auto& chart, const std::string& name,
-                        const std::string& caption) {
-    try {
-      figures += html_figure(draw_chart(chart, folder / "charts", name).svg_text, caption);
-    } catch (const base::WorldError& error) {
-      failure = error;
-      figures += html_paragraph(error.what());
-    }
+namespace {
+
+using Style = ChartSeries::Style;
+
+constexpr std::size_t most_series = 12;
+constexpr double most_cells = 5000;  // of a map
+
+/// A trace against time, in its unit.
+ChartSeries against_time(const measurement::Trace& trace, std::string label, Style style, int colour) {
+  const double factor = scale_of(trace.dimension).factor;
+  ChartSeries series{.label = std::move(label), .style = style, .colour = colour};
+  for (std::size_t k = 0; k < trace.time.size(); ++k)
+    series.add(1e6 * trace.time[k], factor * trace.value[k]);
+  return series;
+}
+
+const measurement::Trace* found(const std::vector<measurement::Trace>& traces, const std::string& name) {
+  const auto at =
+      std::find_if(traces.begin(), traces.end(), [&](const measurement::Trace& t) { return t.name == name; });
+  const auto seen = [](double value) { return std::isfinite(value); };
+  const bool any = at != traces.end() && std::any_of(at->value.begin(), at->value.end(), seen);
+  return any ? &*at : nullptr;
+}
+
+/// A trace and what was measured of it, in one colour.
+struct Wanted {
+  std::string name, label;
+};
+
+NamedChart time_chart(const InstrumentsReport& report, const char* name, const char* title,
+                      const char* quantity, const std::vector<Wanted>& wanted, std::string caption) {
+  Chart chart{.title = title, .x_label = "time [us]"};
+  int colour = 0;
+  for (const Wanted& w : wanted) {
+    const measurement::Trace* run = found(report.trace, w.name);
+    if (!run) continue;
+    const std::string unit = scale_of(run->dimension).unit;
+    chart.y_label = fmt::format("{} [{}]", quantity, unit.empty() ? "-" : unit);
+    chart.series.push_back(against_time(*run, w.label, Style::line, colour));
+    if (const measurement::Trace* measured = found(report.measured, w.name))
+      chart.series.push_back(against_time(*measured, w.label + ", measured", Style::points, colour));
+    ++colour;
+  }
+  return {name, std::move(caption), std::move(chart)};
+}
+
+std::vector<NamedChart> gauge_charts(const InstrumentsReport& report) {
+  struct Kind {
+    const char *name, *title, *quantity;
   };
-  for (const NamedChart& named : instrument_charts(report))
-    draw(curves, named.chart, named.name, named.caption);
-  for (const NamedMap& named : field_maps(report)) draw(maps, named.map, named.name, named.caption);
-  Table said{{"", ""}, {}};
-  for (const auto& [label, content] : conclusions(report)) said.rows.push_back({label, content});
-  std::string body = html_paragraph(fmt::format("Made by `{}`, rift {}.", report.command, report.version)) +
-                     html_section("What was seen", html_table(said)) + html_section("Instruments", curves) +
-                     html_section("Field", maps);
+  std::vector<NamedChart> charts;
+  for (const Kind& kind :
+       {Kind{"strain_yy", "Strain across the crack", "strain yy"},
+        Kind{"strain_xx", "Strain along the crack", "strain xx"},
+        Kind{"strain_xy", "Shear strain", "strain xy"}, Kind{"vy", "Velocity across the crack", "velocity y"},
+        Kind{"vx", "Velocity along the crack", "velocity x"}}) {
+    std::vector<Wanted> gauges;
+    for (int g = 0; gauges.size() < most_series; ++g) {
+      const measurement::Trace* trace = found(report.trace, fmt::format("gauge{}_{}", g, kind.name));
+      if (!trace) break;
+      const auto row = std::find_if(report.seen.gauges.begin(), report.seen.gauges.end(),
+                                    [&](const results::GaugeRow& r) { return r.gauge == g; });
+      gauges.push_back(
+          {trace->name, fmt::format("{}: ({:.4g}, {:.4g}) mm", g, 1e3 * row->x_m, 1e3 * row->y_m)});
+    }
+    if (!gauges.empty())
+      charts.push_back(time_chart(report, kind.name, kind.title, kind.quantity, gauges,
+                                  "Virtual gauges, by their place, since the unloaded plate."));
+  }
+  return charts;
+}
+
+/// G of the field, what the damage zone takes, and what a crack without waves would release.
+NamedChart rate_chart(const InstrumentsReport& report) {
+  using Point = measurement::IntensityPoint;
+  const std::vector<Point>& points = report.seen.intensity;
+  return {
+      "release_rate",
+      "What arrives at the tip, by the stress intensities of the camera's field, what the damage zone takes "
+      "of it, by the lattice's books, and G_I0.",
+      Chart{.title = "Release rate",
+            .x_label = "tip position [mm]",
+            .y_label = "release rate [kJ/m^2]",
+            .y_range = {.min = 0.0},
+            .series = {
+                series_of("of the field", Style::line_points, 1, points,
+                          [](const Point& p) {
+                            return ChartPoint{1e3 * p.tip, p.k ? 1e-3 * p.k->release_rate : NAN};
+                          }),
+                series_of("G_{ID} of the books", Style::line, 0, points,
+                          [](const Point& p) {
+                            return ChartPoint{1e3 * p.tip, 1e-3 * p.g_id};
+                          }),
+                series_of("G_{I0}", Style::line, -1, points, [&](const Point& p) {
+                  return ChartPoint{1e3 * p.tip, 1e-3 * (report.seen.g_i0 + report.seen.g_i0_slope * p.tip)};
+                })}}};
+}
+
+/// To a tenth, as a tick is labelled.
+double mm(double metres) { return 0.1 * std::round(1e4 * metres); }
+
+/// Every so manieth point of the grid, as a map.
+HeatMap map_of(const InstrumentsReport& report, const measurement::SeenField& field,
+               const std::function<double(const lattice::PlaneMotion&)>& value) {
+  const measurement::Grid& grid = report.seen.grid;
+  const int stride = std::max(
+      1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(grid.point.size()) / most_cells))));
+  HeatMap map;
+  map.x_label = "x [mm]", map.y_label = "y [mm]";
+  for (int i = 0; i < grid.columns; i += stride) map.x.push_back(mm(grid.point[i].x()));
+  for (int j = 0; j < grid.rows; j += stride) {
+    map.y.push_back(mm(grid.point[static_cast<std::size_t>(j) * grid.columns].y()));
+    for (int i = 0; i < grid.columns; i += stride) {
+      const auto& motion = field.motion[static_cast<std::size_t>(j) * grid.columns + i];
+      map.value.push_back(motion ? value(*motion) : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return map;
+}
+
+/// Displacement and strain across the crack as the camera saw them, half way and at the end.
+std::vector<NamedChart> field_maps(const InstrumentsReport& report) {
+  if (report.field.empty()) return {};
+  std::vector<NamedChart> maps;
+  const std::size_t last = report.field.size() - 1;
+  for (const std::size_t k : {last / 2, last}) {
+    const measurement::SeenField& field = report.field[k];
+    const auto add = [&](const char* name, const char* title, const char* label, auto value) {
+      HeatMap map = map_of(report, field, value);
+      map.title = fmt::format("{}, tip at {:.1f} mm", title, 1e3 * field.tip), map.value_label = label;
+      maps.push_back({fmt::format("{}_{}", name, k == last ? "end" : "half_way"),
+                      "As a camera sees it; where a subset has lost its hold nothing is shown.",
+                      std::move(map)});
+    };
+    add("displacement_y", "Displacement across the crack", "u_y [um]",
+        [](const lattice::PlaneMotion& m) { return 1e6 * m.u.y(); });
+    add("strain_yy", "Strain across the crack", "strain yy [10^{-3}]",
+        [](const lattice::PlaneMotion& m) { return 1e3 * m.strain_yy(); });
+    if (last == 0) break;
+  }
+  return maps;
+}
+
+/// Grip force, strains and velocities of the gauges, stress intensities and release rates, measured curves
+/// laid over.
+std::vector<NamedChart> instrument_charts(const InstrumentsReport& report) {
+  std::vector<NamedChart> charts{time_chart(report, "grip_force", "Force of the upper grip", "force",
+                                            {{"grip_force", "grip"}},
+                                            "With which the upper grip pulls across the crack.")};
+  for (NamedChart& gauge : gauge_charts(report)) charts.push_back(std::move(gauge));
+  charts.push_back(
+      time_chart(report, "stress_intensity", "Stress intensities", "K", {{"k_i", "K_I"}, {"k_ii", "K_{II}"}},
+                 "Fitted to the camera's field around the tip, with the waves of a running tip."));
+  charts.push_back(rate_chart(report));
+  return charts;
+}
+
+}  // namespace
+
+void write_instruments_report(const InstrumentsReport& report, const std::filesystem::path& folder) {
+  Report page{.title = "What a test's instruments would have shown: " + report.run,
+              .opening = {made_by(report.command, {report.version, {}})},
+              .files = {{"summary.json", base::json_text(instruments_json(report), 2) + "\n"},
+                        {"stress_intensity.csv", intensity_csv(report.seen)}},
+              .sections = {{"What was seen", conclusions(report)},
+                           {"Instruments", those_with_points(instrument_charts(report))},
+                           {"Field", those_with_points(field_maps(report))}}};
   if (!report.seen.intensity.empty())
-    body += html_section("Stress intensities along the crack", html_table(intensity_table(report)));
-  base::write_whole_file(folder / "report.html",
-                         html_page("What a test's instruments would have shown: " + report.run, body));
-  if (failure) throw base::WorldError(*failure);
+    page.sections.push_back({"Stress intensities along the crack", intensity_table(report)});
+  write_report(page, folder);
 }
 
 }  // namespace rift::studio

@@ -1,9 +1,8 @@
 #include "studio/reports/packing_report.hpp"
 
-#include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
 #include "engine/scene/parameters.hpp"
-#include "studio/charts/chart.hpp"
+#include "studio/reports/report.hpp"
 #include "studio/text/html.hpp"
 #include "studio/text/progress.hpp"
 
@@ -11,44 +10,37 @@
 
 namespace rift::studio {
 
-namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Style = ChartSeries::Style;
 
-std::string shape_name(const scene::Scene& scene) {
-  const std::string quoted = scene::toml_value(scene, *scene::find_parameter("specimen.shape"));
-  return quoted.substr(1, quoted.size() - 2);
+NamedChart coordination_chart(const Json& summary) {
+  ChartSeries series{.style = Style::line_points};
+  for (const Json& count : summary.at("coordination_histogram"))
+    series.add(static_cast<double>(series.x.size()),
+               count.get<double>() / summary.at("elements").get<double>());
+  return {"coordination",
+          "Shares of the elements by their number of contacts; contacts with walls are not counted.",
+          Chart{.title = "Contacts of the elements",
+                .x_label = "contacts [-]",
+                .y_label = "share of the elements [-]",
+                .y_range = {.min = 0.0},
+                .series = {std::move(series)},
+                .marks = {{summary.at("coordination"), summary.at("coordination"), "mean"}}}};
 }
 
-Chart coordination_chart(const Json& summary) {
-  Chart chart;
-  chart.title = "Contacts of the elements";
-  chart.x_label = "contacts [-]";
-  chart.y_label = "share of the elements [-]";
-  chart.y_range = {0.0, {}};
-  ChartSeries series{"", {}, {}, {}, Style::line_points, 0};
-  const Json& counts = summary.at("coordination_histogram");
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    series.x.push_back(static_cast<double>(k));
-    series.y.push_back(counts[k].get<double>() / summary.at("elements").get<double>());
-  }
-  chart.series = {series};
-  chart.marks = {{summary.at("coordination"), summary.at("coordination"), "mean"}};
-  return chart;
-}
-
-Chart pair_chart(const Json& summary) {
-  Chart chart;
-  chart.title = "Pair correlation";
-  chart.x_label = "distance over the mean diameter [-]";
-  chart.y_label = "g [-]";
-  chart.y_range = {0.0, {}};
-  chart.series = {
-      {"packing", summary.at("pair_distance"), summary.at("pair_correlation"), {}, Style::line, 0},
-      {"points at random", {0.0, 2.5}, {1.0, 1.0}, {}, Style::dashed, -1}};
-  return chart;
+NamedChart pair_chart(const Json& summary) {
+  return {
+      "pair_correlation",
+      "Pairs of elements by their distance, over pairs of points at random in the same space.",
+      Chart{.title = "Pair correlation",
+            .x_label = "distance over the mean diameter [-]",
+            .y_label = "g [-]",
+            .y_range = {.min = 0.0},
+            .series = {
+                {.label = "packing", .x = summary.at("pair_distance"), .y = summary.at("pair_correlation")},
+                level("points at random", 1.0, 0.0, 2.5)}}};
 }
 
 }  // namespace
@@ -60,7 +52,7 @@ Json packing_json(const PackedSpecimen& s) {
   for (int r = 0; r < 3; ++r)
     fabric.push_back({structure.fabric(r, 0), structure.fabric(r, 1), structure.fabric(r, 2)});
   return {{"version", s.build.version},
-          {"shape", shape_name(s.scene)},
+          {"shape", scene::word_of("specimen.shape", s.scene.specimen.shape)},
           {"length_m", s.box.length},
           {"height_m", s.box.height},
           {"thickness_m", s.box.thickness},
@@ -87,9 +79,7 @@ std::string packing_text(const Json& j, bool color) {
       heading(fmt::format("{} of {} elements", j.at("shape").get<std::string>(), j.at("elements").get<int>()),
               color) +
       "\n";
-  const auto row = [&](const char* label, const std::string& value) {
-    text += fmt::format("  {:<16}{}\n", label, value);
-  };
+  const auto row = [&](const char* label, const std::string& value) { text += label_line(label, value, 16); };
   row("size", fmt::format("{:.4g} x {:.4g} x {:.4g} mm", 1e3 * j.at("length_m").get<double>(),
                           1e3 * j.at("height_m").get<double>(), 1e3 * j.at("thickness_m").get<double>()));
   row("mean radius", fmt::format("{:.4g} mm", 1e3 * j.at("mean_radius_m").get<double>()));
@@ -106,26 +96,17 @@ std::string packing_text(const Json& j, bool color) {
   return text;
 }
 
-void write_packing_report(const PackedSpecimen& s, const Json& summary, const fs::path& folder) {
-  base::make_folder(folder);
-  base::write_whole_file(folder / "summary.json", base::json_text(summary, 2) + "\n");
+void write_packing_report(const PackedSpecimen& s, const Json& summary, const std::filesystem::path& folder) {
   std::string csv = "x_m,y_m,z_m,radius_m\n";
   for (std::size_t i = 0; i < s.packing.radius.size(); ++i) {
     const Eigen::Vector3d& p = s.packing.centre[i];
     csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", p.x(), p.y(), p.z(), s.packing.radius[i]);
   }
-  base::write_whole_file(folder / "elements.csv", csv);
-  const std::string figures =
-      html_figure(
-          draw_chart(coordination_chart(summary), folder / "charts", "coordination").svg_text,
-          "Shares of the elements by their number of contacts; contacts with walls are not counted.") +
-      html_figure(draw_chart(pair_chart(summary), folder / "charts", "pair_correlation").svg_text,
-                  "Pairs of elements by their distance, over pairs of points at random in the same space.");
-  base::write_whole_file(
-      folder / "report.html",
-      html_page("Packing",
-                html_section("Specimen", "<pre>" + html_escape(packing_text(summary, false)) + "</pre>") +
-                    html_section("Charts", figures)));
+  write_report({.title = "Packing",
+                .files = {{"summary.json", base::json_text(summary, 2) + "\n"}, {"elements.csv", csv}},
+                .sections = {{"Specimen", html_lines(packing_text(summary, false))},
+                             {"Charts", std::vector{coordination_chart(summary), pair_chart(summary)}}}},
+               folder);
 }
 
 }  // namespace rift::studio

@@ -22,8 +22,7 @@ const char* title_of(const Reproduction& r) {
 
 constexpr const char* of_the_paper =
     " Every claim is judged with the paper's calibrated beams (bulk) and with beams scaled to the plate's "
-    "own modulus "
-    "(in-situ).";
+    "own modulus (in-situ).";
 constexpr const char* of_our_own =
     " These are findings of our own, with beams scaled to the plate's own modulus (in-situ).";
 
@@ -31,17 +30,13 @@ constexpr const char* of_our_own =
 std::string preamble(const Reproduction& r) {
   return fmt::format(
       "Made by `{}`, rift {}, in {}: {} scenarios, {} computed now, {} found. The plate has {} elements; "
-      "\"ratio\" is "
-      "G_ID/G_I0 with damping counted in, the mean of {} specimens, and delta its distance to Broberg. "
-      "\"Near\" is a "
-      "mean |delta| of at most {:g}, \"too low\" and \"too high\" a mean delta beyond {:g}, \"no influence\" "
-      "at most "
-      "{:g}, \"quasi-constant\" a scatter along the window of at most {:g}; not decidable is what the "
-      "specimens "
-      "scatter about more than that.{}",
+      "\"ratio\" is G_ID/G_I0 with damping counted in, the mean of {} specimens, and delta its distance to "
+      "Broberg. \"Near\" is a mean |delta| of at most {:g}, \"too low\" and \"too high\" a mean delta beyond "
+      "{:g}, \"no influence\" at most {:g}, \"quasi-constant\" a scatter along the window of at most {:g}; "
+      "not decidable is what the specimens scatter about more than that.{}",
       r.command, r.build.version, duration_text(r.wall_s), r.scenarios, r.computed, r.found, r.elements,
-      is_beyond(r) ? "the preset's" : "three", study::near_margin, study::offset_margin,
-      study::influence_margin, study::constant_margin, is_beyond(r) ? of_our_own : of_the_paper);
+      is_beyond(r) ? "the preset's" : "three", claims::near_margin, claims::offset_margin,
+      claims::influence_margin, claims::constant_margin, is_beyond(r) ? of_our_own : of_the_paper);
 }
 
 std::string time_text(const JudgedClaim& c) { return c.scenarios == 0 ? "-" : duration_text(c.wall_s); }
@@ -58,17 +53,17 @@ struct Line {
 std::string state_of(const JudgedClaim& c) { return c.pictures.empty() ? "not drawn" : "drawn"; }
 
 /// "holds", "does not hold", "not decidable", or what stands for a verdict.
-std::string verdict_text(const JudgedClaim& c, const study::Judgement& judgement) {
-  return c.claim->judge ? study::name_of(judgement.verdict) : state_of(c);
+std::string verdict_text(const JudgedClaim& c, const claims::Judgement& judgement) {
+  return c.claim->judge ? claims::name_of(judgement.verdict) : state_of(c);
 }
 
 /// One line per stiffness; one line alone of a picture, of cylinders, and beyond the paper.
 std::vector<Line> lines_of(const JudgedClaim& c) {
   if (!c.claim->judge) return {{"", state_of(c), c.not_drawn.empty() ? c.claim->standing : c.not_drawn}};
-  const Line in_situ{"in-situ", study::name_of(c.in_situ.verdict), c.in_situ.measured};
+  const Line in_situ{"in-situ", claims::name_of(c.in_situ.verdict), c.in_situ.measured};
   if (c.claim->beyond) return {in_situ};
-  if (c.claim->calibration) return {{"bulk", study::name_of(c.bulk.verdict), c.bulk.measured}};
-  return {{"bulk", study::name_of(c.bulk.verdict), c.bulk.measured}, in_situ};
+  if (c.claim->calibration) return {{"bulk", claims::name_of(c.bulk.verdict), c.bulk.measured}};
+  return {{"bulk", claims::name_of(c.bulk.verdict), c.bulk.measured}, in_situ};
 }
 
 std::vector<std::string> overview_row(const JudgedClaim& c) {
@@ -85,14 +80,11 @@ const std::vector<std::string> overview_head{"name", "in the paper", "claim", "b
 std::string section_html(const JudgedClaim& c) {
   std::vector<std::vector<std::string>> rows;
   for (const Line& line : lines_of(c)) rows.push_back({line.stiffness, line.verdict, line.measured});
-  std::string body = fmt::format("<p>{}</p>\n", html_escape(c.claim->text));
+  std::string body = html_paragraph(c.claim->text);
   body += html_table({.head = {"stiffness", "verdict", "measured"}, .rows = rows});
   if (c.scenarios > 0)
-    body +=
-        fmt::format("<p>{} {}, {} of computing.</p>\n", c.scenarios, unit_of(c), html_escape(time_text(c)));
-  for (const Figure& figure : c.figures)
-    body += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption></figure>\n", figure.chart.svg_text,
-                        html_escape(figure.caption));
+    body += html_paragraph(fmt::format("{} {}, {} of computing.", c.scenarios, unit_of(c), time_text(c)));
+  for (const Figure& figure : c.figures) body += html_figure(figure.chart.svg_text, figure.caption);
   for (const Picture& picture : c.pictures) body += html_picture(picture.png, picture.caption);
   return html_section(fmt::format("{} ({})", c.claim->artefact, c.claim->name), body);
 }
@@ -140,8 +132,8 @@ std::string colored(const std::string& verdict, bool color) {
   return fmt::format("\x1b[{}m{}\x1b[0m", code, padded);
 }
 
-Json judgement_json(const study::Judgement& j) {
-  return {{"verdict", study::name_of(j.verdict)}, {"measured", j.measured}};
+Json judgement_json(const claims::Judgement& j) {
+  return {{"verdict", claims::name_of(j.verdict)}, {"measured", j.measured}};
 }
 
 }  // namespace
@@ -149,7 +141,7 @@ Json judgement_json(const study::Judgement& j) {
 std::string reproduction_html(const Reproduction& r) {
   std::vector<std::vector<std::string>> overview;
   for (const JudgedClaim& c : r.claims) overview.push_back(overview_row(c));
-  std::string body = fmt::format("<p>{}</p>\n", html_escape(preamble(r)));
+  std::string body = html_paragraph(preamble(r));
   body += html_section("Verdicts", html_table({.head = overview_head, .rows = overview}));
   for (const JudgedClaim& c : r.claims) body += section_html(c);
   return html_page(title_of(r), body);

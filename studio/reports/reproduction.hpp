@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/claims/claims.hpp"
 #include "engine/simulation/record.hpp"
-#include "engine/study/claims.hpp"
 #include "studio/charts/chart.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,8 +25,8 @@ struct Picture {
 
 /// A claim with its verdicts; those of a picture mean nothing.
 struct JudgedClaim {
-  const study::Claim* claim = nullptr;
-  study::Judgement bulk, in_situ;
+  const claims::Claim* claim = nullptr;
+  claims::Judgement bulk, in_situ;
   int scenarios = 0;
   double wall_s = 0;  // computing time of its scenarios, shared ones counted for each claim
   std::vector<Figure> figures;
@@ -43,6 +43,22 @@ struct Reproduction {
   double wall_s = 0;
   std::vector<JudgedClaim> claims;
 };
+
+/// A claim's charts for one stiffness, none where there is nothing to draw: ratio against velocity with error
+/// bars over the specimens and Broberg's, Freund's and the strip's curves, ratio against tip position of the
+/// first specimen, energies against time.
+/// @param stiffness  "bulk" or "in-situ", in titles and file names
+std::vector<NamedChart> claim_charts(const claims::Claim& claim, const claims::Evidence& evidence,
+                                     const std::string& stiffness);
+
+/// The ratio of progressive and simple release against the velocity over the specimen's own Rayleigh speed;
+/// none where there are no results.
+/// @param nominal_over_own  c_r of the material over the measured c_R
+std::vector<NamedChart> charts_over_own_speed(const claims::Evidence& evidence, const std::string& stiffness,
+                                              double nominal_over_own);
+
+/// The charts and maps of a finding beyond the paper; none where there is nothing to draw.
+std::vector<NamedChart> beyond_charts(const claims::Claim& claim, const claims::Evidence& evidence);
 
 /// One self-contained page: the verdicts in one table, then a section per claim with its charts as inline
 /// SVG.

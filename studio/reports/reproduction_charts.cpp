@@ -1,7 +1,6 @@
-#include "studio/reports/reproduction_charts.hpp"
-
 #include "engine/fracture/release.hpp"
 #include "studio/charts/curves.hpp"
+#include "studio/reports/reproduction.hpp"
 
 #include <fmt/format.h>
 
@@ -12,43 +11,26 @@
 namespace rift::studio {
 namespace {
 
-namespace fs = std::filesystem;
 using Style = ChartSeries::Style;
 
 struct NamedSelection {
   std::string label;
-  study::Selection selection;
+  claims::Selection selection;
 };
 
-study::Selection progressive(double relaxation, double zone) {
-  study::Selection s;
-  s.relaxation = relaxation, s.damage_zone_ratio = zone;
-  return s;
+claims::Selection progressive(double relaxation, double zone) {
+  return {.relaxation = relaxation, .damage_zone_ratio = zone};
 }
 
-study::Selection with_elements(int elements, double length_m = 0.2) {
-  study::Selection s;
-  s.elements = elements, s.length_m = length_m;
-  return s;
-}
-
-study::Selection with_path(const std::string& path) {
-  study::Selection s;
-  s.path = path;
-  return s;
-}
-
-study::Selection with_step(const std::string& fraction) {
-  study::Selection s;
-  s.dt_fraction = fraction;
-  return s;
+claims::Selection with_elements(int elements, double length_m = 0.2) {
+  return {.elements = elements, .length_m = length_m};
 }
 
 /// The curves of a chart against velocity, by claim.
 std::vector<NamedSelection> curves_for(const std::string& claim, int elements) {
-  const NamedSelection simple{"simple release", study::simple_release()},
-      surface{"simple, damped at the surface", study::simple_release("surface")},
-      total{"simple, damped everywhere", study::simple_release("all")},
+  const NamedSelection simple{"simple release", claims::simple_release()},
+      surface{"simple, damped at the surface", claims::simple_release("surface")},
+      total{"simple, damped everywhere", claims::simple_release("all")},
       linear{"progressive, linear, r_l = 1", {}};
   const std::map<std::string, std::vector<NamedSelection>> table{
       {"fig07", {simple}},
@@ -69,88 +51,82 @@ std::vector<NamedSelection> curves_for(const std::string& claim, int elements) {
       {"sec3_specimens", {simple, linear}},
       {"sec4_time_step",
        {{"default step", {}},
-        {"0.17 of critical", with_step("0.17")},
-        {"0.085 of critical", with_step("0.085")}}},
+        {"0.17 of critical", {.dt_fraction = "0.17"}},
+        {"0.085 of critical", {.dt_fraction = "0.085"}}}},
       {"sec4_longer", {{"200 mm", {}}, {"400 mm", with_elements(2 * elements, 0.4)}}},
-      {"sec5_paths", {{"0.4 H", with_path("0.4 H")}, {"0.5 H", {}}, {"0.6 H", with_path("0.6 H")}}},
+      {"sec5_paths", {{"0.4 H", {.path = "0.4 H"}}, {"0.5 H", {}}, {"0.6 H", {.path = "0.6 H"}}}},
   };
   const auto found = table.find(claim);
   return found == table.end() ? std::vector<NamedSelection>{} : found->second;
 }
 
-ChartSeries series_of(const std::string& label, const study::Curve& curve, int colour) {
-  ChartSeries series{label, {}, {}, {}, Style::line_points, colour};
-  for (const study::CurvePoint& p : curve) {
-    series.x.push_back(p.v);
-    series.y.push_back(study::mean_of(p.ratio));
-    series.error.push_back(study::deviation_of(p.ratio));
-  }
-  return series;
+/// Simple release, and the paper's progressive one.
+std::vector<NamedSelection> both_techniques() {
+  return {{"simple release", claims::simple_release()}, {"progressive, linear, r_l = 1", {}}};
 }
 
-bool against_velocity(Chart& chart, const study::Claim& claim, const study::Evidence& evidence) {
+ChartSeries ratios_of(const std::string& label, const claims::Curve& curve, int colour) {
+  return series_of(label, Style::line_points, colour, curve,
+                   [](const claims::CurvePoint& p) { return mean_point(p.v, p.ratio); });
+}
+
+bool against_velocity(Chart& chart, const claims::Claim& claim, const claims::Evidence& evidence) {
   int colour = 0;
   for (const NamedSelection& named : curves_for(claim.name, evidence.elements)) {
-    const study::Curve curve = study::curve_in(evidence, named.selection);
-    if (!curve.empty()) chart.series.push_back(series_of(named.label, curve, colour));
+    const claims::Curve curve = claims::curve_in(evidence, named.selection);
+    if (!curve.empty()) chart.series.push_back(ratios_of(named.label, curve, colour));
     ++colour;
   }
   return colour > 0 && chart.series.size() > 3;
 }
 
 /// Rows of a selection and of the first specimen there is, velocities ascending.
-std::vector<study::SummaryRow> first_specimen(const study::Evidence& evidence, study::Selection selection) {
+std::vector<study::SummaryRow> first_specimen(const claims::Evidence& evidence, claims::Selection selection) {
   selection.elements = evidence.elements;
   std::map<double, study::SummaryRow> rows;
   for (const study::SummaryRow& row : evidence.rows) {
-    if (!study::selects(selection, row)) continue;
-    const auto [known, fresh] = rows.emplace(study::number_in(row, "crack_velocity_over_cr"), row);
-    if (!fresh && row.at("seed") < known->second.at("seed")) known->second = row;
+    if (!claims::selects(selection, row)) continue;
+    const auto [known, fresh] = rows.emplace(row.crack_velocity_over_cr, row);
+    if (!fresh && row.seed < known->second.seed) known->second = row;
   }
   std::vector<study::SummaryRow> list;
   for (const auto& [v, row] : rows) list.push_back(row);
   return list;
 }
 
-bool energies(Chart& chart, const study::Evidence& evidence) {
+bool energies(Chart& chart, const claims::Evidence& evidence) {
   for (const study::SummaryRow& row : evidence.rows) {
-    if (!row.is_object() || study::text_in(row, "prestress_method") != "ramp") continue;
+    if (row.prestress_method != "ramp") continue;
     const study::SeriesTable table = evidence.series(row);
     if (table.empty()) continue;
     chart.x_label = "time [ms]";
     chart.y_label = "energy [J]";
-    chart.series = {{"elastic", {}, {}, {}, Style::line, 0},
-                    {"kinetic", {}, {}, {}, Style::line, 1},
-                    {"fracture", {}, {}, {}, Style::line, 2},
-                    {"work of the grips", {}, {}, {}, Style::line, 3}};
+    for (const char* label : {"elastic", "kinetic", "fracture", "work of the grips"})
+      chart.series.push_back({.label = label, .colour = static_cast<int>(chart.series.size())});
     for (std::size_t k = 0; k < table.phase.size(); ++k) {
-      const double kinetic =
-          table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_rotation_j")[k];
-      const double y[] = {table.at("energy_elastic_j")[k], kinetic, table.at("energy_fracture_j")[k],
-                          table.at("work_external_j")[k]};
-      for (std::size_t n = 0; n < chart.series.size(); ++n) {
-        chart.series[n].x.push_back(1e3 * table.at("time_s")[k]);
-        chart.series[n].y.push_back(y[n]);
-      }
+      const double t = 1e3 * table.at("time_s")[k];
+      chart.series[0].add(t, table.at("energy_elastic_j")[k]);
+      chart.series[1].add(
+          t, table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_rotation_j")[k]);
+      chart.series[2].add(t, table.at("energy_fracture_j")[k]);
+      chart.series[3].add(t, table.at("work_external_j")[k]);
     }
     return true;
   }
   return false;
 }
 
-bool release_energies(Chart& chart, const study::Evidence& evidence) {
-  chart.key_outside = true;
+bool release_energies(Chart& chart, const claims::Evidence& evidence) {
   chart.x_label = "crack velocity v / c_r [-]";
   chart.y_label = "energy at release, per beam [mJ]";
-  chart.y_range = {0.0, {}};
+  chart.y_range = {.min = 0.0};
   int colour = 0;
-  for (const NamedSelection& named : {NamedSelection{"simple release", study::simple_release()},
-                                      NamedSelection{"progressive, linear, r_l = 1", {}}}) {
-    ChartSeries series{named.label, {}, {}, {}, Style::line_points, colour++};
-    for (const study::SummaryRow& row : first_specimen(evidence, named.selection)) {
-      series.x.push_back(study::number_in(row, "crack_velocity_over_cr"));
-      series.y.push_back(1e3 * study::release_energy_per_beam(row));
-    }
+  for (const NamedSelection& named : both_techniques()) {
+    ChartSeries series =
+        series_of(named.label, Style::line_points, colour++, first_specimen(evidence, named.selection),
+                  [](const study::SummaryRow& row) {
+                    return ChartPoint{row.crack_velocity_over_cr, 1e3 * claims::release_energy_per_beam(row)};
+                  });
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   return !chart.series.empty();
@@ -162,16 +138,14 @@ bool release_laws(Chart& chart, bool over_distance) {
   chart.x_label = over_distance ? "distance ahead of the tip (s_b - a) / L_{CZM} [-]" : "damage b / l [-]";
   chart.y_label = "stiffness left Y_1 / Y_2 [-]";
   chart.y_range = {0.0, 1.1};
-  chart.key_outside = true;
   int colour = 0;
   for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {
-    ChartSeries curve{name, {}, {}, {}, Style::line, colour++};
+    ChartSeries curve{.label = name, .colour = colour++};
     const fracture::ReleaseLaw law{fracture::Technique::progressive, power, 1.0};
     for (int k = over_distance ? -50 : 0; k <= (over_distance ? 150 : 100); ++k) {
       const double x = 0.01 * k;
-      curve.x.push_back(x);
-      curve.y.push_back(over_distance ? fracture::stiffness_left(law, 0.0, x)
-                                      : fracture::stiffness_left(law, x, 1.0));
+      curve.add(
+          x, over_distance ? fracture::stiffness_left(law, 0.0, x) : fracture::stiffness_left(law, x, 1.0));
     }
     chart.series.push_back(std::move(curve));
   }
@@ -180,11 +154,11 @@ bool release_laws(Chart& chart, bool over_distance) {
 }
 
 /// Fills the chart which the claim asks for; false where there is none, or nothing in it.
-bool fill(Chart& chart, const study::Claim& claim, const study::Evidence& evidence) {
+bool fill(Chart& chart, const claims::Claim& claim, const claims::Evidence& evidence) {
   if (claim.name == "fig09" || claim.name == "fig10") return release_laws(chart, claim.name == "fig09");
   if (claim.name == "fig05") return energies(chart, evidence);
   if (claim.name == "sec5_residual") return release_energies(chart, evidence);
-  if (claim.name == "fig06") return draw_ratio_against_position(chart, evidence, study::simple_release());
+  if (claim.name == "fig06") return draw_ratio_against_position(chart, evidence, claims::simple_release());
   if (claim.name == "fig13") return draw_ratio_against_position(chart, evidence, {});
   if (claim.name == "sec2_linear") return draw_fracture_against_position(chart, evidence, {});
   const std::string title = chart.title;
@@ -192,42 +166,42 @@ bool fill(Chart& chart, const study::Claim& claim, const study::Evidence& eviden
   return claim.name == "fig01" || against_velocity(chart, claim, evidence);
 }
 
-}  // namespace
-
-std::vector<Figure> draw_figures(const study::Claim& claim, const study::Evidence& evidence,
-                                 const std::string& stiffness, const fs::path& folder) {
-  const bool of_theory = claim.name == "fig01" || claim.name == "fig09" || claim.name == "fig10";
-  if (of_theory && stiffness != "bulk") return {};
-  Chart chart;
-  chart.title = of_theory ? claim.artefact : fmt::format("{}, {} stiffness", claim.artefact, stiffness);
-  if (!claim.judge || !fill(chart, claim, evidence)) return {};
-  std::string name = of_theory ? claim.name : fmt::format("{}_{}", claim.name, stiffness);
-  std::replace(name.begin(), name.end(), '-', '_');  // gnuplot's svg takes no hyphen in a name
-  return {{draw_chart(chart, folder, name), chart.title}};
+/// gnuplot's svg takes no hyphen in a name.
+std::string name_with(const std::string& name, const std::string& stiffness) {
+  return name + (stiffness == "in-situ" ? "_in_situ" : "_" + stiffness);
 }
 
-std::vector<Figure> draw_against_own_speed(const study::Evidence& evidence, const std::string& stiffness,
-                                           double nominal_over_own, const fs::path& folder) {
+}  // namespace
+
+std::vector<NamedChart> claim_charts(const claims::Claim& claim, const claims::Evidence& evidence,
+                                     const std::string& stiffness) {
+  const bool of_theory = claim.name == "fig01" || claim.name == "fig09" || claim.name == "fig10";
+  if (of_theory && stiffness != "bulk") return {};
+  Chart chart{.title =
+                  of_theory ? claim.artefact : fmt::format("{}, {} stiffness", claim.artefact, stiffness)};
+  if (!claim.judge || !fill(chart, claim, evidence)) return {};
+  const std::string caption = chart.title;
+  return {{of_theory ? claim.name : name_with(claim.name, stiffness), caption, std::move(chart)}};
+}
+
+std::vector<NamedChart> charts_over_own_speed(const claims::Evidence& evidence, const std::string& stiffness,
+                                              double nominal_over_own) {
   Chart chart =
       chart_of_references(fmt::format("Fig. 15 over the specimen's own Rayleigh speed, {}", stiffness));
   chart.x_label = "crack velocity over the measured Rayleigh speed v / c_R [-]";
   chart.x_range = {0.0, std::max(1.05, 1.02 * nominal_over_own)};
   int colour = 0;
-  for (const NamedSelection& named : {NamedSelection{"simple release", study::simple_release()},
-                                      NamedSelection{"progressive, linear, r_l = 1", {}}}) {
-    ChartSeries series = series_of(named.label, study::curve_in(evidence, named.selection), colour++);
+  for (const NamedSelection& named : both_techniques()) {
+    ChartSeries series = ratios_of(named.label, claims::curve_in(evidence, named.selection), colour++);
     for (double& x : series.x) x *= nominal_over_own;
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   if (chart.series.size() == 3) return {};
-  std::string name = fmt::format("fig15_own_speed_{}", stiffness);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return {
-      {draw_chart(chart, folder, name),
-       fmt::format(
-           "The same ratios against the velocity over the Rayleigh speed that this plate itself shows along "
-           "its edge: what is called 1.0 c_r is {:.3f} of that.",
-           nominal_over_own)}};
+  return {{name_with("fig15_own_speed", stiffness),
+           fmt::format("The same ratios against the velocity over the Rayleigh speed that this plate itself "
+                       "shows along its edge: what is called 1.0 c_r is {:.3f} of that.",
+                       nominal_over_own),
+           std::move(chart)}};
 }
 
 }  // namespace rift::studio

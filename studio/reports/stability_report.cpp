@@ -1,9 +1,8 @@
 #include "studio/reports/stability_report.hpp"
 
-#include "engine/base/files.hpp"
+#include "engine/base/csv.hpp"
 #include "engine/base/text.hpp"
-#include "engine/base/world_error.hpp"
-#include "studio/text/html.hpp"
+#include "studio/reports/report.hpp"
 #include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
@@ -30,12 +29,6 @@ std::string remark(const stability::StabilityRow& row) {
   constexpr std::size_t most = 120;
   if (said.size() > most) said = said.substr(0, most - 3) + "...";
   return said;
-}
-
-std::string csv_text(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' ? ' ' : c);
-  return quoted + "\"";
 }
 
 /// What of a claim a reader wants: a number where one is expected, or the bounds.
@@ -86,19 +79,18 @@ std::string claims_text(const stability::StabilityRow& row) {
 }
 
 Json json_of(const stability::Seen& seen) {
-  const auto value = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
   Json claims = Json::array();
   for (const stability::Claim& claim : seen.claims)
     claims.push_back({{"claim", claim.what},
-                      {"low", value(claim.low)},
-                      {"high", value(claim.high)},
-                      {"seen", value(claim.seen)},
+                      {"low", claim.low},
+                      {"high", claim.high},
+                      {"seen", claim.seen},
                       {"holds", claim.holds()}});
   return {{"seen", stability::name_of(seen.ending)},
-          {"ledger_residual", value(seen.residual)},
+          {"ledger_residual", seen.residual},
           {"ledger_limit", seen.limit},
-          {"growth", value(seen.growth)},
-          {"ratio_with_damping", value(seen.ratio)},
+          {"growth", seen.growth},
+          {"ratio_with_damping", seen.ratio},
           {"steps", seen.steps},
           {"caught_within", seen.caught_within < 0 ? Json(nullptr) : Json(seen.caught_within)},
           {"said", seen.said},
@@ -108,30 +100,26 @@ Json json_of(const stability::Seen& seen) {
 
 std::string csv_of(const std::vector<stability::StabilityRow>& rows) {
   std::string csv =
-      "family,case,expected,growth_expected,precision,seen,ledger_residual,ledger_limit,growth,"
-      "ratio_with_damping,steps,caught_within,wall_s,said\n";
-  const auto value = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
+      "family,case,expected,growth_expected,precision,seen,ledger_residual,ledger_limit,growth,ratio_with_"
+      "damping,steps,caught_within,wall_s,said\n";
   for (const stability::StabilityRow& row : rows)
     for (const bool single : {false, true}) {
       const stability::Seen& s = single ? row.in_single : row.in_double;
-      csv += fmt::format(
-          "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(row.family), csv_text(row.name),
-          stability::name_of(row.expected), value(row.growth), single ? "single" : "double",
-          stability::name_of(s.ending), value(s.residual), s.limit, value(s.growth), value(s.ratio), s.steps,
-          s.caught_within < 0 ? "" : std::to_string(s.caught_within), s.wall_s, csv_text(s.said));
+      csv += base::csv_row(row.family, row.name, stability::name_of(row.expected), row.growth,
+                           single ? "single" : "double", stability::name_of(s.ending), s.residual, s.limit,
+                           s.growth, s.ratio, s.steps,
+                           s.caught_within < 0 ? "" : std::to_string(s.caught_within), s.wall_s, s.said);
     }
   return csv;
 }
 
 std::string claims_csv(const std::vector<stability::StabilityRow>& rows) {
   std::string csv = "family,case,precision,claim,low,high,seen,holds\n";
-  const auto value = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
   for (const stability::StabilityRow& row : rows)
     for (const bool single : {false, true})
       for (const stability::Claim& claim : (single ? row.in_single : row.in_double).claims)
-        csv += fmt::format("{},{},{},{},{},{},{},{}\n", csv_text(row.family), csv_text(row.name),
-                           single ? "single" : "double", csv_text(claim.what), value(claim.low),
-                           value(claim.high), value(claim.seen), claim.holds() ? 1 : 0);
+        csv += base::csv_row(row.family, row.name, single ? "single" : "double", claim.what, claim.low,
+                             claim.high, claim.seen, claim.holds() ? 1 : 0);
   return csv;
 }
 
@@ -199,7 +187,7 @@ Json stability_json(const StabilityReport& report) {
     rows.push_back({{"family", row.family},
                     {"case", row.name},
                     {"expected", stability::name_of(row.expected)},
-                    {"growth_expected", std::isfinite(row.growth) ? Json(row.growth) : Json(nullptr)},
+                    {"growth_expected", row.growth},
                     {"double", json_of(row.in_double)},
                     {"single", json_of(row.in_single)},
                     {"as_expected", row.as_expected}});
@@ -211,99 +199,75 @@ Json stability_json(const StabilityReport& report) {
 }
 
 void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder) {
-  base::make_folder(folder);
-  base::write_whole_file(folder / "summary.json", base::json_text(stability_json(report), 2) + "\n");
-  base::write_whole_file(folder / "table.csv", csv_of(report.rows));
-  base::write_whole_file(folder / "claims.csv", claims_csv(report.rows));
-  std::string figures;
-  std::optional<base::WorldError> failure;
-  for (const NamedChart& named : stability_charts(report)) {
-    try {
-      figures += html_figure(draw_chart(named.chart, folder / "charts", named.name).svg_text, named.caption);
-    } catch (const base::WorldError& error) {
-      failure = error;
-      figures += html_paragraph(error.what());
-    }
-  }
   Table said{{"case", "", "said"}, {}};
   for (const stability::StabilityRow& row : report.rows)
     if (!row.in_double.said.empty()) said.rows.push_back({row.family, row.name, row.in_double.said});
-  std::string body =
-      html_paragraph(fmt::format("{}. Made by `rift stability`, rift {} ({}).", verdict(report),
-                                 report.build.version, report.build.compiler));
-  body += html_section("Charts", figures) + html_section("Cases", html_table(stability_table(report.rows)));
-  body += html_section("What each case must show", html_table(claims_table(report.rows)));
-  body += html_section("What was said", html_table(said));
-  base::write_whole_file(folder / "report.html", html_page("Stiff and extreme cases", body));
-  if (failure) throw base::WorldError(*failure);
+  write_report({.title = "Stiff and extreme cases",
+                .opening = {verdict(report) + ". " + made_by("rift stability", report.build)},
+                .files = {{"summary.json", base::json_text(stability_json(report), 2) + "\n"},
+                          {"table.csv", csv_of(report.rows)},
+                          {"claims.csv", claims_csv(report.rows)}},
+                .sections = {{"Charts", stability_charts(report)},
+                             {"Cases", stability_table(report.rows)},
+                             {"What each case must show", claims_table(report.rows)},
+                             {"What was said", said}}},
+               folder);
 }
 
 namespace {
 
 NamedChart growth_chart(const stability::GrowthCurve& curve) {
-  NamedChart named{"growth", {}, {}};
-  Chart& chart = named.chart;
-  chart.title = "Where explicit integration ends";
-  chart.x_label = "time step [2/{/Symbol w}_{max}]";
-  chart.y_label = "growth of the highest mode [ln per step]";
-  ChartSeries expected, seen;
-  expected.label = "theory, arcosh(2 x^2 - 1)";
-  expected.x = curve.step, expected.y = curve.expected;
-  seen.label = "measured", seen.style = ChartSeries::Style::points, seen.colour = 1;
-  seen.x = curve.step, seen.y = curve.seen;
-  chart.series = {std::move(expected), std::move(seen)};
-  chart.marks.push_back({curve.element_bound, curve.element_bound, "element bound"});
-  chart.marks.push_back({curve.iterated, curve.iterated, "Lanczos"});
   double farthest = 0.0;
   for (std::size_t k = 0; k < curve.step.size(); ++k)
     farthest = std::max(farthest, std::abs(curve.seen[k] - curve.expected[k]));
-  named.caption = fmt::format(
-      "A lattice of 75 elements released in its highest mode: what a step does to its amplitude, fitted over "
-      "all "
-      "steps, against theory (largest distance {:.1e}). Up to the critical step nothing grows. The bound of "
-      "the "
-      "stiffest element is safe at {:.4f} of it; Lanczos iteration gives {:.6f}.",
-      farthest, curve.element_bound, curve.iterated);
-  return named;
+  return {
+      "growth",
+      fmt::format(
+          "A lattice of 75 elements released in its highest mode: what a step does to its amplitude, fitted "
+          "over all steps, against theory (largest distance {:.1e}). Up to the critical step nothing grows. "
+          "The bound of the stiffest element is safe at {:.4f} of it; Lanczos iteration gives {:.6f}.",
+          farthest, curve.element_bound, curve.iterated),
+      Chart{.title = "Where explicit integration ends",
+            .x_label = "time step [2/{/Symbol w}_{max}]",
+            .y_label = "growth of the highest mode [ln per step]",
+            .series = {{.label = "theory, arcosh(2 x^2 - 1)", .x = curve.step, .y = curve.expected},
+                       {.label = "measured",
+                        .x = curve.step,
+                        .y = curve.seen,
+                        .style = ChartSeries::Style::points,
+                        .colour = 1}},
+            .marks = {{curve.element_bound, curve.element_bound, "element bound"},
+                      {curve.iterated, curve.iterated, "Lanczos"}}}};
 }
 
 /// Case by case, in the order of the table; zero residuals cannot be drawn.
 ChartSeries residuals(const std::vector<stability::StabilityRow>& rows, const char* label, int colour,
                       stability::Seen stability::StabilityRow::*seen) {
-  ChartSeries series;
-  series.label = label, series.style = ChartSeries::Style::points, series.colour = colour;
+  ChartSeries series{.label = label, .style = ChartSeries::Style::points, .colour = colour};
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const stability::Seen& s = rows[k].*seen;
     const bool kept = s.ending == stability::Ending::closes || s.ending == stability::Ending::open;
-    if (!kept || !(s.residual > 0.0) || !std::isfinite(s.residual)) continue;
-    series.x.push_back(static_cast<double>(k + 1)), series.y.push_back(s.residual);
+    if (kept && s.residual > 0.0 && std::isfinite(s.residual))
+      series.add(static_cast<double>(k + 1), s.residual);
   }
   return series;
 }
 
 NamedChart residual_chart(const std::vector<stability::StabilityRow>& rows) {
-  NamedChart named{
-      "residuals",
-      "How far the energy books of each case that ran to its end are open, over the largest energy; the "
-      "numbers are those of the table's rows. Corotational books close as the square of the step does.",
-      {}};
-  Chart& chart = named.chart;
-  chart.title = "Books of stiff and extreme cases";
-  chart.x_label = "case";
-  chart.y_label = "largest residual of the books [-]";
-  chart.log_y = true;
-  chart.key_outside = true;
-  chart.series = {residuals(rows, "double", 0, &stability::StabilityRow::in_double),
-                  residuals(rows, "single", 1, &stability::StabilityRow::in_single)};
+  Chart chart{.title = "Books of stiff and extreme cases",
+              .x_label = "case",
+              .y_label = "largest residual of the books [-]",
+              .log_y = true,
+              .series = {residuals(rows, "double", 0, &stability::StabilityRow::in_double),
+                         residuals(rows, "single", 1, &stability::StabilityRow::in_single)}};
   std::erase_if(chart.series, [](const ChartSeries& s) { return s.x.empty(); });
-  if (chart.series.empty()) return named;
-  for (const auto& [limit, label] : {std::pair{1e-10, "limit, double"}, std::pair{1e-3, "limit, single"}}) {
-    ChartSeries line{
-        .label = label, .x = {1.0, static_cast<double>(rows.size())}, .y = {limit, limit}, .error = {}};
-    line.colour = -1;
-    chart.series.push_back(std::move(line));
-  }
-  return named;
+  if (!chart.series.empty())
+    for (const auto& [limit, label] : {std::pair{1e-10, "limit, double"}, std::pair{1e-3, "limit, single"}})
+      chart.series.push_back(level(label, limit, 1.0, static_cast<double>(rows.size())));
+  return {"residuals",
+          "How far the energy books of each case that ran to its end are open, over the largest energy; the "
+          "numbers are those of the table's rows. Corotational books close as the square of the step does.",
+          std::move(chart)};
 }
 
 }  // namespace
@@ -312,8 +276,7 @@ std::vector<NamedChart> stability_charts(const StabilityReport& report) {
   std::vector<NamedChart> charts;
   if (report.growth) charts.push_back(growth_chart(*report.growth));
   charts.push_back(residual_chart(report.rows));
-  std::erase_if(charts, [](const NamedChart& named) { return named.chart.series.empty(); });
-  return charts;
+  return those_with_points(std::move(charts));
 }
 
 }  // namespace rift::studio

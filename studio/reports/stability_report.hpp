@@ -2,7 +2,7 @@
 
 #include "engine/simulation/record.hpp"
 #include "engine/stability/suite.hpp"
-#include "studio/reports/study_report.hpp"
+#include "studio/charts/chart.hpp"
 #include "studio/text/table.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -2,7 +2,7 @@
 
 #include "engine/fracture/release_rate.hpp"
 #include "engine/results/archive.hpp"
-#include "engine/results/lane_title.hpp"
+#include "engine/results/lane_summary.hpp"
 #include "engine/results/records.hpp"
 #include "engine/scene/preset.hpp"
 #include "engine/simulation/march.hpp"
@@ -28,11 +28,8 @@ fracture::RateScale scale_of(const Header& header, int lane) {
 }
 
 /// Broberg's factor at the lane's velocity, and the strip's.
-void add_references(LiveLane& lane, const Header& scenario, const scene::Scene& scene) {
-  const double v = scenario.value("crack_velocity_over_cr", Header(nullptr)).is_number()
-                       ? scenario["crack_velocity_over_cr"].get<double>()
-                       : 0.0;
-  if (v <= 0 || v > 1) return;
+void add_references(LiveLane& lane, double v, const scene::Scene& scene) {
+  if (!(v > 0 && v <= 1)) return;
   lane.broberg = theory::broberg(v, scene.material.poisson_ratio, scene.material.plane).g;
   lane.strip = theory::strip(v, scene.material.poisson_ratio, scene.material.plane).g;
 }
@@ -49,8 +46,7 @@ Live live_of_header(const Header& header, const std::filesystem::path& run) {
   if (live.height > 0)
     live.fastest = 0.5 * live.pulled / live.height * header.value("rayleigh_speed_m_s", 0.0);
   live.steps = header.value("steps", std::int64_t{0});
-  const Header all = header.value("scenarios", Header::array());
-  const std::vector<Header> scenarios(all.begin(), all.end());
+  const auto scenarios = results::lane_summaries_of(header.value("scenarios", Header::array()));
   const std::vector<std::string> titles = results::lane_titles(scenarios);
   const scene::Scene scene =
       scene::read_preset_text(header.value("preset", std::string{}), "the run's preset").scene;
@@ -59,7 +55,7 @@ Live live_of_header(const Header& header, const std::filesystem::path& run) {
     LiveLane& lane = live.lanes.emplace_back();
     lane.title = titles[k];
     lane.scale = scale_of(header, static_cast<int>(k));
-    add_references(lane, scenarios[k], scene);
+    add_references(lane, scenarios[k].crack_velocity_over_cr, scene);
   }
   return live;
 }
@@ -127,8 +123,8 @@ std::string LiveOfRun::state() const {
   std::string worst = "finished";
   const Header summary = Header::parse(*journal_.summary_json(), nullptr, false);
   if (!summary.is_object() || !summary.contains("scenarios")) return worst;
-  for (const Header& scenario : summary["scenarios"])
-    if (const auto outcome = scenario.value("outcome", worst); outcome != "finished") worst = outcome;
+  for (const results::LaneSummary& lane : results::lane_summaries_of(summary["scenarios"]))
+    if (!lane.outcome.empty() && lane.outcome != "finished") worst = lane.outcome;
   return worst;
 }
 

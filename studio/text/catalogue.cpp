@@ -3,12 +3,14 @@
 #include "engine/base/files.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/json_input.hpp"
+#include "engine/results/lane_summary.hpp"
 #include "engine/study/store.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
@@ -40,18 +42,16 @@ PresetEntry read_entry(const fs::path& path) {
 
 using Json = nlohmann::ordered_json;
 
-/// What summary.json says of a run that has ended.
+/// Reads what the summary of a run that has ended says.
 void read_outcome(RunEntry& entry, const Json& summary) {
-  const Json& scenarios = summary.at("scenarios");
+  const auto lanes = results::lane_summaries_of(summary.at("scenarios"));
   entry.outcome = "finished";
-  for (const Json& scenario : scenarios)
-    if (const auto outcome = scenario.value("outcome", std::string()); outcome != "finished")
-      entry.outcome = outcome;
-  if (scenarios.size() != 1) {
-    entry.result = fmt::format("{} lanes", scenarios.size());
-  } else if (scenarios[0].value("ratio", Json(nullptr)).is_number()) {
-    entry.result = fmt::format("{:.3f}", scenarios[0]["ratio"].get<double>());
-  }
+  for (const results::LaneSummary& lane : lanes)
+    if (lane.outcome != "finished") entry.outcome = lane.outcome;
+  if (lanes.size() != 1)
+    entry.result = fmt::format("{} lanes", lanes.size());
+  else if (!std::isnan(lanes[0].ratio))
+    entry.result = fmt::format("{:.3f}", lanes[0].ratio);
 }
 
 /// "12 of 30" scenarios, by their files alone.

@@ -78,6 +78,8 @@ std::string html_section(std::string_view title, std::string_view body) {
 
 std::string html_paragraph(std::string_view text) { return fmt::format("<p>{}</p>\n", html_escape(text)); }
 
+std::string html_lines(std::string_view text) { return "<pre>" + html_escape(text) + "</pre>"; }
+
 std::string html_table(const Table& table) {
   std::string out = "<div class=\"wide\"><table>\n<tr>";
   std::vector<char> right;

@@ -22,6 +22,9 @@ std::string html_section(std::string_view title, std::string_view body);
 
 std::string html_paragraph(std::string_view text);
 
+/// Text whose lines and blanks stay as they are.
+std::string html_lines(std::string_view text);
+
 /// Cells are texts; columns of numbers are set to the right.
 std::string html_table(const Table& table);
 

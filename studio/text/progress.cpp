@@ -56,7 +56,7 @@ ProgressStyle progress_style(bool quiet, bool json) {
 void Pace::note(double now, double done) {
   constexpr double shortest_s = 5.0, share = 0.25;
   if (!noted_.empty() && !(done > noted_.back().second)) return;
-  const double apart = std::max(0.1, 0.005 * now);  // so that few are kept, however often it is told
+  const double apart = std::max(0.1, 0.005 * now);  // so that few are kept, however often it is noted
   if (noted_.size() > 1 && now - noted_[noted_.size() - 2].first < apart) noted_.pop_back();
   noted_.emplace_back(now, done);
   const double from = now - std::max(shortest_s, share * now);
@@ -76,7 +76,7 @@ double Pace::remaining(double now) const {
 
 ProgressLine::~ProgressLine() { clear(); }
 
-void ProgressLine::tell(std::string_view stage, double done, std::string_view rate) {
+void ProgressLine::show(std::string_view stage, double done, std::string_view rate) {
   if (style_ == ProgressStyle::none) return;
   const std::lock_guard lock(mutex_);
   if (stage != stage_) stage_ = stage, stage_start_ = Clock::now(), last_ = {}, pace_ = {};
@@ -105,10 +105,10 @@ void ProgressLine::show_if_due() {
   const bool first = last_ == Clock::time_point{};
   if (since < quiet_start_s || (!first && std::chrono::duration<double>(now - last_).count() < pause)) return;
   last_ = now;
-  show(since);
+  print(since);
 }
 
-void ProgressLine::show(double elapsed) {
+void ProgressLine::print(double elapsed) {
   const double left = pace_.remaining(elapsed);
   if (style_ == ProgressStyle::json) {
     nlohmann::ordered_json line{{"stage", stage_}, {"done", done_}, {"elapsed_s", elapsed}};

@@ -12,7 +12,7 @@
 
 namespace rift::studio {
 
-/// How progress is told on stderr.
+/// How progress is shown on stderr.
 enum class ProgressStyle { none, line, plain, json };
 
 /// How long the rest of a stage will take, at the pace of its last quarter (of five seconds at least): a
@@ -31,7 +31,7 @@ class Pace {
 
 /// A line that is redrawn on a terminal, a line every five seconds elsewhere and in a
 /// terminal's background, or JSON lines; nothing for stages that end within a second. A thread of its own
-/// shows a stage that goes on without telling anything.
+/// shows a stage that goes on without news of it.
 class ProgressLine {
  public:
   explicit ProgressLine(ProgressStyle style) : style_(style) {}
@@ -40,16 +40,16 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// @param done  in [0, 1];  @param rate  such as "2.3 M element-steps/s", or empty
-  void tell(std::string_view stage, double done, std::string_view rate = {});
+  void show(std::string_view stage, double done, std::string_view rate = {});
 
-  /// Takes the line off the terminal, until more is told.
+  /// Takes the line off the terminal, until more is shown.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - stage_start_).count(); }
   void show_if_due();
-  void show(double elapsed);
+  void print(double elapsed);
   [[nodiscard]] bool redrawn() const;  // on a terminal in whose foreground this process is
   void keep_showing(const std::stop_token& ended);
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include "engine/results/lane_summary.hpp"
 
 #include <string>
 
 namespace rift::studio {
 
-/// The results of one scenario of a summary.json as a person reads them.
-std::string run_table(const nlohmann::ordered_json& scenario, bool color);
+/// The summary of a lane as a person reads it.
+std::string run_table(const results::LaneSummary& lane, bool color);
 
 }  // namespace rift::studio

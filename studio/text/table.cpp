@@ -45,6 +45,16 @@ std::string number_cell(double value, std::string_view format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
+std::string scatter_cell(double value, double scatter, int digits) {
+  if (!std::isfinite(value)) return "-";
+  return std::isfinite(scatter) ? fmt::format("{0:.{2}f} ± {1:.{2}f}", value, scatter, digits)
+                                : fmt::format("{:.{}f}", value, digits);
+}
+
+std::string label_line(std::string_view label, std::string_view content, int width) {
+  return fmt::format("  {:<{}}{}\n", label, width, content);
+}
+
 std::size_t width_of(const std::string& text) { return base::count_letters(text); }
 
 bool is_numeric(const std::string& cell) {

@@ -22,6 +22,12 @@ std::string plain_table(const Table& table, bool color);
 /// A number by fmt's format, "-" where it is none or infinite.
 std::string number_cell(double value, std::string_view format = "{:.4g}");
 
+/// "0.566 ± 0.088"; without the scatter where there is none, "-" without the value.
+std::string scatter_cell(double value, double scatter, int digits = 3);
+
+/// A line of a list: "  label                 content".
+std::string label_line(std::string_view label, std::string_view content, int width = 22);
+
 /// Letters that a UTF-8 text takes on a terminal.
 std::size_t width_of(const std::string& text);
 

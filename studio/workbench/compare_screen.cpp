@@ -7,6 +7,7 @@
 #include "studio/screen/curves.hpp"
 #include "studio/screen/layouts.hpp"
 #include "studio/screen/live_of_run.hpp"
+#include "studio/text/table.hpp"
 
 #include <fmt/format.h>
 
@@ -21,39 +22,36 @@ constexpr std::size_t most_columns = 8;
 constexpr std::array inks{Ink::fracture, Ink::elastic, Ink::kinetic, Ink::damping,
                           Ink::good,     Ink::bad,     Ink::plain,   Ink::reference};
 
-/// A row of the table: a number of summary.json.
+/// A row of the table: a number of the summary.
 struct Quantity {
-  const char *name, *key, *format;
+  const char* name;
+  double results::LaneSummary::*number;
+  const char* format;
 };
 constexpr Quantity quantities[] = {
-    {"G_ID / G_I0", "ratio", "{:.4f}"},
-    {"scatter", "ratio_scatter", "{:.4f}"},
-    {"with damping", "ratio_with_damping", "{:.4f}"},
-    {"Broberg", "broberg", "{:.4f}"},
-    {"off Broberg", "error_broberg", "{:+.4f}"},
-    {"v / c_R", "crack_velocity_over_cr", "{:.3g}"},
-    {"r_l", "damage_zone_ratio", "{:.3g}"},
-    {"relaxation p", "relaxation", "{:.3g}"},
-    {"alpha", "damping_alpha", "{:.3g}"},
-    {"elements", "elements", "{:.0f}"},
-    {"fracture J", "energy_fracture_j", "{:.4g}"},
-    {"damping J", "energy_damping_j", "{:.4g}"},
-    {"elastic J", "energy_elastic_j", "{:.4g}"},
-    {"residual", "ledger_residual", "{:.0e}"},
-    {"steps", "steps", "{:.0f}"},
-    {"wall s", "wall_fracture_s", "{:.2f}"},
+    {"G_ID / G_I0", &results::LaneSummary::ratio, "{:.4f}"},
+    {"scatter", &results::LaneSummary::ratio_scatter, "{:.4f}"},
+    {"with damping", &results::LaneSummary::ratio_with_damping, "{:.4f}"},
+    {"Broberg", &results::LaneSummary::broberg, "{:.4f}"},
+    {"off Broberg", &results::LaneSummary::error_broberg, "{:+.4f}"},
+    {"v / c_R", &results::LaneSummary::crack_velocity_over_cr, "{:.3g}"},
+    {"r_l", &results::LaneSummary::damage_zone_ratio, "{:.3g}"},
+    {"relaxation p", &results::LaneSummary::relaxation, "{:.3g}"},
+    {"alpha", &results::LaneSummary::damping_alpha, "{:.3g}"},
+    {"elements", &results::LaneSummary::elements, "{:.0f}"},
+    {"fracture J", &results::LaneSummary::energy_fracture_j, "{:.4g}"},
+    {"damping J", &results::LaneSummary::energy_damping_j, "{:.4g}"},
+    {"elastic J", &results::LaneSummary::energy_elastic_j, "{:.4g}"},
+    {"residual", &results::LaneSummary::ledger_residual, "{:.0e}"},
+    {"steps", &results::LaneSummary::steps, "{:.0f}"},
+    {"wall s", &results::LaneSummary::wall_fracture_s, "{:.2f}"},
 };
 
-nlohmann::ordered_json scenarios_of(const std::filesystem::path& run) {
+/// The summaries of a run's lanes; none where it has not ended.
+std::vector<results::LaneSummary> summaries_of(const std::filesystem::path& run) {
   const auto file = run / results::summary_name;
-  if (!std::filesystem::exists(file)) return nullptr;
-  return results::read_json(base::read_whole_file(file), file).at("scenarios");
-}
-
-std::string text_of(const nlohmann::ordered_json& summary, const Quantity& quantity) {
-  if (!summary.is_object() || !summary.contains(quantity.key) || !summary[quantity.key].is_number())
-    return "-";
-  return fmt::format(fmt::runtime(quantity.format), summary[quantity.key].get<double>());
+  if (!std::filesystem::exists(file)) return {};
+  return results::lane_summaries_of(results::read_json(base::read_whole_file(file), file).at("scenarios"));
 }
 
 }  // namespace
@@ -61,7 +59,7 @@ std::string text_of(const nlohmann::ordered_json& summary, const Quantity& quant
 CompareScreen::CompareScreen(const std::vector<std::filesystem::path>& runs) {
   for (const std::filesystem::path& path : runs) {
     const LiveOfRun run(path);
-    const auto scenarios = scenarios_of(path);
+    const std::vector<results::LaneSummary> summaries = summaries_of(path);
     length_ = std::max(length_, run.live().length);
     for (std::size_t k = 0; k < run.live().lanes.size(); ++k) {
       if (columns_.size() == most_columns) {
@@ -70,7 +68,7 @@ CompareScreen::CompareScreen(const std::vector<std::filesystem::path>& runs) {
       }
       const LiveLane& lane = run.live().lanes[k];
       columns_.push_back({fmt::format("{}: {}", run.live().name, lane.title), lane,
-                          scenarios.is_array() && k < scenarios.size() ? scenarios[k] : nullptr});
+                          k < summaries.size() ? summaries[k] : results::LaneSummary{}});
     }
   }
 }
@@ -100,9 +98,12 @@ void CompareScreen::draw_table(Canvas& canvas, const Area& area) const {
     if (row >= std::size(quantities)) return;
     canvas.text(area.x, area.y + y, quantities[row].name, {Ink::dim}, names);
     for (int k = 0; k < static_cast<int>(columns_.size()); ++k)
-      canvas.text(area.x + names + numbers * k, area.y + y,
-                  fmt::format("{:>{}}", text_of(columns_[k].summary, quantities[row]), numbers - 1), {},
-                  area.width - names - numbers * k);
+      canvas.text(
+          area.x + names + numbers * k, area.y + y,
+          fmt::format("{:>{}}",
+                      number_cell(columns_[k].summary.*quantities[row].number, quantities[row].format),
+                      numbers - 1),
+          {}, area.width - names - numbers * k);
   }
 }
 

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "engine/results/lane_summary.hpp"
 #include "studio/screen/live.hpp"
 #include "studio/workbench/screen.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <string>
 #include <vector>
@@ -24,7 +23,7 @@ class CompareScreen : public Screen {
   struct Column {
     std::string title;
     LiveLane lane;
-    nlohmann::ordered_json summary;  // null where the run has not ended
+    results::LaneSummary summary;  // undefined where the run has not ended
   };
   void draw_table(Canvas& canvas, const Area& area) const;
   void draw_rates(Canvas& canvas, const Area& area, Glyphs glyphs) const;

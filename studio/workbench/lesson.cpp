@@ -1,10 +1,8 @@
 #include "studio/workbench/lesson.hpp"
 
 #include "engine/base/files.hpp"
-#include "engine/base/world_error.hpp"
-#include "engine/results/lane_title.hpp"
 #include "engine/scene/issue.hpp"
-#include "studio/charts/chart.hpp"
+#include "studio/reports/report.hpp"
 #include "studio/text/html.hpp"
 
 #include <fmt/format.h>
@@ -15,16 +13,8 @@
 namespace rift::studio {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-double number(const Json& scenario, const char* key) {
-  return scenario.contains(key) && scenario[key].is_number() ? scenario[key].get<double>() : std::nan("");
-}
-
-double ratio(const Json& scenario) { return number(scenario, "ratio"); }
-
-double kinetic(const Json& scenario) {
-  return number(scenario, "energy_kinetic_translation_j") + number(scenario, "energy_kinetic_rotation_j");
+double kinetic(const results::LaneSummary& lane) {
+  return lane.energy_kinetic_translation_j + lane.energy_kinetic_rotation_j;
 }
 
 /// 0: the first is clearly larger; 1: the second; 2: they are within a twentieth.
@@ -33,39 +23,36 @@ int larger(double first, double second) {
   return first > second ? 0 : 1;
 }
 
-Answer of_node_release(const Json& s) {
-  return {
-      larger(ratio(s[0]), ratio(s[1])),
-      fmt::format(
-          "Simple release shows {:.3f} of the static rate, progressive release {:.3f}; Broberg's theory "
-          "says {:.3f}. {:.1f} J of motion are left in the plate of the first, {:.1f} J in the second: what "
-          "rings has not gone into the crack.",
-          ratio(s[0]), ratio(s[1]), number(s[0], "broberg"), kinetic(s[0]), kinetic(s[1]))};
+Answer of_node_release(const Lanes& s) {
+  return {larger(s[0].ratio, s[1].ratio),
+          fmt::format("Simple release shows {:.3f} of the static rate, progressive release {:.3f}; Broberg's "
+                      "theory says {:.3f}. {:.1f} J of motion are left in the plate of the first, {:.1f} J "
+                      "in the second: what rings has not gone into the crack.",
+                      s[0].ratio, s[1].ratio, s[0].broberg, kinetic(s[0]), kinetic(s[1]))};
 }
 
-Answer of_damping(const Json& s) {
-  const double undamped = number(s[0], "ratio_with_damping"), damped = number(s[2], "ratio_with_damping");
-  return {
-      larger(damped, undamped) == 0   ? 0
-      : larger(damped, undamped) == 1 ? 1
-                                      : 2,
-      fmt::format(
-          "Counting what the dampers take, the ratio is {:.3f} undamped, {:.3f} damped along the crack and "
-          "{:.3f} damped everywhere; what the beams themselves release stays {:.3f}, {:.3f} and {:.3f}. "
-          "Broberg's theory says {:.3f}: damping books ringing as if it were fracture.",
-          undamped, number(s[1], "ratio_with_damping"), damped, number(s[0], "ratio_release"),
-          number(s[1], "ratio_release"), number(s[2], "ratio_release"), number(s[0], "broberg"))};
+Answer of_damping(const Lanes& s) {
+  const double undamped = s[0].ratio_with_damping, damped = s[2].ratio_with_damping;
+  return {larger(damped, undamped) == 0   ? 0
+          : larger(damped, undamped) == 1 ? 1
+                                          : 2,
+          fmt::format(
+              "Counting what the dampers take, the ratio is {:.3f} undamped, {:.3f} damped along the crack "
+              "and {:.3f} damped everywhere; what the beams themselves release stays {:.3f}, {:.3f} and "
+              "{:.3f}. Broberg's theory says {:.3f}: damping books ringing as if it were fracture.",
+              undamped, s[1].ratio_with_damping, damped, s[0].ratio_release, s[1].ratio_release,
+              s[2].ratio_release, s[0].broberg)};
 }
 
-Answer of_velocity(const Json& s) {
+Answer of_velocity(const Lanes& s) {
   std::string numbers;
   bool falls = true, grows = true;
   for (std::size_t k = 0; k < s.size(); ++k) {
-    numbers += fmt::format("{}{:.3f} at {:g} c_R (theory {:.3f})", k == 0 ? "" : ", ", ratio(s[k]),
-                           number(s[k], "crack_velocity_over_cr"), number(s[k], "broberg"));
+    numbers += fmt::format("{}{:.3f} at {:g} c_R (theory {:.3f})", k == 0 ? "" : ", ", s[k].ratio,
+                           s[k].crack_velocity_over_cr, s[k].broberg);
     if (k == 0) continue;
-    falls = falls && ratio(s[k]) < ratio(s[k - 1]);
-    grows = grows && ratio(s[k]) > ratio(s[k - 1]);
+    falls = falls && s[k].ratio < s[k - 1].ratio;
+    grows = grows && s[k].ratio > s[k - 1].ratio;
   }
   return {
       falls   ? 0
@@ -82,79 +69,63 @@ const std::vector<Lesson>& table() {
        "Why nodes must not be released at once",
        "teach_node_release",
        {"A plate is pulled and held. A crack runs through it at a velocity that we prescribe, and we ask how "
-        "much "
-        "energy it takes for each square metre of new surface: the dynamic energy release rate G_ID, over "
-        "the static "
-        "one, G_I0.",
+        "much energy it takes for each square metre of new surface: the dynamic energy release rate G_ID, "
+        "over the static one, G_I0.",
         "A lattice cannot be cut a little: a beam is there or not. Simple node release cuts a beam at the "
-        "moment when "
-        "the tip meets it. Its force vanishes from one step to the next, like a plucked "
-        "string.\n\nProgressive "
-        "release lets a beam soften while the tip comes near, over a damage zone of some mean radii."},
+        "moment when the tip meets it. Its force vanishes from one step to the next, like a plucked "
+        "string.\n\nProgressive release lets a beam soften while the tip comes near, over a damage zone of "
+        "some mean radii."},
        "Both plates run on one clock. The colours are of the vertical velocity: look behind the tips (the "
-       "dots). The "
-       "curves below are the release rates, the lines across them the theory.",
+       "dots). The curves below are the release rates, the lines across them the theory.",
        "Same plate, same pull, same velocity. Which of the two shows the larger G_ID / G_I0?",
        {"simple release", "progressive release", "both the same within 5 %"},
        of_node_release,
        "Nothing was lost: the books of both plates close. But energy that rings in the lattice at "
-       "wavelengths of a few "
-       "elements has no counterpart in a continuum, and it is missing where the crack should have taken it."},
+       "wavelengths of a few elements has no counterpart in a continuum, and it is missing where the crack "
+       "should have taken it."},
       {"damping",
        "Can damping mend simple release?",
        "teach_damping",
        {"Simple release leaves a plate that rings. An obvious cure is to damp the beams: either those along "
-        "the "
-        "crack, or all of them.",
+        "the crack, or all of them.",
         "Dampers take energy out of the motion. Where do we book it? It was set free by the crack, and it is "
-        "not in "
-        "the plate any more: the paper counts it as released."},
+        "not in the plate any more: the paper counts it as released."},
        "Three plates, all cut by simple release: undamped, damped along the crack, damped everywhere. Press "
-       "tab to look "
-       "at one after the other, and watch the kinetic energies in the table.",
+       "tab to look at one after the other, and watch the kinetic energies in the table.",
        "We count what the dampers take as released. What does damping everywhere do to G_ID / G_I0?",
        {"it grows", "it falls", "it stays within 5 %"},
        of_damping,
        "The number comes closer to the theory, and for the wrong reason: the beams released what they "
-       "released before. "
-       "A cure has to prevent the ringing, not to swallow it."},
+       "released before. A cure has to prevent the ringing, not to swallow it."},
       {"velocity",
        "What a faster crack leaves behind",
        "teach_velocity",
        {"The energy that a crack takes flows to its tip from the plate around it, and it flows at the speed "
-        "of waves. "
-        "The Rayleigh speed c_R is that of waves along a surface: a crack is two surfaces that have just "
-        "been made.",
+        "of waves. The Rayleigh speed c_R is that of waves along a surface: a crack is two surfaces that "
+        "have just been made.",
         "Broberg (1960) computed the release rate of a crack that runs at a constant velocity through an "
-        "unbounded "
-        "plate: a curve from 1 at rest to 0 at c_R."},
+        "unbounded plate: a curve from 1 at rest to 0 at c_R."},
        "Four cracks on one clock, at 0.2, 0.4, 0.6 and 0.9 c_R. Press tab to change the upper plate. The "
-       "fast ones come "
-       "to their end first.",
+       "fast ones come to their end first.",
        "What does G_ID / G_I0 do when the crack is faster?",
        {"it falls", "it grows", "neither"},
        of_velocity,
        "At c_R nothing would be left for the crack. That is why cracks in brittle plates do not reach it, "
-       "and branch "
-       "long before."}};
+       "and branch long before."}};
   return all;
 }
 
-Chart rate_chart(const Live& live) {
-  Chart chart;
-  chart.x_label = "tip position [mm]";
-  chart.y_label = "G_{ID} / G_{I0}";
+NamedChart rate_chart(const Live& live) {
+  Chart chart{.x_label = "tip position [mm]", .y_label = "G_{ID} / G_{I0}"};
   for (std::size_t k = 0; k < live.lanes.size(); ++k) {
-    ChartSeries series;
-    series.label = live.lanes[k].title;  // whose c_r and r_l are written as a chart wants them
-    series.colour = static_cast<int>(k);
-    for (const results::RatePoint& p : live.lanes[k].rates) {
-      series.x.push_back(1e3 * p.tip_m);
-      series.y.push_back(p.ratio);
-    }
+    // The title's c_r and r_l are written as a chart wants them.
+    ChartSeries series = series_of(live.lanes[k].title, ChartSeries::Style::line, static_cast<int>(k),
+                                   live.lanes[k].rates, [](const results::RatePoint& p) {
+                                     return ChartPoint{1e3 * p.tip_m, p.ratio};
+                                   });
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
-  return chart;
+  return {"rates", "Release rate against tip position of the run on the screen.", std::move(chart)};
 }
 
 }  // namespace
@@ -176,46 +147,37 @@ const Lesson& lesson_of(const std::string& name) {
                                         scene::listed(names, "and"))}});
 }
 
-Table lesson_table(const Json& scenarios) {
+Table lesson_table(const Lanes& lanes) {
   Table t{
       {"lane", "G_ID / G_I0", "by beams", "with damping", "Broberg", "fracture J", "motion J", "damping J"},
       {}};
-  const std::vector<std::string> titles =
-      results::lane_titles(std::vector<Json>(scenarios.begin(), scenarios.end()));
-  const auto cell = [](double value, int digits) {
-    return std::isnan(value) ? std::string("-") : fmt::format("{:.{}f}", value, digits);
-  };
-  for (std::size_t k = 0; k < scenarios.size(); ++k) {
-    const Json& s = scenarios[k];
-    t.rows.push_back({titles[k], cell(ratio(s), 3), cell(number(s, "ratio_release"), 3),
-                      cell(number(s, "ratio_with_damping"), 3), cell(number(s, "broberg"), 3),
-                      cell(number(s, "energy_fracture_j"), 1), cell(kinetic(s), 1),
-                      cell(number(s, "energy_damping_j"), 1)});
+  const std::vector<std::string> titles = results::lane_titles(lanes);
+  for (std::size_t k = 0; k < lanes.size(); ++k) {
+    const results::LaneSummary& s = lanes[k];
+    t.rows.push_back({titles[k], number_cell(s.ratio, "{:.3f}"), number_cell(s.ratio_release, "{:.3f}"),
+                      number_cell(s.ratio_with_damping, "{:.3f}"), number_cell(s.broberg, "{:.3f}"),
+                      number_cell(s.energy_fracture_j, "{:.1f}"), number_cell(kinetic(s), "{:.1f}"),
+                      number_cell(s.energy_damping_j, "{:.1f}")});
   }
   return t;
 }
 
-void write_handout(const Lesson& lesson, const Json& scenarios, const Live& live,
+void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
                    const std::filesystem::path& file) {
   std::string body;
   for (const std::string_view page : lesson.before) body += html_paragraph(page);
   body += html_section("What was to be seen", html_paragraph(lesson.watch));
-  std::string curves;
-  try {
-    curves = html_figure(draw_chart(rate_chart(live), file.parent_path() / "charts", "rates").svg_text,
-                         "Release rate against tip position of the run on the screen.");
-  } catch (const base::WorldError& error) {
-    curves = html_paragraph(fmt::format("No chart: {}", error.what()));
-  }
+  std::optional<base::WorldError> no_chart;  // is told in the page
+  const std::string curves = html_figures({rate_chart(live)}, file.parent_path() / "charts", no_chart);
   std::string question = html_paragraph(lesson.question);
   for (std::size_t k = 0; k < lesson.choices.size(); ++k)
     question += html_paragraph(fmt::format("{}. {}", k + 1, lesson.choices[k]));
   body += html_section("The question", question);
-  const Answer answer = lesson.answer(scenarios);
+  const Answer answer = lesson.answer(lanes);
   body += html_section(
       "The answer of this run",
       html_paragraph(fmt::format("{}. {}. {}", answer.right + 1, lesson.choices[answer.right], answer.why)) +
-          html_table(lesson_table(scenarios)) + curves);
+          html_table(lesson_table(lanes)) + curves);
   body += html_section("What follows", html_paragraph(lesson.after));
   body += html_paragraph(fmt::format("Made by rift studio --lesson {}; the run is that of rift run {}.",
                                      lesson.name, lesson.preset));

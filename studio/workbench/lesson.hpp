@@ -1,9 +1,8 @@
 #pragma once
 
+#include "engine/results/lane_summary.hpp"
 #include "studio/screen/live.hpp"
 #include "studio/text/table.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <span>
@@ -13,6 +12,9 @@
 
 /// Lessons: a few pages of text, an ensemble that runs on the screen, a question, and the answer out of it.
 namespace rift::studio {
+
+/// The lanes of a run that has finished.
+using Lanes = std::vector<results::LaneSummary>;
 
 /// What the run has to say to the question.
 struct Answer {
@@ -26,7 +28,7 @@ struct Lesson {
   std::string_view watch;                // above the panel
   std::string_view question;
   std::vector<std::string_view> choices;
-  Answer (*answer)(const nlohmann::ordered_json& scenarios);  // of summary.json; all finished
+  Answer (*answer)(const Lanes& lanes);
   std::string_view after;
 };
 
@@ -35,11 +37,11 @@ struct Lesson {
 [[nodiscard]] const Lesson& lesson_of(const std::string& name);
 
 /// The numbers that the answer is read off, a row for each lane.
-[[nodiscard]] Table lesson_table(const nlohmann::ordered_json& scenarios);
+[[nodiscard]] Table lesson_table(const Lanes& lanes);
 
 /// Writes the lesson as one page of HTML, with the numbers and curves of the run.
-/// @param live  of the run; @param scenarios  of its summary. Throws WorldError.
-void write_handout(const Lesson& lesson, const nlohmann::ordered_json& scenarios, const Live& live,
+/// @param live  of the run. Throws WorldError.
+void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
                    const std::filesystem::path& file);
 
 }  // namespace rift::studio

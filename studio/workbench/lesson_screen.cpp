@@ -12,11 +12,12 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The lesson's run, without the frames that nobody will look at again.
-RunWish wish_of(Workshop& workshop, const Lesson& lesson) {
+RunRequest wish_of(Workshop& workshop, const Lesson& lesson) {
   const scene::Preset preset =
       scene::read_preset(workshop.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=0"});
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
-  RunWish wish{.preset = preset, .folder = free_folder(workshop.runs, fmt::format("lesson_{}", lesson.name))};
+  RunRequest wish{.preset = preset,
+                  .folder = free_folder(workshop.runs, fmt::format("lesson_{}", lesson.name))};
   wish.threads = workshop.threads;
   wish.cache = workshop.cache;
   wish.build = workshop.build;
@@ -45,7 +46,7 @@ Turn LessonScreen::look() {
   try {
     const auto recorded = panel_->run()->result();
     if (recorded && recorded->result.outcome == simulation::Outcome::finished)
-      scenarios_ = recorded->summary.at("scenarios");
+      lanes_ = results::lane_summaries_of(recorded->summary.at("scenarios"));
     else
       message_ = "the run did not come to its end: there is no answer in it";
   } catch (const std::exception& error) {
@@ -100,7 +101,7 @@ void LessonScreen::draw_answer(Canvas& canvas, const Area& area) const {
                    {Ink::dim});
     return;
   }
-  const Answer answer = lesson_.answer(scenarios_);
+  const Answer answer = lesson_.answer(lanes_);
   int y = area.y;
   const auto paragraph = [&](std::string_view text, const Style& style) {
     y += draw_paragraph(canvas, {area.x, y, area.width, area.y + area.height - y}, text, style) + 1;
@@ -124,7 +125,7 @@ void LessonScreen::write() try {
     return;
   }
   const fs::path file = panel_->run()->folder() / "handout.html";
-  write_handout(lesson_, scenarios_, panel_->live(), file);
+  write_handout(lesson_, lanes_, panel_->live(), file);
   message_ = "handout: " + file.string();
 } catch (const std::exception& error) {
   message_ = error.what();

@@ -27,7 +27,7 @@ class LessonScreen : public Screen {
   [[nodiscard]] int watch_page() const { return static_cast<int>(lesson_.before.size()); }
   [[nodiscard]] int question_page() const { return watch_page() + 1; }
   [[nodiscard]] int answer_page() const { return watch_page() + 2; }
-  [[nodiscard]] bool run_has_ended() const { return !scenarios_.is_null(); }
+  [[nodiscard]] bool run_has_ended() const { return !lanes_.empty(); }
   void draw_watch(Canvas& canvas, const Area& area, Glyphs glyphs);
   void draw_question(Canvas& canvas, const Area& area) const;
   void draw_answer(Canvas& canvas, const Area& area) const;
@@ -37,7 +37,7 @@ class LessonScreen : public Screen {
   Workshop& workshop_;
   const Lesson& lesson_;
   std::unique_ptr<RunScreen> panel_;
-  nlohmann::ordered_json scenarios_;  // null as long as it runs
+  Lanes lanes_;  // none as long as it runs
   int page_ = 0, chosen_ = -1;
   std::string message_;
 };

@@ -31,7 +31,7 @@ const std::vector<double>& slow_motions() {
   return steps_per_s;
 }
 
-LiveRun::LiveRun(RunWish wish)
+LiveRun::LiveRun(RunRequest wish)
     : wish_(std::move(wish)),
       scenes_(scenes_of(wish_.preset)),
       books_(scenes_.size()),

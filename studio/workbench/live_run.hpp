@@ -22,7 +22,7 @@
 namespace rift::studio {
 
 /// What is to run, and where it is kept.
-struct RunWish {
+struct RunRequest {
   scene::Preset preset;  // without issues, no study
   std::filesystem::path folder;
   bool force = false;   // replace the run that is in the folder
@@ -39,7 +39,7 @@ struct RunWish {
 class LiveRun {
  public:
   /// Claims the folder of a new run, then starts. Throws as results::ClaimedFolder, InputError for a study.
-  explicit LiveRun(RunWish wish);
+  explicit LiveRun(RunRequest wish);
   /// Stops the run, keeping what there is, and waits for its end.
   ~LiveRun();
   LiveRun(const LiveRun&) = delete;
@@ -82,7 +82,7 @@ class LiveRun {
   [[nodiscard]] bool at_rest() const { return paused_ && steps_wanted_ == 0; }
   [[nodiscard]] std::string state() const;
 
-  RunWish wish_;
+  RunRequest wish_;
   std::optional<results::ClaimedFolder> claim_;  // of a new run
   std::vector<scene::Scene> scenes_;
   std::atomic<Stage> stage_ = Stage::preparing;

@@ -91,7 +91,7 @@ void WatchScreen::open_again() try {
   // its journal holds no geometry yet
 }
 
-RunScreen::RunScreen(Workshop& workshop, RunWish wish, bool leave_at_end)
+RunScreen::RunScreen(Workshop& workshop, RunRequest wish, bool leave_at_end)
     : PanelScreen(workshop), run_(std::make_shared<LiveRun>(std::move(wish))), leave_at_end_(leave_at_end) {}
 
 Turn RunScreen::look() {

@@ -55,7 +55,7 @@ class WatchScreen : public PanelScreen {
 class RunScreen : public PanelScreen {
  public:
   /// @param leave_at_end  the screen goes when the run has ended and it could be seen for two seconds
-  RunScreen(Workshop& workshop, RunWish wish, bool leave_at_end = false);
+  RunScreen(Workshop& workshop, RunRequest wish, bool leave_at_end = false);
 
   Turn press(const Press& press) override;
   Turn look() override;

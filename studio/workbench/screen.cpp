@@ -35,7 +35,7 @@ std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const fs::path& pat
     const fs::path folder = overrides.empty() ? workshop.studies / name : free_folder(workshop.studies, name);
     return std::make_unique<StudyScreen>(workshop, preset, folder);
   }
-  RunWish wish{.preset = preset, .folder = free_folder(workshop.runs, name)};
+  RunRequest wish{.preset = preset, .folder = free_folder(workshop.runs, name)};
   wish.threads = workshop.threads;
   wish.cache = workshop.cache;
   wish.build = workshop.build;
@@ -54,7 +54,7 @@ std::unique_ptr<Screen> resumption_of(Workshop& workshop, const fs::path& run) {
   if (simulation::complete_end(run) || simulation::has_ended(run))
     throw scene::InputError({scene::Issue{
         .file = run.string(), .key = {}, .text = "has come to its end: nothing is left of it"}});
-  RunWish wish{.preset = simulation::preset_of_run(run), .folder = run};
+  RunRequest wish{.preset = simulation::preset_of_run(run), .folder = run};
   wish.resume = true;
   wish.threads = workshop.threads;
   wish.cache = workshop.cache;

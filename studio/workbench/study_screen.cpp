@@ -3,7 +3,6 @@
 #include "engine/base/files.hpp"
 #include "engine/theory/references.hpp"
 #include "studio/reports/study_report.hpp"
-#include "studio/reports/study_table.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/curves.hpp"
 #include "studio/screen/layouts.hpp"
@@ -16,10 +15,6 @@
 
 namespace rift::studio {
 namespace {
-
-double number_in_row(const study::SummaryRow& row, const char* key) {
-  return row.is_object() && row.contains(key) && row[key].is_number() ? row[key].get<double>() : std::nan("");
-}
 
 /// The axis whose values make the columns: the velocity where it is varied, else the last one.
 std::size_t column_axis(const scene::Preset& preset) {
@@ -60,7 +55,7 @@ StudyScreen::StudyScreen(Workshop& workshop, study::StoredStudy stored, std::fil
       rows_(std::move(stored.rows)),
       shown_(rows_) {
   const bool complete =
-      std::none_of(rows_.begin(), rows_.end(), [](const study::SummaryRow& row) { return row.is_null(); });
+      std::all_of(rows_.begin(), rows_.end(), [](const auto& row) { return row.has_value(); });
   message_ = !stored.notes.empty() ? stored.notes.front()
              : complete            ? fmt::format("{}/report.html", folder_.string())
                                    : "u goes on with it";
@@ -83,14 +78,14 @@ void StudyScreen::work() {
   };
   observer.finished = [this](const study::SummaryRow& row, int, int) {
     const std::lock_guard lock(mutex_);
-    rows_[row.at("row").get<std::size_t>()] = row;
+    rows_[static_cast<std::size_t>(row.row)] = row;
   };
   std::string message;
   try {
     base::Cache cache = workshop_.cache;
     const study::StudyResult result = study::run_study(
         preset_, {.folder = folder_, .threads = workshop_.threads}, cache, workshop_.build, observer);
-    if (const std::string csv = study_csv(result.rows); !csv.empty())
+    if (const std::string csv = study_csv(to_json(result.rows)); !csv.empty())
       base::write_whole_file(folder_ / "table.csv", csv);
     if (result.outcome != simulation::Outcome::stopped)
       write_study_report(preset_, workshop_.build, result, folder_);
@@ -117,7 +112,7 @@ void StudyScreen::draw(Canvas& canvas, Glyphs glyphs) {
   {
     const std::lock_guard lock(mutex_);
     const auto computed =
-        std::count_if(shown_.begin(), shown_.end(), [](const auto& row) { return row.is_object(); });
+        std::count_if(shown_.begin(), shown_.end(), [](const auto& row) { return row.has_value(); });
     int x = 1 + canvas.text(1, 0, folder_.filename().string(), {Ink::title, true}, layout.head.width) + 2;
     x += canvas.text(x, 0, fmt::format("{} of {} scenarios", computed, shown_.size()), {Ink::good, true}) + 2;
     canvas.text(x, 0, ended_ ? message_ : fmt::format("{}  {:.0f} %", stage_, 100 * done_), {Ink::dim},
@@ -159,17 +154,16 @@ void StudyScreen::draw_grid(Canvas& canvas, const Area& area) const {
       const auto found = cell.find({names[r], columns[c]});
       const int x = area.x + label + static_cast<int>(c) * wide;
       if (found == cell.end() || x + wide > area.x + area.width) continue;
-      const study::SummaryRow& row = shown_[found->second];
-      const double ratio = number_in_row(row, "ratio"), off = number_in_row(row, "error_broberg");
-      if (!row.is_object()) {
+      const std::optional<results::LaneSummary>& row = shown_[found->second];
+      if (!row) {
         canvas.text(x, y, fmt::format("{:>{}}", ".", wide - 1), {Ink::dim});
       } else {
+        const double off = row->error_broberg;
         const Ink ink = std::isnan(off) ? Ink::plain
                         : off > 0.05    ? Ink::bad
                         : off < -0.05   ? Ink::elastic
                                         : Ink::good;
-        const std::string text =
-            std::isnan(ratio) ? row.value("outcome", std::string("?")) : fmt::format("{:.3f}", ratio);
+        const std::string text = std::isnan(row->ratio) ? row->outcome : fmt::format("{:.3f}", row->ratio);
         canvas.text(x + 1, y, fmt::format("{:^{}}", text, wide - 1), {ink, true, true}, wide - 1);
       }
     }
@@ -186,8 +180,8 @@ void StudyScreen::draw_velocities(Canvas& canvas, const Area& area, Glyphs glyph
   std::map<std::string, std::vector<std::array<double, 2>>> by_name;
   const std::size_t axis = column_axis(preset_);
   for (std::size_t k = 0; k < shown_.size(); ++k) {
-    const double v = number_in_row(shown_[k], "crack_velocity_over_cr"),
-                 ratio = number_in_row(shown_[k], "ratio");
+    if (!shown_[k]) continue;
+    const double v = shown_[k]->crack_velocity_over_cr, ratio = shown_[k]->ratio;
     if (std::isnan(v) || std::isnan(ratio)) continue;
     by_name[row_name(preset_.study[k], axis)].push_back({v, ratio});
     fastest = std::max(fastest, v), most = std::max(most, std::min(ratio, 3.0));
@@ -213,9 +207,9 @@ void StudyScreen::draw_velocities(Canvas& canvas, const Area& area, Glyphs glyph
 void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) const {
   std::vector<Curve> curves;
   double low = 1e9, high = -1e9, small = 1e9, large = -1e9;
-  for (const study::SummaryRow& row : shown_) {
-    const double seconds = number_in_row(row, "wall_fracture_s"),
-                 error = std::abs(number_in_row(row, "error_broberg"));
+  for (const std::optional<results::LaneSummary>& row : shown_) {
+    if (!row) continue;
+    const double seconds = row->wall_fracture_s, error = std::abs(row->error_broberg);
     if (!(seconds > 0) || !(error > 0)) continue;
     const double x = std::log10(seconds), y = std::log10(error);
     low = std::min(low, x), high = std::max(high, x), small = std::min(small, y), large = std::max(large, y);

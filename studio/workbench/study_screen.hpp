@@ -44,10 +44,10 @@ class StudyScreen : public Screen {
   mutable std::mutex mutex_;
   std::string stage_ = "begins";
   double done_ = 0;
-  std::vector<study::SummaryRow> rows_;  // by their place in the study; null: not yet
+  std::vector<std::optional<results::LaneSummary>> rows_;  // by their place in the study; none: not yet
   std::string message_;
   bool leaving_ = false;
-  std::vector<study::SummaryRow> shown_;  // the panel's own copy
+  std::vector<std::optional<results::LaneSummary>> shown_;  // the panel's own copy
   std::jthread thread_;
 };
 

@@ -21,16 +21,18 @@ engine/simulation:   base history theory results packing lattice fracture ensemb
 engine/measurement:  base history theory results packing lattice fracture ensemble scene calibration simulation
 engine/stability:    base results packing lattice fracture ensemble scene simulation measurement
 engine/experiment:   base history theory results packing lattice fracture ensemble scene calibration simulation measurement
-engine/study:        base history theory results packing lattice fracture ensemble scene calibration simulation
+engine/study:        base history results ensemble scene simulation
+engine/claims:       base theory lattice fracture scene calibration study
+engine/accuracy:     base scene study
 viz:                 base results
 viz/draw:            base results viz
 studio/text:         base theory results scene simulation study
-studio/charts:       base theory study studio/text
-studio/reports:      base history theory results packing lattice fracture ensemble scene calibration simulation measurement stability experiment study studio/text studio/charts
+studio/charts:       base theory claims studio/text
+studio/reports:      base history theory results packing lattice fracture ensemble scene calibration simulation measurement stability experiment study claims accuracy studio/text studio/charts
 studio/screen:       base theory results fracture scene simulation studio/text
 studio/workbench:    base history theory results scene simulation study studio/text studio/charts studio/reports studio/screen
 studio/terminal:     base studio/screen studio/workbench
-studio/commands:     base theory results packing lattice ensemble scene calibration simulation measurement stability experiment study viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/terminal
+studio/commands:     base theory results packing lattice ensemble scene calibration simulation measurement stability experiment study claims accuracy viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/terminal
 studio:              base results scene studio/commands
 '
 

@@ -1,6 +1,6 @@
 #include "viz/plan.hpp"
 
-#include "engine/results/lane_title.hpp"
+#include "engine/results/lane_summary.hpp"
 #include "tests/viz/drawn_plate.hpp"
 
 namespace rift::viz {
@@ -127,16 +127,12 @@ TEST(Plan, ChoosesStoredMomentsEvenlyAndNeverMakesOneUp) {
 }
 
 TEST(LaneTitle, SaysTechniqueAndVelocityAndWhatTellsThemApart) {
-  const Json simple{{"technique", "simple"},
-                    {"crack_velocity_over_cr", 0.1},
-                    {"damage_zone_ratio", nullptr},
-                    {"damping_alpha", 0.0}};
-  Json progressive = simple;
-  progressive["technique"] = "progressive";
-  progressive["damage_zone_ratio"] = 5;
-  Json damped = simple;
-  damped["damping_alpha"] = 0.0002;
-  damped["damping_region"] = "all";
+  results::LaneSummary simple;
+  simple.technique = "simple", simple.crack_velocity_over_cr = 0.1, simple.damping_alpha = 0.0;
+  results::LaneSummary progressive = simple;
+  progressive.technique = "progressive", progressive.damage_zone_ratio = 5;
+  results::LaneSummary damped = simple;
+  damped.damping_alpha = 0.0002, damped.damping_region = "all";
   using Titles = std::vector<std::string>;
   EXPECT_EQ(results::lane_titles({simple}), (Titles{"simple release, 0.1 c_r"}));
   EXPECT_EQ(results::lane_titles({simple, progressive}),

@@ -1,5 +1,6 @@
+#include "studio/charts/chart_layout.hpp"
+
 #include "studio/charts/chart_script.hpp"
-#include "studio/charts/key_place.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,30 +35,33 @@ TEST(ChartLook, TellsThirtySeriesApart) {
   EXPECT_NE(series_look(-1, 0).dash, series_look(-1, 1).dash);
 }
 
-KeyPlace place_of(const Chart& chart) { return key_place(chart, x_span(chart), y_span(chart)); }
-
-TEST(KeyPlace, IsACornerWithoutData) {
+TEST(KeyPlace, IsOutsideTheAxes) {
   Chart chart;
   chart.series = {{"rising", {0, 1}, {0, 1}, {}, ChartSeries::Style::line, 0}};
-  EXPECT_EQ(place_of(chart), KeyPlace::top_left);
-  chart.series[0].y = {1, 0};
-  EXPECT_EQ(place_of(chart), KeyPlace::top_right);
-  chart.key_outside = true;
-  EXPECT_EQ(place_of(chart), KeyPlace::right);
+  EXPECT_EQ(key_place(chart), KeyPlace::right);
+  EXPECT_NE(key_lines(chart).find("set rmargin at screen"), std::string::npos);
   chart.series[0].label = std::string(60, 'x');
-  EXPECT_EQ(place_of(chart), KeyPlace::below);
+  EXPECT_EQ(key_place(chart), KeyPlace::below);
+  EXPECT_NE(key_lines(chart).find("set key outside below"), std::string::npos);
   chart.series[0].label.clear();
-  EXPECT_EQ(place_of(chart), KeyPlace::none);
+  EXPECT_EQ(key_place(chart), KeyPlace::none);
 }
 
-TEST(KeyPlace, IsOutsideWhereEachCornerHoldsData) {
+TEST(KeyPlace, MakesRoomForManySeries) {
   Chart chart;
-  chart.series = {{"cross", {0, 1}, {0, 1}, {}, ChartSeries::Style::line, 0},
-                  {"other", {0, 1}, {1, 0}, {}, ChartSeries::Style::line, 1}};
-  EXPECT_EQ(place_of(chart), KeyPlace::right);
-  chart.series[1] = {"bar", {0.05}, {0.5}, {0.5}, ChartSeries::Style::points,
-                     1};  // its bar fills both left corners
-  EXPECT_EQ(place_of(chart), KeyPlace::bottom_right);
+  chart.series = {{"one", {0, 1}, {0, 1}, {}, ChartSeries::Style::line, 0}};
+  const int height = picture_height(chart);
+  chart.series.assign(30, chart.series[0]);
+  EXPECT_GT(picture_height(chart), height);
+}
+
+TEST(ChartSeries, KeepsBarsBesideTheirPoints) {
+  ChartSeries series{.x = {1}, .y = {2}};
+  series.add(2, 3);
+  series.add(3, 4, 0.5);
+  ASSERT_EQ(series.error.size(), 3U);
+  EXPECT_TRUE(std::isnan(series.error[0]) && std::isnan(series.error[1]));
+  EXPECT_EQ(series.error[2], 0.5);
 }
 
 TEST(MarkLabels, StandInRowsWhereTheyWouldMeet) {
@@ -65,7 +69,7 @@ TEST(MarkLabels, StandInRowsWhereTheyWouldMeet) {
   chart.x_range = {0.0, 1.0};
   chart.marks = {
       {0.5, 0.5, "echo of the boundary"}, {0.52, 0.52, "second echo"}, {0.99, 1.0, "the end of all"}};
-  const std::vector<MarkLabel> labels = mark_labels(chart, KeyPlace::top_left, {0, 1});
+  const std::vector<MarkLabel> labels = mark_labels(chart, {0, 1});
   EXPECT_EQ(labels[0].row, 0);
   EXPECT_EQ(labels[1].row, 1);
   EXPECT_EQ(labels[2].row, 0);

@@ -41,7 +41,7 @@ TEST(ProgressLine, ShowsAStageThatTellsNothingFurther) {
   testing::internal::CaptureStderr();
   {
     ProgressLine line(ProgressStyle::plain);
-    line.tell("critical step", 0.0);
+    line.show("critical step", 0.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(1500));
   }
   EXPECT_TRUE(contains(testing::internal::GetCapturedStderr(), "critical step   0 %  for "));
@@ -50,7 +50,7 @@ TEST(ProgressLine, ShowsAStageThatTellsNothingFurther) {
 TEST(ProgressLine, IsSilentAfterTheEndOfAStage) {
   testing::internal::CaptureStderr();
   ProgressLine line(ProgressStyle::plain);
-  line.tell("packing", 0.0);
+  line.show("packing", 0.0);
   line.clear();
   std::this_thread::sleep_for(std::chrono::milliseconds(2200));
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");

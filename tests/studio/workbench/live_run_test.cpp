@@ -28,7 +28,7 @@ struct Slow {
   Live live;
 
   explicit Slow(const std::vector<std::string>& overrides = {}, bool paused = true) {
-    RunWish wish{.preset = simulation::small_preset(overrides), .folder = folder.path() / "run"};
+    RunRequest wish{.preset = simulation::small_preset(overrides), .folder = folder.path() / "run"};
     wish.cache = shared_cache();
     run.emplace(std::move(wish));
     if (paused) run->pause(true);
@@ -152,7 +152,7 @@ TEST(LiveRun, StoppedItKeepsWhatThereIs) {
 TEST(LiveRun, StoppedBeforeItsFirstStepItLeavesNoFolder) {
   TemporaryFolder folder;
   {
-    RunWish wish{.preset = simulation::small_preset({"specimen.elements=4000"}),
+    RunRequest wish{.preset = simulation::small_preset({"specimen.elements=4000"}),
                  .folder = folder.path() / "run"};
     LiveRun run(std::move(wish));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "run"));
@@ -164,7 +164,7 @@ TEST(LiveRun, StoppedBeforeItsFirstStepItLeavesNoFolder) {
 
 TEST(LiveRun, AFailureIsToldWhereTheResultIsAskedFor) {
   TemporaryFolder folder;
-  RunWish wish{.preset = simulation::small_preset({"specimen.coordination=6.9"}),
+  RunRequest wish{.preset = simulation::small_preset({"specimen.coordination=6.9"}),
                .folder = folder.path() / "run"};
   LiveRun run(std::move(wish));
   EXPECT_THROW((void)run.result(), scene::InputError);

@@ -290,28 +290,23 @@ TEST(StudyScreen, OpensAStudyOfTheListWithoutComputingAndGoesOnWhenAsked) {
 }
 
 TEST(Lesson, TheAnswerFollowsFromTheNumbersOfTheRun) {
-  using Json = nlohmann::ordered_json;
   const auto lane = [](double ratio, double with_damping, double v) {
-    return Json{{"ratio", ratio},
-                {"ratio_with_damping", with_damping},
-                {"ratio_release", ratio},
-                {"broberg", 0.9},
-                {"crack_velocity_over_cr", v},
-                {"energy_kinetic_translation_j", 1},
-                {"energy_kinetic_rotation_j", 0}};
+    results::LaneSummary s;
+    s.ratio = s.ratio_release = ratio, s.ratio_with_damping = with_damping;
+    s.broberg = 0.9, s.crack_velocity_over_cr = v;
+    s.energy_kinetic_translation_j = 1, s.energy_kinetic_rotation_j = 0;
+    return s;
   };
   const Lesson& release = lesson_of("node-release");
-  EXPECT_EQ(release.answer(Json::array({lane(0.3, 0.3, 0.1), lane(0.9, 0.9, 0.1)})).right, 1);
-  EXPECT_EQ(release.answer(Json::array({lane(0.9, 0.9, 0.1), lane(0.3, 0.3, 0.1)})).right, 0);
-  EXPECT_EQ(release.answer(Json::array({lane(0.9, 0.9, 0.1), lane(0.91, 0.91, 0.1)})).right, 2);
+  EXPECT_EQ(release.answer({lane(0.3, 0.3, 0.1), lane(0.9, 0.9, 0.1)}).right, 1);
+  EXPECT_EQ(release.answer({lane(0.9, 0.9, 0.1), lane(0.3, 0.3, 0.1)}).right, 0);
+  EXPECT_EQ(release.answer({lane(0.9, 0.9, 0.1), lane(0.91, 0.91, 0.1)}).right, 2);
   const Lesson& damping = lesson_of("damping");
-  EXPECT_EQ(
-      damping.answer(Json::array({lane(0.3, 0.3, 0.2), lane(0.3, 0.35, 0.2), lane(0.3, 0.4, 0.2)})).right, 0);
-  EXPECT_EQ(
-      damping.answer(Json::array({lane(0.3, 0.3, 0.2), lane(0.3, 0.3, 0.2), lane(0.2, 0.2, 0.2)})).right, 1);
+  EXPECT_EQ(damping.answer({lane(0.3, 0.3, 0.2), lane(0.3, 0.35, 0.2), lane(0.3, 0.4, 0.2)}).right, 0);
+  EXPECT_EQ(damping.answer({lane(0.3, 0.3, 0.2), lane(0.3, 0.3, 0.2), lane(0.2, 0.2, 0.2)}).right, 1);
   const Lesson& velocity = lesson_of("velocity");
-  EXPECT_EQ(velocity.answer(Json::array({lane(0.9, 0.9, 0.2), lane(0.5, 0.5, 0.5)})).right, 0);
-  EXPECT_EQ(velocity.answer(Json::array({lane(0.5, 0.5, 0.2), lane(0.9, 0.9, 0.5)})).right, 1);
+  EXPECT_EQ(velocity.answer({lane(0.9, 0.9, 0.2), lane(0.5, 0.5, 0.5)}).right, 0);
+  EXPECT_EQ(velocity.answer({lane(0.5, 0.5, 0.2), lane(0.9, 0.9, 0.5)}).right, 1);
   EXPECT_THROW((void)lesson_of("node-relase"), scene::InputError);
 }
 
