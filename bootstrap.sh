@@ -2,6 +2,7 @@
 # From a bare Debian machine to a result, or to the end of the tests:
 #   ./bootstrap.sh demo    install what is missing, build, run the main job (presets/quickstart.toml)
 #   ./bootstrap.sh test    install what is missing, build, run every test but those labelled slow
+#   ./bootstrap.sh --help  this text
 # Options: --no-viz leaves the renderer (VTK) out; --plain shows lines in place of the live panel. A second call does no work twice.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -30,10 +31,7 @@ viz_packages=(  # --no-viz leaves them out
   'ffmpeg|films'
 )
 
-usage() {
-  sed -n '2,5p' "$0" | sed 's/^# \{0,1\}//' >&2
-  exit 2
-}
+usage() { sed -n '2,6p' "$0" | sed 's/^# \{0,1\}//'; }
 
 say() { printf '\n== %s\n' "$*" >&2; }
 
@@ -44,28 +42,58 @@ list_needs() {
   echo "Then: cmake --preset release && cmake --build --preset release" >&2
 }
 
+is_installed() { [ "$(dpkg-query -W -f='${Status}' "$1" 2>/dev/null)" = 'install ok installed' ]; }
+
+is_offered() { apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'; }
+
+# Prints the packages that are missing and can be had; one of OSMesa and EGL suffices.
+obtainable() { # MISSING...
+  local package other gone=()
+  for package in "$@"; do
+    if is_offered "$package"; then
+      echo "$package"
+      continue
+    fi
+    case "$package" in
+      libosmesa6-dev) other=libegl-dev ;;
+      libegl-dev) other=libosmesa6-dev ;;
+      *) other='' ;;
+    esac
+    if [ -n "$other" ] && { is_installed "$other" || is_offered "$other"; }; then
+      say "this system has no $package: pictures are drawn with $other"
+    else
+      gone+=("$package")
+    fi
+  done
+  [ ${#gone[@]} -eq 0 ] && return
+  echo "this system's package lists have no ${gone[*]}" >&2
+  list_needs
+  return 1
+}
+
 install_missing() {
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     list_needs
     exit 1
   fi
-  local missing=() entry
-  for entry in "${packages[@]}"; do
-    [ "$(dpkg-query -W -f='${Status}' "${entry%%|*}" 2>/dev/null)" = 'install ok installed' ] || missing+=("${entry%%|*}")
-  done
+  local missing=() entry sudo=() wanted
+  for entry in "${packages[@]}"; do is_installed "${entry%%|*}" || missing+=("${entry%%|*}"); done
   [ ${#missing[@]} -eq 0 ] && return
-  say "installing ${missing[*]}"
-  local sudo=()
   if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null || { echo "neither root nor sudo: ask for the packages named above" >&2; list_needs; exit 1; }
+    command -v sudo >/dev/null || { echo "neither root nor sudo: ask for the packages below" >&2; list_needs; exit 1; }
     sudo=(sudo)
   fi
   "${sudo[@]}" apt-get update -qq
-  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  wanted=$(obtainable "${missing[@]}") || exit 1
+  [ -n "$wanted" ] || return 0
+  say "installing" $wanted "and what they need (up to 1.5 GB and a few minutes for the renderer)"
+  # shellcheck disable=SC2086  # names without spaces
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $wanted |
+    awk '/^Setting up/ { printf "\r   %d packages set up", ++n > "/dev/stderr" } END { if (n) print "" > "/dev/stderr" }'
 }
 
 build() { # TARGET...
-  say "building (build/release)"
+  say "building (build/release; some four minutes on two cores the first time)"
   cmake --preset release -DRIFT_VIZ="$viz" >/dev/null
   cmake --build --preset release --target "$@"
   ln -sf build/release/studio/rift rift
@@ -79,10 +107,11 @@ for argument in "$@"; do
     demo | test) what=$argument ;;
     --no-viz) viz=OFF ;;
     --plain) plain=(--plain) ;;
-    *) usage ;;
+    -h | --help) usage; exit 0 ;;
+    *) echo "bootstrap.sh: unknown argument '$argument'" >&2; usage >&2; exit 2 ;;
   esac
 done
-[ -n "$what" ] || usage
+[ -n "$what" ] || { usage >&2; exit 2; }
 [ $viz = OFF ] || packages+=("${viz_packages[@]}")
 [ "$what" = demo ] || packages+=('tmux|tests of the panels')
 

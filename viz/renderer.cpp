@@ -22,7 +22,8 @@ std::filesystem::path own_folder() { return std::filesystem::canonical("/proc/se
 
 Renderer::Renderer(Job job, Gl gl, bool idle, std::filesystem::path programs)
     : job_(std::move(job)), idle_(idle), may_turn_to_egl_(gl == Gl::any), programs_(std::move(programs)) {
-  start(gl == Gl::egl ? "egl" : "osmesa");
+  const bool only_egl = gl == Gl::any && !std::filesystem::exists(programs_ / "rift-frames-osmesa");
+  start(gl == Gl::egl || only_egl ? "egl" : "osmesa");
 }
 
 void Renderer::start(const std::string& gl) {

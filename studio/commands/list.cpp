@@ -16,7 +16,7 @@ namespace rift::studio {
 namespace {
 
 struct ListOptions {
-  bool json = false;
+  bool json = false, names = false;
   std::string color;
 };
 
@@ -43,7 +43,9 @@ void print_table(const std::vector<PresetEntry>& entries, bool color) {
 
 void list(const ListOptions& options) {
   const std::vector<PresetEntry> entries = preset_entries(presets_folder());
-  if (options.json) {
+  if (options.names) {
+    for (const PresetEntry& e : entries) base::print("{}\n", e.name);
+  } else if (options.json) {
     print_json(entries);
   } else {
     print_table(entries, wants_color(options.color, stdout));
@@ -56,6 +58,7 @@ void add_list(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand("list", "Presets, with one line and the cost of each");
   const auto options = std::make_shared<ListOptions>();
   command.add_flag("--json", options->json, "A JSON array of name, path, shows, cost");
+  command.add_flag("--names", options->names, "The names alone, one a line")->excludes("--json");
   add_color_option(command, options->color);
   command.callback([options, &exit_code] {
     list(*options);

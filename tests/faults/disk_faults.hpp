@@ -178,7 +178,7 @@ class Sweep {
         replaced(replaced(command, "{}", where.string()), "rift ", std::string(RIFT_EXE) + " ");
     write_text(folder_.path() / "command.sh", limits + text + "\n");
     return run_shell(
-        fmt::format("env XDG_CACHE_HOME='{0}/cache' TMPDIR='{0}' {1} timeout -k 5 120 sh '{0}/command.sh'",
+        fmt::format("env XDG_CACHE_HOME='{0}/cache' TMPDIR='{0}' {1} timeout -k 5 600 sh '{0}/command.sh'",
                     folder_.path().string(), environment));
   }
   Ran run(const std::string& command, const std::string& environment, const std::string& limits = "") const {

@@ -50,6 +50,14 @@ TEST(Renderer, TurnsToEglWhereOsmesaIsNotToBeHadAndAsksAgain) {
                                   ": it ended with code 3: no context");
 }
 
+TEST(Renderer, DrawsByEglWhereThereIsNoProgramForOsmesa) {
+  const TemporaryFolder folder;
+  write_script(folder / "rift-frames-egl", drawing('e'));
+  Renderer renderer(small_job(), Gl::any, false, folder.path());
+  renderer.ask(0.0);
+  EXPECT_EQ(renderer.next().rgb.front(), 'e');
+}
+
 TEST(Renderer, TurnsToEglWhereOsmesasLibraryIsGone) {
   const TemporaryFolder folder;
   write_script(folder / "rift-frames-osmesa", "exit 127");

@@ -1,0 +1,7 @@
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(fmt 9)
+find_dependency(tomlplusplus)
+find_dependency(nlohmann_json 3.11)
+find_dependency(Threads)
+include(${CMAKE_CURRENT_LIST_DIR}/rift.cmake)
