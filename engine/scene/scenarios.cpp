@@ -18,7 +18,7 @@ namespace rift::scene {
 namespace {
 
 // Per lane is what changes neither the lattice nor the critical step.
-constexpr std::array<Axis, 20> table{{
+constexpr std::array<Axis, 20> axis_table{{
     {"technique", "crack.technique", true},
     {"relaxation", "crack.relaxation", true},
     {"damage_zone_ratio", "crack.damage_zone_ratio", true},
@@ -43,14 +43,14 @@ constexpr std::array<Axis, 20> table{{
 
 std::vector<std::string> axis_names() {
   std::vector<std::string> names;
-  names.reserve(table.size());
-  for (const Axis& axis : table) names.emplace_back(axis.name);
+  names.reserve(axis_table.size());
+  for (const Axis& axis : axis_table) names.emplace_back(axis.name);
   return names;
 }
 
 /// The axis that varies the key which is called so, with or without its table: "velocity" is crack_velocity.
 std::string axis_of_key(const std::string& name) {
-  for (const Axis& axis : table) {
+  for (const Axis& axis : axis_table) {
     if (name == axis.key || name == name_of(parameter_of(axis))) return std::string(axis.name);
   }
   return {};
@@ -58,10 +58,10 @@ std::string axis_of_key(const std::string& name) {
 
 }  // namespace
 
-std::span<const Axis> axes() { return table; }
+std::span<const Axis> axes() { return axis_table; }
 
 const Axis* find_axis(std::string_view name) {
-  for (const Axis& axis : table) {
+  for (const Axis& axis : axis_table) {
     if (axis.name == name) return &axis;
   }
   return nullptr;
@@ -93,7 +93,7 @@ std::string unknown_axis(const std::string& name) {
 
 std::string lane_axes() {
   std::vector<std::string> names;
-  for (const Axis& axis : table) {
+  for (const Axis& axis : axis_table) {
     if (axis.per_lane) names.emplace_back(axis.name);
   }
   return listed(names, "and");
