@@ -31,7 +31,7 @@ lattice::Lattice lattice_of(const packing::Packing& packing, const packing::Box&
 packing::Packing cut(const packing::Packing& block, const packing::Box& bar) {
   packing::Packing packing;
   for (std::size_t i = 0; i < block.centre.size(); ++i)
-    if (const Eigen::Vector3d p = block.centre[i] - Eigen::Vector3d::Constant(margin); packing::holds(bar, p))
+    if (const Eigen::Vector3d p = block.centre[i] - Eigen::Vector3d::Constant(margin); packing::contains(bar, p))
       packing.centre.push_back(p), packing.radius.push_back(block.radius[i]);
   return packing;
 }
