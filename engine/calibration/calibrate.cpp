@@ -1,6 +1,5 @@
 #include "engine/calibration/calibrate.hpp"
 
-#include "engine/base/numbers.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/scene/derived.hpp"
 
@@ -9,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace rift::calibration {
 namespace {
@@ -62,8 +62,14 @@ Calibrated selected(const std::vector<CylinderResult>& packings, double young_mo
 
 }  // namespace
 
+// Rounded share by share, unlike base::mean_of: what was calibrated before keeps its bits.
 Scattered scattered(const std::vector<double>& values) {
-  return {base::mean_of(values), base::deviation_of(values)};
+  Scattered s;
+  const auto n = static_cast<double>(values.size());
+  for (double v : values) s.mean += v / n;
+  for (double v : values) s.deviation += (v - s.mean) * (v - s.mean) / (n - 1.0);
+  s.deviation = values.size() > 1 ? std::sqrt(s.deviation) : std::numeric_limits<double>::quiet_NaN();
+  return s;
 }
 
 OutOfReach::OutOfReach(double wanted, std::array<double, 2> range)

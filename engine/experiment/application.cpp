@@ -11,8 +11,8 @@
 namespace rift::experiment {
 namespace {
 
-constexpr double stretch = 0.02;  // of the velocity that is averaged over [c_R]
-constexpr double least = 0.05;    // of the lowest rate, at rest: nothing breaks for nothing
+constexpr double stretch = 0.02;     // of the velocity that is averaged over [c_R]
+constexpr double least_rate = 0.05;  // of the lowest rate, at rest: nothing breaks for nothing
 
 using Law = std::vector<std::array<double, 3>>;
 
@@ -56,7 +56,7 @@ void go_on_beyond(Law& law) {
   const auto [slow, low, of_low] = law.front();
   const auto [fast, high, of_high] = law.back();
   const double slope = fast > slow ? (high - low) / (fast - slow) : 0.0;
-  if (slow > 0.0) law.insert(law.begin(), {0.0, std::max(least * low, low - slope * slow), of_low});
+  if (slow > 0.0) law.insert(law.begin(), {0.0, std::max(least_rate * low, low - slope * slow), of_low});
   if (fast < 1.0) law.push_back({1.0, high + slope * (1.0 - fast), of_high});
 }
 

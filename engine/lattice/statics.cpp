@@ -67,8 +67,6 @@ std::vector<Vector6> motions_in(const StaticSystem& system, const Eigen::VectorX
   return q;
 }
 
-namespace {
-
 /// Preconditioner for the beam lattice: one block per element for the short waves, and the rigid motions of
 /// patches a few elements wide, solved directly, for the long ones (two-level additive Schwarz, Dryja and
 /// Widlund 1987):
@@ -99,6 +97,8 @@ class RigidPatches {
   Eigen::ComputationInfo info_ = Eigen::Success;
 };
 
+namespace {
+
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// One element's rows of P: u = U + Omega x d, R theta = R Omega, with Omega scaled by R as the unknowns are.
@@ -111,6 +111,8 @@ void add_rigid_motion(Triplets& entries, int element, int patch, const Eigen::Ve
     entries.emplace_back(row + c, column + 3 + last, -d[next]);
   }
 }
+
+}  // namespace
 
 void RigidPatches::place(const std::vector<Eigen::Vector3d>& centre, double scale, double edge) {
   std::map<std::array<long, 3>, std::vector<int>> patches;
@@ -153,8 +155,6 @@ Eigen::VectorXd RigidPatches::solve(const Eigen::VectorXd& residual) const {
   }
   return correction;
 }
-
-}  // namespace
 
 struct StaticSolver::ConjugateGradients
     : Eigen::ConjugateGradient<StaticSystem::Matrix, Eigen::Lower | Eigen::Upper, RigidPatches> {};

@@ -96,39 +96,39 @@ SpecimenProperties measure_specimen(const simulation::Prepared& p, base::Cache& 
   };
   const scene::Scene::Material& m = p.preset.scene.material;
   const lattice::Lattice plate = free_plate(p, cache, telling("packing", 0.0, 1.0));
-  SpecimenProperties own;
-  own.nominal = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
+  SpecimenProperties found;
+  found.nominal = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
   base::tell_or_stop(telling("static pulls", 0.0, 1.0), 0.0, "pulling the plate");
   lattice::FreeBody body(plate);
   const calibration::Pulled along = calibration::pull(plate, body, 0, 1.0, telling("static pulls", 0.0, 0.5));
   const calibration::Pulled across =
       calibration::pull(plate, body, 1, 1.0, telling("static pulls", 0.5, 0.5));
-  own.young_along = along.gauge_modulus, own.poisson_along = along.poisson_ratio.y();
-  own.young_across = across.gauge_modulus, own.poisson_across = across.poisson_ratio.x();
+  found.young_along = along.gauge_modulus, found.poisson_along = along.poisson_ratio.y();
+  found.young_across = across.gauge_modulus, found.poisson_across = across.poisson_ratio.x();
   const theory::WaveSpeeds expected =
-      theory::wave_speeds(own.young_along, own.poisson_along, p.density, theory::Plane::stress);
+      theory::wave_speeds(found.young_along, found.poisson_along, p.density, theory::Plane::stress);
   const double dt = 0.5 * p.stable.critical * p.lane.front().units.time;
-  own.waves = measured_waves(plate, dt, expected, threads, telling("waves", 0.0, 1.0));
-  return own;
+  found.waves = measured_waves(plate, dt, expected, threads, telling("waves", 0.0, 1.0));
+  return found;
 }
 
-nlohmann::ordered_json json_of(const SpecimenProperties& own, double mean_radius) {
+nlohmann::ordered_json json_of(const SpecimenProperties& found, double mean_radius) {
   nlohmann::ordered_json waves = nlohmann::ordered_json::array();
-  for (const Wave& wave : own.waves)
+  for (const Wave& wave : found.waves)
     waves.push_back({{"kind", name_of(wave.kind)},
                      {"wavelength_m", wave.wavelength},
                      {"wavelength_over_radius", wave.wavelength / mean_radius},
                      {"speed_m_s", wave.speed}});
-  return {{"measured_young_modulus_along_pa", own.young_along},
-          {"measured_poisson_ratio_along", own.poisson_along},
-          {"measured_young_modulus_across_pa", own.young_across},
-          {"measured_poisson_ratio_across", own.poisson_across},
-          {"nominal_dilatational_speed_m_s", own.nominal.dilatational},
-          {"nominal_shear_speed_m_s", own.nominal.shear},
-          {"nominal_rayleigh_speed_m_s", own.nominal.rayleigh},
-          {"measured_dilatational_speed_m_s", own.speed(WaveKind::dilatational)},
-          {"measured_shear_speed_m_s", own.speed(WaveKind::shear)},
-          {"measured_rayleigh_speed_m_s", own.speed(WaveKind::rayleigh)},
+  return {{"measured_young_modulus_along_pa", found.young_along},
+          {"measured_poisson_ratio_along", found.poisson_along},
+          {"measured_young_modulus_across_pa", found.young_across},
+          {"measured_poisson_ratio_across", found.poisson_across},
+          {"nominal_dilatational_speed_m_s", found.nominal.dilatational},
+          {"nominal_shear_speed_m_s", found.nominal.shear},
+          {"nominal_rayleigh_speed_m_s", found.nominal.rayleigh},
+          {"measured_dilatational_speed_m_s", found.speed(WaveKind::dilatational)},
+          {"measured_shear_speed_m_s", found.speed(WaveKind::shear)},
+          {"measured_rayleigh_speed_m_s", found.speed(WaveKind::rayleigh)},
           {"waves", waves}};
 }
 

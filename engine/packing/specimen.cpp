@@ -15,22 +15,28 @@ std::vector<Grip> grips_of(const Packing& packing, const Box& box) {
   return grips;
 }
 
-/// Root of i's tree, halving the path on the way.
-int root(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
+/// For each of n elements, one of those that hang together with it, the same for all of them.
+std::vector<int> pieces_of(std::size_t n, const std::vector<std::array<int, 2>>& beam) {
+  std::vector<int> parent(n);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int i) {  // of i's tree, halving the path to it
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const auto& [i, j] : beam) parent[root(i)] = root(j);
+  std::vector<int> piece(n);
+  for (int i = 0; i < static_cast<int>(n); ++i) piece[i] = root(i);
+  return piece;
 }
 
 }  // namespace
 
 std::vector<char> reached_from(const std::vector<char>& anchor, const std::vector<std::array<int, 2>>& beam) {
-  std::vector<int> parent(anchor.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  for (const auto& [i, j] : beam) parent[root(parent, i)] = root(parent, j);
-  std::vector<char> anchored(anchor.size(), 0), reached(anchor.size(), 0);
-  for (int i = 0; i < static_cast<int>(anchor.size()); ++i)
-    if (anchor[i]) anchored[root(parent, i)] = 1;
-  for (int i = 0; i < static_cast<int>(anchor.size()); ++i) reached[i] = anchored[root(parent, i)];
+  const std::vector<int> piece = pieces_of(anchor.size(), beam);
+  std::vector<char> anchored(anchor.size(), 0), reached(anchor.size());
+  for (std::size_t i = 0; i < anchor.size(); ++i)
+    if (anchor[i]) anchored[piece[i]] = 1;
+  for (std::size_t i = 0; i < anchor.size(); ++i) reached[i] = anchored[piece[i]];
   return reached;
 }
 
@@ -85,13 +91,12 @@ Specimen make_plate(const Packing& packing, const Box& box, double contact_toler
 
 Specimen make_free_specimen(const Packing& packing, const Box& box, double contact_tolerance) {
   const auto beams = contacts(packing, box, contact_tolerance);
-  std::vector<int> parent(packing.radius.size()), members(packing.radius.size(), 0);
-  std::iota(parent.begin(), parent.end(), 0);
-  for (const auto& [i, j] : beams) parent[root(parent, i)] = root(parent, j);
-  for (std::size_t i = 0; i < parent.size(); ++i) ++members[root(parent, static_cast<int>(i))];
+  const std::vector<int> piece = pieces_of(packing.radius.size(), beams);
+  std::vector<int> members(piece.size(), 0);
+  for (const int p : piece) ++members[p];
   const auto largest = static_cast<int>(std::max_element(members.begin(), members.end()) - members.begin());
-  std::vector<char> wanted(parent.size());
-  for (std::size_t i = 0; i < parent.size(); ++i) wanted[i] = root(parent, static_cast<int>(i)) == largest;
+  std::vector<char> wanted(piece.size());
+  for (std::size_t i = 0; i < piece.size(); ++i) wanted[i] = piece[i] == largest;
   Specimen specimen = specimen_of(packing, box, beams, wanted);
   const auto holds_none = [&](Grip grip) { return std::ranges::count(specimen.grip, grip) == 0; };
   if (box.shape != Shape::periodic && (holds_none(Grip::bottom) || holds_none(Grip::top)))
