@@ -196,7 +196,7 @@ void Ensemble::restore(const NamedNumbers& state) {
   beta_before_ = clock[2];
   grip_before_ = clock[4], grip_after_ = clock[5];
   take(state, "born", first_step_);
-  if (rule_) rule_->restore(state);
+  if (rule_) rule_->restore(state_, state);
   state_.restore(state);
   balances_.restore(state);
   forget_evaluation();

@@ -32,23 +32,24 @@ class ReleaseRule {
                               std::vector<DamageIncrement>& increments) = 0;
   /// What a checkpoint needs of the rule. restore() throws std::invalid_argument where the numbers are no
   /// such rule's.
-  virtual void save(NamedNumbers& state) const = 0;
-  virtual void restore(const NamedNumbers& state) = 0;
+  virtual void save(NamedNumbers& numbers) const = 0;
+  virtual void restore(const State& state, const NamedNumbers& numbers) = 0;
 };
 
 /// S-NRT and P-NRT: in each lane a tip moves by a history along a path, and the beams that cross the path
 /// lose stiffness as they come into the reach of its damage zone   [paper eqs. (9)-(11)].
 class PrescribedTips : public ReleaseRule {
  public:
-  /// @param[in] damageable  by ascending position;  @param[in] dt  step of the ensemble [s]
-  PrescribedTips(const std::vector<fracture::DamageableBeam>& damageable, double dt);
+  /// @param[in] dt  step of the ensemble [s], whose damageable beams must be in ascending order of their
+  /// positions
+  explicit PrescribedTips(double dt) : dt_(dt) {}
 
   void set_lane(int lane, const fracture::LaneScenario& scenario) override;
   void start(int lane, std::int64_t step) override;
   void predict_damage(const State& state, std::int64_t step,
                       std::vector<DamageIncrement>& increments) override;
-  void save(NamedNumbers& state) const override;
-  void restore(const NamedNumbers& state) override;
+  void save(NamedNumbers& numbers) const override;
+  void restore(const State& state, const NamedNumbers& numbers) override;
 
   // In the lattice's time; before the start a tip is where its history begins.
   double tip(int lane) const {
@@ -68,7 +69,6 @@ class PrescribedTips : public ReleaseRule {
     return static_cast<double>(step - lane_[lane].start) * dt_;
   }
 
-  std::vector<double> position_;  // of the damageable beams [m]
   double dt_;
   std::int64_t step_ = 0;  // of the ensemble, now
   std::vector<Lane> lane_;

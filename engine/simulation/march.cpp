@@ -109,19 +109,18 @@ std::string where_it_diverges(const lattice::Lattice& lattice, ensemble::Ensembl
                      lost ? "lost first is" : "fastest is", worst, beam);
 }
 
-std::vector<fracture::DamageableBeam> beams_of(const Prepared& p) {
-  return fracture::damageable_beams(p.path, p.lattice, p.preset.scene.crack.start);
-}
-
 }  // namespace
 
 Run::Run(const Prepared& prepared, const Observer& observer, const MarchOptions& options)
     : prepared_(prepared),
       observer_(observer),
       lane_(prepared.lane),
-      tips_(std::make_shared<ensemble::PrescribedTips>(beams_of(prepared), prepared.step.dt)),
-      ensemble_(prepared.lattice, beams_of(prepared), prepared.step.dt,
-                first_scenarios(prepared, options.lanes), ensemble_options(prepared, options), tips_),
+      tips_(std::make_shared<ensemble::PrescribedTips>(prepared.step.dt)),
+      ensemble_(
+          prepared.lattice,
+          fracture::damageable_beams(prepared.path, prepared.lattice, prepared.preset.scene.crack.start),
+          prepared.step.dt, first_scenarios(prepared, options.lanes), ensemble_options(prepared, options),
+          tips_),
       slot_(ensemble_.scenarios()) {
   result_.lane.resize(prepared.lane.size());
   for (LaneSlot& slot : slot_) {

@@ -40,7 +40,7 @@ Seen crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& pat
   seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
   const std::vector<fracture::DamageableBeam> beams = fracture::damageable_beams(path, lattice, 0.0);
   ensemble::Ensemble s(lattice, beams, dt, {scenario}, {.precision = precision},
-                       std::make_shared<ensemble::PrescribedTips>(beams, dt));
+                       std::make_shared<ensemble::PrescribedTips>(dt));
   s.start_from(base);
   s.start_crack({});
   seen.residual = 0.0;

@@ -61,7 +61,7 @@ void as_a_state(fuzz::Bytes input) {
   scenario.law = {fracture::Technique::progressive, 1.0, 1e-3};
   const auto beams = fracture::damageable_beams(fracture::straight_path(3e-3, 1.6e-3), lattice, 0.0);
   ensemble::Ensemble ensemble(lattice, beams, 1e-9, {scenario, scenario}, {},
-                              std::make_shared<ensemble::PrescribedTips>(beams, 1e-9));
+                              std::make_shared<ensemble::PrescribedTips>(1e-9));
   ensemble.start_from(std::vector<lattice::Vector6>(3, lattice::Vector6::Zero()));
   ensemble.start_crack({});
   ensemble::NamedNumbers state = ensemble.state();

@@ -13,8 +13,8 @@ struct CrackedEnsemble : Ensemble {
   CrackedEnsemble(const lattice::Lattice& lattice, const fracture::CrackPath& path, double notch_end,
                   double dt, const std::vector<fracture::LaneScenario>& scenarios,
                   const EnsembleOptions& options = {})
-      : CrackedEnsemble(lattice, fracture::damageable_beams(path, lattice, notch_end), dt, scenarios,
-                        options) {}
+      : CrackedEnsemble(lattice, path, notch_end, dt, scenarios, options,
+                        std::make_shared<PrescribedTips>(dt)) {}
 
   double tip(int lane) const { return tips->tip(lane); }
   Eigen::Vector3d normal(int k) const {
@@ -24,15 +24,11 @@ struct CrackedEnsemble : Ensemble {
   std::shared_ptr<PrescribedTips> tips;
 
  private:
-  CrackedEnsemble(const lattice::Lattice& lattice, const std::vector<fracture::DamageableBeam>& beams,
+  CrackedEnsemble(const lattice::Lattice& lattice, const fracture::CrackPath& path, double notch_end,
                   double dt, const std::vector<fracture::LaneScenario>& scenarios,
-                  const EnsembleOptions& options)
-      : CrackedEnsemble(lattice, beams, dt, scenarios, options, std::make_shared<PrescribedTips>(beams, dt)) {
-  }
-  CrackedEnsemble(const lattice::Lattice& lattice, const std::vector<fracture::DamageableBeam>& beams,
-                  double dt, const std::vector<fracture::LaneScenario>& scenarios,
-                  const EnsembleOptions& options, std::shared_ptr<PrescribedTips> prescribed)
-      : Ensemble(lattice, beams, dt, scenarios, options, prescribed), tips(std::move(prescribed)) {}
+                  const EnsembleOptions& options, std::shared_ptr<PrescribedTips> rule)
+      : Ensemble(lattice, fracture::damageable_beams(path, lattice, notch_end), dt, scenarios, options, rule),
+        tips(std::move(rule)) {}
 };
 
 }  // namespace rift::ensemble

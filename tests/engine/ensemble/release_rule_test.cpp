@@ -25,7 +25,7 @@ class CohesiveBeams : public ReleaseRule {
       }
   }
   void save(NamedNumbers&) const override {}
-  void restore(const NamedNumbers&) override {}
+  void restore(const State&, const NamedNumbers&) override {}
 
  private:
   double stiffness_left(double stretch) const {
