@@ -209,20 +209,20 @@ const char* name_of(Factor factor) {
   return names[static_cast<std::size_t>(factor)];
 }
 
-AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyOptions& wish) {
-  const Planning start = start_from(preset, wish.quick);
+AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyOptions& options) {
+  const Planning start = start_from(preset, options.quick);
   const int elements = start.base().specimen.elements;
-  if (!wish.elements.empty()) {
-    std::set<int> levels(wish.elements.begin(), wish.elements.end());
+  if (!options.elements.empty()) {
+    std::set<int> levels(options.elements.begin(), options.elements.end());
     levels.insert(elements);
-    return planned(start, levels, wish.seeds);
+    return planned(start, levels, options.seeds);
   }
-  const std::set<int> levels = default_levels(elements, wish.quick);
-  AccuracyPlan plan = planned(start, levels, wish.seeds);
-  if (wish.quick) return plan;
+  const std::set<int> levels = default_levels(elements, options.quick);
+  AccuracyPlan plan = planned(start, levels, options.seeds);
+  if (options.quick) return plan;
   std::set<int> more = levels;
   more.insert(finer * elements);
-  AccuracyPlan longer = planned(start, more, wish.seeds);
+  AccuracyPlan longer = planned(start, more, options.seeds);
   if (estimated_seconds(longer) <= affordable_s) return longer;
   plan.notes.push_back(fmt::format("{} elements would take {:.0f} min in all: --elements asks for them",
                                    grouped(finer * elements), std::ceil(estimated_seconds(longer) / 60.0)));
@@ -268,13 +268,6 @@ scene::Preset study_of(const AccuracyPlan& plan, const std::vector<scene::Scene>
   return preset;
 }
 
-std::string reasons(const scene::InputError& error) {
-  std::string text;
-  for (const scene::Issue& issue : error.issues)
-    text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
-  return text;
-}
-
 study::StudyOptions in_shared_folder(study::StudyOptions options) {
   options.shared = true;
   return options;
@@ -307,7 +300,7 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
       if (result.outcome != simulation::Outcome::finished) run.outcome = result.outcome;
     } catch (const scene::InputError& error) {
       if (run.results.size() == 1) throw;
-      now.setup.cannot_be = reasons(error);
+      now.setup.cannot_be = issues_text(error.issues);
     }
     if (now.row && now.row->outcome == simulation::name_of(simulation::Outcome::diverged))
       now.setup.cannot_be = "diverged: " + now.row->outcome_where;
