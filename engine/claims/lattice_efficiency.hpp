@@ -55,7 +55,7 @@ struct Extrapolated {
 };
 std::vector<Extrapolated> extrapolated(const std::vector<BrobergProblem>& points);
 
-/// The findings, told like claims.
+/// The findings, in the form of claims.
 std::vector<Claim> beyond_the_paper();
 
 }  // namespace rift::claims
