@@ -116,13 +116,30 @@ Table seed_table(const std::vector<std::optional<study::SummaryRow>>& rows) {
   return table;
 }
 
-std::string rows_csv(const std::vector<Json>& rows) {
-  std::string csv;
+namespace {
+
+/// The columns of all rows. One that not every row has, such as friction, stands where a row has it.
+std::vector<std::string> columns_of(const std::vector<Json>& rows) {
+  std::vector<std::string> names;
   for (const Json& row : rows) {
-    if (row.is_null()) continue;
-    std::string head, line;
-    for (const auto& [name, value] : row.items()) head += "," + name, line += "," + field_of(value);
-    if (csv.empty()) csv = head.substr(1) + "\n";
+    auto place = names.begin();
+    for (const auto& [name, value] : row.items()) {
+      const auto known = std::find(names.begin(), names.end(), name);
+      place = std::next(known == names.end() ? names.insert(place, name) : known);
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string rows_csv(const std::vector<Json>& rows) {
+  const std::vector<std::string> names = columns_of(rows);
+  if (names.empty()) return {};
+  std::string csv = fmt::format("{}\n", fmt::join(names, ","));
+  for (const Json& row : rows) {
+    std::string line;
+    for (const std::string& name : names) line += "," + field_of(row.value(name, Json(nullptr)));
     csv += line.substr(1) + "\n";
   }
   return csv;

@@ -38,8 +38,8 @@ Table scenario_table(const std::vector<std::optional<study::SummaryRow>>& rows);
 /// The same over the seeds; no rows where no two scenarios differ by seed only.
 Table seed_table(const std::vector<std::optional<study::SummaryRow>>& rows);
 
-/// Rows of JSON as a csv, whose head are the names of the first: axes and lists are one text, what is
-/// undefined is empty.
+/// Rows of JSON as a csv with the columns of all of them: axes and lists are one text, what is undefined or
+/// missing is empty.
 std::string rows_csv(const std::vector<nlohmann::ordered_json>& rows);
 
 /// table.csv of a list of rows: one per scenario, the names of summary.json; what is undefined is empty.
