@@ -47,7 +47,8 @@ const std::vector<Claim>& claims();
 /// The claim of a name, or null.
 const Claim* find_claim(std::string_view name);
 
-/// The curve of a selection, whose elements are those of the evidence unless it names others.
+/// The rows of a selection, and their curve; its elements are those of the evidence unless it names others.
+std::vector<study::SummaryRow> rows_in(const Evidence& evidence, Selection selection);
 Curve curve_in(const Evidence& evidence, Selection selection);
 
 /// Progressive release on lattices of `factor` times the elements.
