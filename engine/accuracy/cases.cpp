@@ -288,7 +288,7 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
     part.progress = [&](std::string_view stage, double done) {
       return !observer.progress || observer.progress(stage, (before + done * cost_of(v)) / all);
     };
-    part.finished = [&](const study::SummaryRow& row, int, int) {
+    part.finished = [&](const SummaryRow& row, int, int) {
       if (observer.finished)
         observer.finished(row, static_cast<int>(run.results.size()), static_cast<int>(plan.cases.size()));
     };
@@ -309,16 +309,15 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
   return run;
 }
 
-std::vector<study::SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
-                                          const study::StudyOptions& options, base::Cache& cache,
-                                          const simulation::BuildInfo& build,
-                                          const study::StudyObserver& observer) {
+std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
+                                   const study::StudyOptions& options, base::Cache& cache,
+                                   const simulation::BuildInfo& build, const study::StudyObserver& observer) {
   const int lanes = study::lanes_of_many(scene.solver.precision);
   const study::StudyResult result = study::run_study(study_of(plan, side_by_side(scene, lanes)),
                                                      in_shared_folder(options), cache, build, observer);
-  std::vector<study::SummaryRow> rows;
+  std::vector<SummaryRow> rows;
   if (result.outcome != simulation::Outcome::stopped)
-    for (const std::optional<study::SummaryRow>& row : result.rows)
+    for (const std::optional<SummaryRow>& row : result.rows)
       if (row) rows.push_back(*row);
   return rows;
 }

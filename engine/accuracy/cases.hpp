@@ -11,6 +11,8 @@
 /// costs in accuracy.
 namespace rift::accuracy {
 
+using study::SummaryRow;
+
 /// A property of the scene that is varied. `together` holds combinations worth recommending.
 enum class Factor { scene, time_step, precision, elements, kinematics, prestress, samples, together };
 const char* name_of(Factor factor);  // "time step"
@@ -56,7 +58,7 @@ std::vector<scene::Scene> side_by_side(const scene::Scene& scene, int count);
 /// A case and what came of it.
 struct CaseResult {
   Case setup;
-  std::optional<study::SummaryRow> row;  // none where it cannot be, or is not computed yet
+  std::optional<SummaryRow> row;  // none where it cannot be, or is not computed yet
 };
 
 struct AccuracyRun {
@@ -74,9 +76,8 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
 
 /// A case as often as lanes side by side are fastest, in one pass: rows whose wall times are one
 /// scenario's share. Empty where it was stopped.
-std::vector<study::SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
-                                          const study::StudyOptions& options, base::Cache& cache,
-                                          const simulation::BuildInfo& build,
-                                          const study::StudyObserver& observer);
+std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
+                                   const study::StudyOptions& options, base::Cache& cache,
+                                   const simulation::BuildInfo& build, const study::StudyObserver& observer);
 
 }  // namespace rift::accuracy

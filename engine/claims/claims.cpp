@@ -32,11 +32,11 @@ const Claim* find_claim(std::string_view name) {
   return found == claims().end() ? nullptr : &*found;
 }
 
-std::vector<study::SummaryRow> rows_in(const Evidence& evidence, Selection selection) {
+std::vector<SummaryRow> rows_in(const Evidence& evidence, Selection selection) {
   if (selection.elements == 0) selection.elements = evidence.elements;
-  std::vector<study::SummaryRow> rows;
+  std::vector<SummaryRow> rows;
   std::copy_if(evidence.rows.begin(), evidence.rows.end(), std::back_inserter(rows),
-               [&](const study::SummaryRow& row) { return selects(selection, row); });
+               [&](const SummaryRow& row) { return selects(selection, row); });
   return rows;
 }
 

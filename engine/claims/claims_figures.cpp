@@ -31,7 +31,7 @@ constexpr Span all_velocities{};
 /// "Less than 6 % of the beams are damped".
 Judgement few_beams_damped(const Evidence& evidence) {
   std::vector<double> shares;
-  for (const study::SummaryRow& row : rows_in(evidence, simple_release("surface")))
+  for (const SummaryRow& row : rows_in(evidence, simple_release("surface")))
     shares.push_back(row.beams_damped / row.beams);
   if (shares.empty() || std::isnan(base::mean_of(shares))) return {Verdict::not_decidable, "no result"};
   const double most = *std::max_element(shares.begin(), shares.end());
@@ -55,7 +55,7 @@ struct Times {
   double stored = 0, change_elastic = 0, change_other = 0, most_kinetic = 0;
 };
 
-Times times_of(const study::SeriesTable& s) {
+Times times_of(const SeriesTable& s) {
   Times t;
   std::size_t start = 0;
   for (std::size_t k = 0; k < s.phase.size(); ++k) {
@@ -76,9 +76,9 @@ Times times_of(const study::SeriesTable& s) {
 }
 
 Judgement fig05(const Evidence& evidence) {
-  for (const study::SummaryRow& row : evidence.rows) {
+  for (const SummaryRow& row : evidence.rows) {
     if (row.prestress_method != "ramp" || !evidence.series) continue;
-    const study::SeriesTable series = evidence.series(row);
+    const SeriesTable series = evidence.series(row);
     if (series.empty()) continue;
     const Times t = times_of(series);
     const auto near_ms = [](double s, double ms) { return std::abs(1e3 * s - ms) < 0.0101; };
@@ -221,7 +221,7 @@ Judgement fig15(const Evidence& evidence) {
 
 Judgement table1(const Evidence& evidence) {
   constexpr double rounding = 1e-10;
-  for (const study::SummaryRow& row : evidence.rows) {
+  for (const SummaryRow& row : evidence.rows) {
     const double residual = row.ledger_residual;
     if (row.precision != "double" || std::isnan(residual)) continue;
     return {yes_or_no(residual <= rounding),

@@ -17,7 +17,7 @@ constexpr double about_margin = 0.1;
 constexpr double least_r_squared = 1.0 - constant_margin;
 
 /// Fracture energy against tip position over the row's window.
-Line line_over_window(const study::SeriesTable& series, const study::SummaryRow& row) {
+Line line_over_window(const SeriesTable& series, const SummaryRow& row) {
   const double length = row.length_m, slack = 0.005 * length;
   const double from = row.window_over_length[0] * length - slack,
                to = row.window_over_length[1] * length + slack;
@@ -34,9 +34,9 @@ Line line_over_window(const study::SeriesTable& series, const study::SummaryRow&
 Judgement linear_growth(const Evidence& evidence, const Selection& selection) {
   double least = 1.0, at = 0.0, slope = 0.0;
   int lines = 0;
-  for (const study::SummaryRow& row : rows_in(evidence, selection)) {
+  for (const SummaryRow& row : rows_in(evidence, selection)) {
     if (!evidence.series) continue;
-    const study::SeriesTable series = evidence.series(row);
+    const SeriesTable series = evidence.series(row);
     const Line line = series.empty() ? Line{0.0, NAN} : line_over_window(series, row);
     if (std::isnan(line.r_squared)) continue;
     ++lines;
@@ -73,7 +73,7 @@ Judgement sec3_specimens(const Evidence& evidence) {
 }
 
 Judgement sec3_damping(const Evidence& evidence) {
-  for (const study::SummaryRow& row : rows_in(evidence, simple_release("all"))) {
+  for (const SummaryRow& row : rows_in(evidence, simple_release("all"))) {
     if (std::abs(row.crack_velocity_over_cr - 0.1) > 1e-9) continue;
     const double dt = row.dt_critical_s, damped = row.dt_critical_damped_s;
     const double zeta_top = 0.5 * (dt / damped - damped / dt);  // damped = dt (sqrt(1 + zeta^2) - zeta)
@@ -96,9 +96,9 @@ Judgement sec3_damping(const Evidence& evidence) {
 Judgement sec4_time_step(const Evidence& evidence) {
   Selection paper, half;
   paper.dt_fraction = "0.17", half.dt_fraction = "0.085";
-  const std::vector<study::SummaryRow> rows = rows_in(evidence, paper);
+  const std::vector<SummaryRow> rows = rows_in(evidence, paper);
   if (rows.empty()) return {Verdict::not_decidable, "no result"};
-  const study::SummaryRow& row = rows.front();
+  const SummaryRow& row = rows.front();
   const double zone = row.mean_radius_m, over_length = zone / row.length_m;
   const double steps = zone / (row.rayleigh_speed_m_s * paper_step_s);  // for a beam at 1.0 c_r
   const bool about = std::abs(steps / 10.0 - 1.0) <= about_margin;
@@ -162,7 +162,7 @@ Judgement sec5_residual(const Evidence& evidence) {
     std::vector<double> at_one;
     for (double v : {0.1, 0.5, 1.0}) {
       std::vector<double> energies;  // per released beam [J]
-      for (const study::SummaryRow& row : rows_in(evidence, s))
+      for (const SummaryRow& row : rows_in(evidence, s))
         if (std::abs(row.crack_velocity_over_cr - v) <= 1e-9)
           energies.push_back(release_energy_per_beam(row));
       if (energies.empty()) return {Verdict::not_decidable, fmt::format("no result at {:g} c_r", v)};
@@ -181,7 +181,7 @@ Judgement sec5_residual(const Evidence& evidence) {
 Judgement sec5_bending(const Evidence& evidence) {
   constexpr double slight = 0.05;  // of the thickness
   std::vector<double> slow, fast;
-  for (const study::SummaryRow& row : rows_in(evidence, {})) {
+  for (const SummaryRow& row : rows_in(evidence, {})) {
     const double moved = row.out_of_plane_m / row.thickness_m, v = row.crack_velocity_over_cr;
     if (std::isnan(moved)) continue;
     if (v < 0.1 + 1e-9) slow.push_back(moved);

@@ -33,7 +33,7 @@ std::vector<double> zones_of(const Evidence& evidence);
 struct WakeBand {
   double cell = 0, share = 0;
 };
-std::vector<WakeBand> wake_bands(const study::SummaryRow& row);
+std::vector<WakeBand> wake_bands(const SummaryRow& row);
 
 /// Broberg's own problem at one velocity, zone and number of elements, the mean over its specimens, beside
 /// the efficiency of the strip there (NaN: none).

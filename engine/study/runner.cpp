@@ -281,7 +281,7 @@ Json to_json(const SummaryRow& row) {
   return json;
 }
 
-Json to_json(const std::vector<std::optional<SummaryRow>>& rows) {
+Json to_json(const StudyRows& rows) {
   Json list = Json::array();
   for (const std::optional<SummaryRow>& row : rows) list.push_back(row ? to_json(*row) : Json(nullptr));
   return list;

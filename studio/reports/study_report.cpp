@@ -50,8 +50,7 @@ std::string field_of(const Json& value) {
 
 }  // namespace
 
-std::vector<RowFamily> families(const std::vector<std::optional<study::SummaryRow>>& rows,
-                                const std::vector<std::string>& without) {
+std::vector<RowFamily> families(const study::StudyRows& rows, const std::vector<std::string>& without) {
   std::vector<RowFamily> found;
   for (const auto& row : rows) {
     if (!row) continue;
@@ -72,7 +71,7 @@ MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, double study::Su
   return {base::mean_of(values), base::deviation_of(values), static_cast<int>(values.size())};
 }
 
-Table scenario_table(const std::vector<std::optional<study::SummaryRow>>& rows) {
+Table scenario_table(const study::StudyRows& rows) {
   Table table;
   for (const auto& row : rows) {
     if (!row) continue;
@@ -94,7 +93,7 @@ Table scenario_table(const std::vector<std::optional<study::SummaryRow>>& rows) 
   return table;
 }
 
-Table seed_table(const std::vector<std::optional<study::SummaryRow>>& rows) {
+Table seed_table(const study::StudyRows& rows) {
   Table table;
   const std::vector<RowFamily> found = families(rows, {"seed"});
   if (std::none_of(found.begin(), found.end(), [](const RowFamily& f) { return f.rows.size() > 1; }))
@@ -217,7 +216,7 @@ std::string axes_label(const study::AxisTexts& axes) {
   return label.empty() ? "rift" : label;
 }
 
-std::vector<NamedChart> velocity_charts(const std::vector<std::optional<study::SummaryRow>>& rows) {
+std::vector<NamedChart> velocity_charts(const study::StudyRows& rows) {
   std::vector<NamedChart> charts;
   std::vector<ChartSeries> measured;
   for (const RowFamily& family : families(rows, {"crack_velocity", "seed"})) {
@@ -249,7 +248,7 @@ std::vector<NamedChart> velocity_charts(const std::vector<std::optional<study::S
   return charts;
 }
 
-std::vector<NamedChart> tip_charts(const std::vector<std::optional<study::SummaryRow>>& rows,
+std::vector<NamedChart> tip_charts(const study::StudyRows& rows,
                                    const std::vector<std::filesystem::path>& series) {
   std::vector<Chart> charts;
   std::vector<ChartSeries> echo;  // of each chart

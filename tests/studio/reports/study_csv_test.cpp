@@ -18,8 +18,7 @@ TEST(RowsCsv, HasAColumnThatOnlySomeRowsHave) {
 TEST(StudyCsv, PutsRowAndAxesFirstAndLeavesOutWhatIsNotComputed) {
   study::SummaryRow row;
   row.axes = {{"seed", "2"}, {"technique", "simple"}}, row.row = 3, row.seed = 2;
-  const std::string csv =
-      study_csv(to_json(std::vector<std::optional<study::SummaryRow>>{std::nullopt, row}));
+  const std::string csv = study_csv(to_json(study::StudyRows{std::nullopt, row}));
   EXPECT_TRUE(csv.starts_with("row,axes,crack_velocity_over_cr,")) << csv;
   EXPECT_NE(csv.find("\n3,seed = 2; technique = simple,"), std::string::npos) << csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
