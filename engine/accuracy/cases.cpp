@@ -209,20 +209,20 @@ const char* name_of(Factor factor) {
   return names[static_cast<std::size_t>(factor)];
 }
 
-AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyOptions& wish) {
-  const Planning start = start_from(preset, wish.quick);
+AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyOptions& options) {
+  const Planning start = start_from(preset, options.quick);
   const int elements = start.base().specimen.elements;
-  if (!wish.elements.empty()) {
-    std::set<int> levels(wish.elements.begin(), wish.elements.end());
+  if (!options.elements.empty()) {
+    std::set<int> levels(options.elements.begin(), options.elements.end());
     levels.insert(elements);
-    return planned(start, levels, wish.seeds);
+    return planned(start, levels, options.seeds);
   }
-  const std::set<int> levels = default_levels(elements, wish.quick);
-  AccuracyPlan plan = planned(start, levels, wish.seeds);
-  if (wish.quick) return plan;
+  const std::set<int> levels = default_levels(elements, options.quick);
+  AccuracyPlan plan = planned(start, levels, options.seeds);
+  if (options.quick) return plan;
   std::set<int> more = levels;
   more.insert(finer * elements);
-  AccuracyPlan longer = planned(start, more, wish.seeds);
+  AccuracyPlan longer = planned(start, more, options.seeds);
   if (estimated_seconds(longer) <= affordable_s) return longer;
   plan.notes.push_back(fmt::format("{} elements would take {:.0f} min in all: --elements asks for them",
                                    grouped(finer * elements), std::ceil(estimated_seconds(longer) / 60.0)));
@@ -268,13 +268,6 @@ scene::Preset study_of(const AccuracyPlan& plan, const std::vector<scene::Scene>
   return preset;
 }
 
-std::string reasons(const scene::InputError& error) {
-  std::string text;
-  for (const scene::Issue& issue : error.issues)
-    text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
-  return text;
-}
-
 study::StudyOptions in_shared_folder(study::StudyOptions options) {
   options.shared = true;
   return options;
@@ -295,7 +288,7 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
     part.progress = [&](std::string_view stage, double done) {
       return !observer.progress || observer.progress(stage, (before + done * cost_of(v)) / all);
     };
-    part.finished = [&](const study::SummaryRow& row, int, int) {
+    part.finished = [&](const SummaryRow& row, int, int) {
       if (observer.finished)
         observer.finished(row, static_cast<int>(run.results.size()), static_cast<int>(plan.cases.size()));
     };
@@ -307,7 +300,7 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
       if (result.outcome != simulation::Outcome::finished) run.outcome = result.outcome;
     } catch (const scene::InputError& error) {
       if (run.results.size() == 1) throw;
-      now.setup.cannot_be = reasons(error);
+      now.setup.cannot_be = issues_text(error.issues);
     }
     if (now.row && now.row->outcome == simulation::name_of(simulation::Outcome::diverged))
       now.setup.cannot_be = "diverged: " + now.row->outcome_where;
@@ -316,16 +309,15 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
   return run;
 }
 
-std::vector<study::SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
-                                          const study::StudyOptions& options, base::Cache& cache,
-                                          const simulation::BuildInfo& build,
-                                          const study::StudyObserver& observer) {
+std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
+                                   const study::StudyOptions& options, base::Cache& cache,
+                                   const simulation::BuildInfo& build, const study::StudyObserver& observer) {
   const int lanes = study::lanes_of_many(scene.solver.precision);
   const study::StudyResult result = study::run_study(study_of(plan, side_by_side(scene, lanes)),
                                                      in_shared_folder(options), cache, build, observer);
-  std::vector<study::SummaryRow> rows;
+  std::vector<SummaryRow> rows;
   if (result.outcome != simulation::Outcome::stopped)
-    for (const std::optional<study::SummaryRow>& row : result.rows)
+    for (const std::optional<SummaryRow>& row : result.rows)
       if (row) rows.push_back(*row);
   return rows;
 }

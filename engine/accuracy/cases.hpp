@@ -11,6 +11,8 @@
 /// costs in accuracy.
 namespace rift::accuracy {
 
+using study::SummaryRow;
+
 /// A property of the scene that is varied. `together` holds combinations worth recommending.
 enum class Factor { scene, time_step, precision, elements, kinematics, prestress, samples, together };
 const char* name_of(Factor factor);  // "time step"
@@ -20,7 +22,7 @@ struct Case {
   Factor factor = Factor::scene;
   std::string label;  // "0.4 of critical, single"
   scene::Scene scene;
-  std::string cannot_be = {};  // why it is not results; empty where it is
+  std::string cannot_be = {};  // why it is not tried; empty where it is
 };
 
 struct AccuracyOptions {
@@ -38,14 +40,14 @@ struct AccuracyPlan {
 /// The cases of a preset without issues, without lanes or a study:
 ///   time step   0.05 to 0.98 of critical, double             each against 0.05, same lattice
 ///   precision   the same steps above 0.1 in single           each against double at its step
-///   elements    `wish.elements` or N/16, N/4, N (and 4 N where all then takes at most 150 s), always
+///   elements    `options.elements` or N/16, N/4, N (and 4 N where all then takes at most 150 s), always
 ///               N itself; several seeds of each               against the finest
 ///   kinematics  linear, corotational                          a difference of models
 ///   pre-stress  static, ramp in the paper's time for the height, or as the preset's keys say
 ///   samples     25 to 1,600                                   against the most
 ///   together    0.4 to 0.9 of critical, single, 25 samples
 /// A step in seconds that the preset gives holds wherever the time step is not what is varied.
-AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyOptions& wish);
+AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyOptions& options);
 
 /// Seconds that a plan takes from nothing, roughly: at 100 M beam-steps/s.
 double estimated_seconds(const AccuracyPlan& plan);
@@ -56,7 +58,7 @@ std::vector<scene::Scene> side_by_side(const scene::Scene& scene, int count);
 /// A case and what came of it.
 struct CaseResult {
   Case setup;
-  std::optional<study::SummaryRow> row;  // none where it cannot be, or is not computed yet
+  std::optional<SummaryRow> row;  // none where it cannot be, or is not computed yet
 };
 
 struct AccuracyRun {
@@ -74,9 +76,8 @@ AccuracyRun run_cases(const AccuracyPlan& plan, const study::StudyOptions& optio
 
 /// A case as often as lanes side by side are fastest, in one pass: rows whose wall times are one
 /// scenario's share. Empty where it was stopped.
-std::vector<study::SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
-                                          const study::StudyOptions& options, base::Cache& cache,
-                                          const simulation::BuildInfo& build,
-                                          const study::StudyObserver& observer);
+std::vector<SummaryRow> fill_lanes(const AccuracyPlan& plan, const scene::Scene& scene,
+                                   const study::StudyOptions& options, base::Cache& cache,
+                                   const simulation::BuildInfo& build, const study::StudyObserver& observer);
 
 }  // namespace rift::accuracy

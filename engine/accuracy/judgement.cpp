@@ -73,7 +73,7 @@ void gather_lines(Judging& j) {
 void measure(Judging& j, AccuracyLine& line) {
   std::vector<double> ratios, broberg, wall;
   for (const int k : line.results) {
-    const std::optional<study::SummaryRow>& row = j.results[static_cast<std::size_t>(k)].row;
+    const std::optional<SummaryRow>& row = j.results[static_cast<std::size_t>(k)].row;
     if (!row || row->outcome != "finished" || !std::isfinite(row->ratio_with_damping)) continue;
     ratios.push_back(row->ratio_with_damping);
     broberg.push_back(row->error_broberg);

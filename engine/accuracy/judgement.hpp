@@ -38,19 +38,16 @@ struct FactorReference {
   Convergence convergence;  // of time step and elements; its text is empty for the others
 };
 
+/// What was found of all cases. A recommendation is -1 where no line is within the goal.
 struct Accuracy {
   std::vector<AccuracyLine> lines;         // in the order of the plan
   std::vector<FactorReference> reference;  // of each factor that was tried
-  double specimen_scatter =
-      0;  // standard deviation of the ratio over the finest specimens, NaN for one of them
-  double lattice_error =
-      0;  // of the scene's number of elements against the finest, NaN where it is the finest
+  double specimen_scatter = 0;  // standard deviation of the ratio over the finest specimens, NaN of one
+  double lattice_error = 0;     // of the scene's number of elements against the finest; NaN where it is that
   double lattice_uncertainty = 0;
-  std::vector<int>
-      front;             // lines on the scene's lattice that none is cheaper and better than, cheapest first
-  int recommended = -1;  // the cheapest of them whose |step_error| is within the goal; -1 where none is
-  int recommended_whole =
-      -1;  // the cheapest line that keeps to it with the lattice's error, uncertainty included
+  std::vector<int> front;  // lines on the scene's lattice without a cheaper and better one, cheapest first
+  int recommended = -1;    // the cheapest of them whose |step_error| is within the goal
+  int recommended_whole = -1;  // the cheapest line within it with the lattice's error and uncertainty
 };
 
 /// Judges what was tried:

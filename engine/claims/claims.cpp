@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace rift::claims {
@@ -29,6 +30,14 @@ const Claim* find_claim(std::string_view name) {
   const auto found =
       std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.name == name; });
   return found == claims().end() ? nullptr : &*found;
+}
+
+std::vector<SummaryRow> rows_in(const Evidence& evidence, Selection selection) {
+  if (selection.elements == 0) selection.elements = evidence.elements;
+  std::vector<SummaryRow> rows;
+  std::copy_if(evidence.rows.begin(), evidence.rows.end(), std::back_inserter(rows),
+               [&](const SummaryRow& row) { return selects(selection, row); });
+  return rows;
 }
 
 Curve curve_in(const Evidence& evidence, Selection selection) {

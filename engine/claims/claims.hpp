@@ -13,12 +13,14 @@
 
 namespace rift::claims {
 
+using study::SeriesTable;
+
 /// A claim is judged by the scenarios of one stiffness and their series, or by cylinders.
 struct Evidence {
-  std::vector<study::SummaryRow> rows;
-  int elements = paper_elements;  // of the plate that stands for the paper's
-  std::function<study::SeriesTable(const study::SummaryRow&)> series = {};  // empty where it is not stored
-  std::vector<calibration::CylinderResult> cylinders = {};  // of all sizes, with the paper's beams
+  std::vector<SummaryRow> rows;
+  int elements = paper_elements;                              // of the plate that stands for the paper's
+  std::function<SeriesTable(const SummaryRow&)> series = {};  // empty where it is not stored
+  std::vector<calibration::CylinderResult> cylinders = {};    // of all sizes, with the paper's beams
 };
 
 /// A claim of the paper, one artefact each.
@@ -47,7 +49,8 @@ const std::vector<Claim>& claims();
 /// The claim of a name, or null.
 const Claim* find_claim(std::string_view name);
 
-/// The curve of a selection, whose elements are those of the evidence unless it names others.
+/// The rows of a selection, and their curve; its elements are those of the evidence unless it names others.
+std::vector<SummaryRow> rows_in(const Evidence& evidence, Selection selection);
 Curve curve_in(const Evidence& evidence, Selection selection);
 
 /// Progressive release on lattices of `factor` times the elements.

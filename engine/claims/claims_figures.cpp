@@ -31,10 +31,8 @@ constexpr Span all_velocities{};
 /// "Less than 6 % of the beams are damped".
 Judgement few_beams_damped(const Evidence& evidence) {
   std::vector<double> shares;
-  Selection surface = simple_release("surface");
-  surface.elements = evidence.elements;
-  for (const study::SummaryRow& row : evidence.rows)
-    if (selects(surface, row)) shares.push_back(row.beams_damped / row.beams);
+  for (const SummaryRow& row : rows_in(evidence, simple_release("surface")))
+    shares.push_back(row.beams_damped / row.beams);
   if (shares.empty() || std::isnan(base::mean_of(shares))) return {Verdict::not_decidable, "no result"};
   const double most = *std::max_element(shares.begin(), shares.end());
   return {yes_or_no(most < 0.06), fmt::format("{:.1f} %", 100.0 * most)};
@@ -57,7 +55,7 @@ struct Times {
   double stored = 0, change_elastic = 0, change_other = 0, most_kinetic = 0;
 };
 
-Times times_of(const study::SeriesTable& s) {
+Times times_of(const SeriesTable& s) {
   Times t;
   std::size_t start = 0;
   for (std::size_t k = 0; k < s.phase.size(); ++k) {
@@ -78,9 +76,9 @@ Times times_of(const study::SeriesTable& s) {
 }
 
 Judgement fig05(const Evidence& evidence) {
-  for (const study::SummaryRow& row : evidence.rows) {
+  for (const SummaryRow& row : evidence.rows) {
     if (row.prestress_method != "ramp" || !evidence.series) continue;
-    const study::SeriesTable series = evidence.series(row);
+    const SeriesTable series = evidence.series(row);
     if (series.empty()) continue;
     const Times t = times_of(series);
     const auto near_ms = [](double s, double ms) { return std::abs(1e3 * s - ms) < 0.0101; };
@@ -223,7 +221,7 @@ Judgement fig15(const Evidence& evidence) {
 
 Judgement table1(const Evidence& evidence) {
   constexpr double rounding = 1e-10;
-  for (const study::SummaryRow& row : evidence.rows) {
+  for (const SummaryRow& row : evidence.rows) {
     const double residual = row.ledger_residual;
     if (row.precision != "double" || std::isnan(residual)) continue;
     return {yes_or_no(residual <= rounding),
@@ -237,29 +235,29 @@ constexpr double table_young = 10.3, table_margin = 0.03;               // [GPa]
 constexpr double least_poisson = 0.30, most_poisson = 0.33;
 constexpr double micro_gpa = lattice::bulk_micro_material.young_modulus / 1e9;
 
-/// A number of the cylinders, by size.
-std::map<double, calibration::Scattered> by_size(const Evidence& evidence,
-                                                 double calibration::Response::*number, double scale) {
+/// A number of the cylinders, by their elements.
+using Sizes = std::map<double, calibration::Scattered>;
+Sizes by_size(const Evidence& evidence, double calibration::Response::*number, double scale) {
   std::map<double, std::vector<double>> values;
   for (const calibration::CylinderResult& cylinder : evidence.cylinders)
     values[cylinder.packing.elements].push_back(scale * cylinder.responses.front().*number);
-  std::map<double, calibration::Scattered> means;
+  Sizes means;
   for (const auto& [elements, all] : values) means[elements] = calibration::scattered(all);
   return means;
 }
 
-std::map<double, calibration::Scattered> large_ones(std::map<double, calibration::Scattered> sizes) {
+Sizes large_ones(Sizes sizes) {
   std::erase_if(sizes, [](const auto& size) { return size.first < converged_elements; });
   return sizes;
 }
 
-double mean_over(const std::map<double, calibration::Scattered>& sizes) {
+double mean_over(const Sizes& sizes) {
   double sum = 0.0;
   for (const auto& [elements, s] : sizes) sum += s.mean;
   return sum / static_cast<double>(sizes.size());
 }
 
-std::string list_of(const std::map<double, calibration::Scattered>& sizes, int digits) {
+std::string list_of(const Sizes& sizes, int digits) {
   std::string list;
   for (const auto& [elements, s] : sizes)
     list += fmt::format("{}{:.{}f} at {:.0f}", list.empty() ? "" : ", ", s.mean, digits, elements);
@@ -267,7 +265,7 @@ std::string list_of(const std::map<double, calibration::Scattered>& sizes, int d
 }
 
 /// Every mean above 15,000 elements within 2.5 % of their common mean.
-Judgement converges(const std::map<double, calibration::Scattered>& all, const char* name, int digits) {
+Judgement converges(const Sizes& all, const char* name, int digits) {
   const auto sizes = large_ones(all);
   if (sizes.size() < 2) return {Verdict::not_decidable, "fewer than two sizes of 15,000 elements and more"};
   const double mean = mean_over(sizes);

@@ -16,13 +16,8 @@ constexpr double about_margin = 0.1;
 /// "Linearly": what a straight line leaves unexplained, the margin of "quasi-constant".
 constexpr double least_r_squared = 1.0 - constant_margin;
 
-Selection with_elements(const Evidence& evidence, Selection s) {
-  s.elements = evidence.elements;
-  return s;
-}
-
 /// Fracture energy against tip position over the row's window.
-Line line_over_window(const study::SeriesTable& series, const study::SummaryRow& row) {
+Line line_over_window(const SeriesTable& series, const SummaryRow& row) {
   const double length = row.length_m, slack = 0.005 * length;
   const double from = row.window_over_length[0] * length - slack,
                to = row.window_over_length[1] * length + slack;
@@ -39,9 +34,9 @@ Line line_over_window(const study::SeriesTable& series, const study::SummaryRow&
 Judgement linear_growth(const Evidence& evidence, const Selection& selection) {
   double least = 1.0, at = 0.0, slope = 0.0;
   int lines = 0;
-  for (const study::SummaryRow& row : evidence.rows) {
-    if (!selects(selection, row) || !evidence.series) continue;
-    const study::SeriesTable series = evidence.series(row);
+  for (const SummaryRow& row : rows_in(evidence, selection)) {
+    if (!evidence.series) continue;
+    const SeriesTable series = evidence.series(row);
     const Line line = series.empty() ? Line{0.0, NAN} : line_over_window(series, row);
     if (std::isnan(line.r_squared)) continue;
     ++lines;
@@ -58,8 +53,8 @@ Judgement linear_growth(const Evidence& evidence, const Selection& selection) {
 double lost(double zeta, double omega, double time) { return 1.0 - std::exp(-2.0 * zeta * omega * time); }
 
 Judgement sec2_linear(const Evidence& evidence) {
-  return all_of({{"simple", linear_growth(evidence, with_elements(evidence, simple_release()))},
-                 {"progressive", linear_growth(evidence, with_elements(evidence, {}))}});
+  return all_of(
+      {{"simple", linear_growth(evidence, simple_release())}, {"progressive", linear_growth(evidence, {})}});
 }
 
 Judgement sec3_specimens(const Evidence& evidence) {
@@ -78,8 +73,7 @@ Judgement sec3_specimens(const Evidence& evidence) {
 }
 
 Judgement sec3_damping(const Evidence& evidence) {
-  for (const study::SummaryRow& row : evidence.rows) {
-    if (!selects(with_elements(evidence, simple_release("all")), row)) continue;
+  for (const SummaryRow& row : rows_in(evidence, simple_release("all"))) {
     if (std::abs(row.crack_velocity_over_cr - 0.1) > 1e-9) continue;
     const double dt = row.dt_critical_s, damped = row.dt_critical_damped_s;
     const double zeta_top = 0.5 * (dt / damped - damped / dt);  // damped = dt (sqrt(1 + zeta^2) - zeta)
@@ -100,13 +94,13 @@ Judgement sec3_damping(const Evidence& evidence) {
 }
 
 Judgement sec4_time_step(const Evidence& evidence) {
-  Selection paper = with_elements(evidence, {}), half = paper;
+  Selection paper, half;
   paper.dt_fraction = "0.17", half.dt_fraction = "0.085";
-  const auto row = std::find_if(evidence.rows.begin(), evidence.rows.end(),
-                                [&](const study::SummaryRow& r) { return selects(paper, r); });
-  if (row == evidence.rows.end()) return {Verdict::not_decidable, "no result"};
-  const double zone = row->mean_radius_m, over_length = zone / row->length_m;
-  const double steps = zone / (row->rayleigh_speed_m_s * paper_step_s);  // for a beam at 1.0 c_r
+  const std::vector<SummaryRow> rows = rows_in(evidence, paper);
+  if (rows.empty()) return {Verdict::not_decidable, "no result"};
+  const SummaryRow& row = rows.front();
+  const double zone = row.mean_radius_m, over_length = zone / row.length_m;
+  const double steps = zone / (row.rayleigh_speed_m_s * paper_step_s);  // for a beam at 1.0 c_r
   const bool about = std::abs(steps / 10.0 - 1.0) <= about_margin;
   const auto of_paper = [&](bool yes) {  // lengths are those of 20,000 elements
     return evidence.elements == paper_elements ? yes_or_no(yes) : Verdict::not_decidable;
@@ -168,11 +162,9 @@ Judgement sec5_residual(const Evidence& evidence) {
     std::vector<double> at_one;
     for (double v : {0.1, 0.5, 1.0}) {
       std::vector<double> energies;  // per released beam [J]
-      for (const study::SummaryRow& row : evidence.rows) {
-        if (!selects(with_elements(evidence, s), row)) continue;
-        if (std::abs(row.crack_velocity_over_cr - v) > 1e-9) continue;
-        energies.push_back(release_energy_per_beam(row));
-      }
+      for (const SummaryRow& row : rows_in(evidence, s))
+        if (std::abs(row.crack_velocity_over_cr - v) <= 1e-9)
+          energies.push_back(release_energy_per_beam(row));
       if (energies.empty()) return {Verdict::not_decidable, fmt::format("no result at {:g} c_r", v)};
       list +=
           fmt::format("{}{:.3g} mJ at {:.1f}", list.empty() ? "" : ", ", 1e3 * base::mean_of(energies), v);
@@ -189,10 +181,9 @@ Judgement sec5_residual(const Evidence& evidence) {
 Judgement sec5_bending(const Evidence& evidence) {
   constexpr double slight = 0.05;  // of the thickness
   std::vector<double> slow, fast;
-  for (const study::SummaryRow& row : evidence.rows) {
-    const double moved = row.out_of_plane_m / row.thickness_m;
-    const double v = row.crack_velocity_over_cr;
-    if (!selects(with_elements(evidence, {}), row) || std::isnan(moved)) continue;
+  for (const SummaryRow& row : rows_in(evidence, {})) {
+    const double moved = row.out_of_plane_m / row.thickness_m, v = row.crack_velocity_over_cr;
+    if (std::isnan(moved)) continue;
     if (v < 0.1 + 1e-9) slow.push_back(moved);
     if (v > 0.5 - 1e-9) fast.push_back(moved);
   }

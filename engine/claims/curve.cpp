@@ -26,13 +26,13 @@ Curve filtered(const Curve& curve, double from, double to, bool inside) {
 }
 
 /// The text of an axis of a row, or `absent` where the study does not name it.
-std::string axis_of(const study::SummaryRow& row, std::string_view axis, const char* absent) {
+std::string axis_of(const SummaryRow& row, std::string_view axis, const char* absent) {
   for (const auto& [name, text] : row.axes)
     if (name == axis && !text.empty()) return text;
   return absent;
 }
 
-void add_row(CurvePoint& point, const study::SummaryRow& row) {
+void add_row(CurvePoint& point, const SummaryRow& row) {
   point.seed.push_back(std::lround(row.seed));
   point.ratio.push_back(row.ratio_with_damping);
   point.plateau_scatter.push_back(row.ratio_scatter);
@@ -51,7 +51,7 @@ Selection simple_release(const std::string& region) {
   return s;
 }
 
-bool selects(const Selection& s, const study::SummaryRow& row) {
+bool selects(const Selection& s, const SummaryRow& row) {
   if (std::isnan(row.crack_velocity_over_cr)) return false;
   if (row.technique != s.technique || row.damping_region != s.damping_region) return false;
   if (s.technique == "progressive" &&
@@ -63,9 +63,9 @@ bool selects(const Selection& s, const study::SummaryRow& row) {
          (row.prestress_method.empty() || row.prestress_method == "static");
 }
 
-Curve curve_of(const std::vector<study::SummaryRow>& rows, const Selection& selection) {
-  std::map<long, std::map<long, const study::SummaryRow*>> by_velocity;  // in 1e-6 c_r, then by seed
-  for (const study::SummaryRow& row : rows) {
+Curve curve_of(const std::vector<SummaryRow>& rows, const Selection& selection) {
+  std::map<long, std::map<long, const SummaryRow*>> by_velocity;  // in 1e-6 c_r, then by seed
+  for (const SummaryRow& row : rows) {
     if (!selects(selection, row) || std::isnan(row.ratio_with_damping)) continue;
     by_velocity[std::lround(1e6 * row.crack_velocity_over_cr)][std::lround(row.seed)] = &row;
   }
@@ -82,7 +82,7 @@ Curve curve_of(const std::vector<study::SummaryRow>& rows, const Selection& sele
 Curve within(const Curve& curve, double from, double to) { return filtered(curve, from, to, true); }
 Curve outside(const Curve& curve, double from, double to) { return filtered(curve, from, to, false); }
 
-double release_energy_per_beam(const study::SummaryRow& row) {
+double release_energy_per_beam(const SummaryRow& row) {
   const double per_length = row.ratio_release * row.g_i0_j_m2 * row.thickness_m;
   return per_length * row.length_m / row.beams_crossed;
 }

@@ -7,6 +7,8 @@
 
 namespace rift::claims {
 
+using study::SummaryRow;
+
 /// Elements of the paper's plate.
 inline constexpr int paper_elements = 20000;
 
@@ -25,7 +27,7 @@ struct Selection {
 Selection simple_release(const std::string& region = "none");
 
 /// True where a row is of the selection; a row whose crack changes its velocity is of none.
-bool selects(const Selection& selection, const study::SummaryRow& row);
+bool selects(const Selection& selection, const SummaryRow& row);
 
 /// Ratio at one velocity, one entry per specimen; the same number of specimens need not be at all velocities.
 struct CurvePoint {
@@ -40,14 +42,14 @@ using Curve = std::vector<CurvePoint>;
 
 /// The ratio against velocity of the selected rows, velocities ascending. Rows without a ratio (the window
 /// was not reached) are left out.
-Curve curve_of(const std::vector<study::SummaryRow>& rows, const Selection& selection);
+Curve curve_of(const std::vector<SummaryRow>& rows, const Selection& selection);
 
 /// The points with from <= v <= to, a rounding error apart; and those outside.
 Curve within(const Curve& curve, double from, double to);
 Curve outside(const Curve& curve, double from, double to);
 
 /// Energy that the release of one beam takes, the mean over those that the crack crosses [J].
-double release_energy_per_beam(const study::SummaryRow& row);
+double release_energy_per_beam(const SummaryRow& row);
 
 /// Standard deviation of numbers; 0 of a single one, which shows none.
 double scatter_of(const std::vector<double>& numbers);

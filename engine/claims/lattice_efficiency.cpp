@@ -17,7 +17,7 @@ constexpr double broberg_goal = 0.02;  // of G_ID / eta, relative
 
 long key_of(double number) { return std::lround(1e6 * number); }
 
-bool of_strip(const study::SummaryRow& row) { return row.technique == "progressive" && !(row.tips > 1.5); }
+bool of_strip(const SummaryRow& row) { return row.technique == "progressive" && !(row.tips > 1.5); }
 
 /// "0.97 at 0.1, 0.62 at 0.5"
 std::string listed_at(const std::vector<EfficiencyPoint>& points) {
@@ -44,7 +44,7 @@ std::map<long, std::vector<EfficiencyPoint>> by_zone(const Evidence& evidence) {
 
 std::vector<MapCell> map_of(const Evidence& evidence) {
   std::map<std::pair<long, long>, MapCell> cells;
-  for (const study::SummaryRow& row : evidence.rows) {
+  for (const SummaryRow& row : evidence.rows) {
     if (!of_strip(row) || std::isnan(row.ratio_with_damping)) continue;
     const double power = row.relaxation, zone = row.damage_zone_ratio;
     MapCell& cell = cells[{key_of(power), key_of(zone)}];
@@ -61,7 +61,7 @@ std::vector<MapCell> map_of(const Evidence& evidence) {
 
 std::vector<double> zones_of(const Evidence& evidence) {
   std::map<long, double> zones;
-  for (const study::SummaryRow& row : evidence.rows)
+  for (const SummaryRow& row : evidence.rows)
     if (of_strip(row)) zones[key_of(row.damage_zone_ratio)] = row.damage_zone_ratio;
   std::vector<double> list;
   for (const auto& [key, zone] : zones) list.push_back(zone);
@@ -70,7 +70,7 @@ std::vector<double> zones_of(const Evidence& evidence) {
 
 std::vector<EfficiencyPoint> efficiency(const Evidence& evidence, double relaxation, double zone) {
   std::map<long, EfficiencyPoint> points;
-  for (const study::SummaryRow& row : evidence.rows) {
+  for (const SummaryRow& row : evidence.rows) {
     if (!of_strip(row) || std::isnan(row.ratio_with_damping)) continue;
     if (key_of(row.relaxation) != key_of(relaxation) || key_of(row.damage_zone_ratio) != key_of(zone))
       continue;
@@ -85,7 +85,7 @@ std::vector<EfficiencyPoint> efficiency(const Evidence& evidence, double relaxat
   return list;
 }
 
-std::vector<WakeBand> wake_bands(const study::SummaryRow& row) {
+std::vector<WakeBand> wake_bands(const SummaryRow& row) {
   std::vector<WakeBand> bands;
   const std::vector<double>&energy = row.wake_kinetic_j, &cell = row.wake_cell_m;
   if (energy.empty()) return bands;
@@ -102,7 +102,7 @@ std::vector<BrobergProblem> broberg_problem(const Evidence& evidence) {
   std::map<std::tuple<long, long, long>, BrobergProblem>
       points;  // the smallest elements of a velocity and zone last
   std::map<std::tuple<long, long, long>, std::vector<double>> radii;
-  for (const study::SummaryRow& row : evidence.rows) {
+  for (const SummaryRow& row : evidence.rows) {
     if (!(row.tips > 1.5) || std::isnan(row.ratio_with_damping)) continue;
     const double v = row.crack_velocity_over_cr, zone = row.damage_zone_ratio;
     const std::tuple place(key_of(v), key_of(zone), std::lround(row.elements));

@@ -33,7 +33,7 @@ std::vector<double> zones_of(const Evidence& evidence);
 struct WakeBand {
   double cell = 0, share = 0;
 };
-std::vector<WakeBand> wake_bands(const study::SummaryRow& row);
+std::vector<WakeBand> wake_bands(const SummaryRow& row);
 
 /// Broberg's own problem at one velocity, zone and number of elements, the mean over its specimens, beside
 /// the efficiency of the strip there (NaN: none).
@@ -55,7 +55,7 @@ struct Extrapolated {
 };
 std::vector<Extrapolated> extrapolated(const std::vector<BrobergProblem>& points);
 
-/// The findings, told like claims.
+/// The findings, in the form of claims.
 std::vector<Claim> beyond_the_paper();
 
 }  // namespace rift::claims

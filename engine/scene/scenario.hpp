@@ -31,9 +31,8 @@ struct Scenario {
   std::set<std::string> invalid;  // keys with an issue of their own
 };
 
-/// The chooser of a combination of values. In a grid it is arithmetic, and what means nothing is taken out;
-/// in a table of its own it is a wish, and two values that cannot both be meant stay for validate() to
-/// find.
+/// Who chose a combination of values. In a grid it is arithmetic, and what means nothing is taken out; in a
+/// table of its own it is a wish, and two values that cannot both be meant stay for validate() to find.
 enum class Chosen { by_grid, by_hand };
 
 /// The base with `settings` assigned, then settled, so that what is physically one scenario is one scene:
@@ -44,7 +43,7 @@ Scenario scenario_of(const Base& base, std::span<const Setting> settings, Chosen
 /// Equal for two scenarios of one base exactly where their scenes are.
 std::string fingerprint(const Scene& scene);
 
-// The content of [study], [[study.rows]] and [[lanes]], before any scene is made of it.
+// What [study], [[study.rows]] and [[lanes]] say, before any scene is made of it.
 
 /// The first place of a preset that names an axis.
 struct Mention {
@@ -78,7 +77,7 @@ struct ScenarioReading {
 /// "study", "lanes" and "steering", which are no tables of parameters.
 bool is_scenario_table(const std::string& name);
 
-/// The line at which the preset begins to speak of `name`, or 0 where it does not.
+/// Where the preset begins to speak of `name`, or 0 where it does not.
 int first_line(const TomlDocument& document, const std::string& name);
 
 /// Complains about a [lanes], a `study = 3` and the like.

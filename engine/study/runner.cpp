@@ -40,7 +40,7 @@ struct Study {
   std::vector<StudyItem> items;  // of all parts
   StudyResult result = {};
   int there = 0;                   // scenarios computed or found
-  double cost = 0, cost_done = 0;  // of what is to be computed   [cost.hpp]
+  double cost = 0, cost_done = 0;  // of what is to be computed
   bool stopped = false;
   std::vector<scene::Issue> issues = {};
 
@@ -76,11 +76,9 @@ StudyManifest manifest_of(const scene::Preset& preset, const std::vector<StudyIt
 }
 
 void take(Study& study, const StudyItem& item, results::LaneSummary summary) {
-  SummaryRow& row = study.result.rows[item.row].emplace();
-  static_cast<results::LaneSummary&>(row) = std::move(summary);
-  row.axes = study.preset.study[item.row].axes;
-  row.row = item.row;
-  row.series = result_file("", item.key).replace_extension(".csv").string();
+  const SummaryRow& row = study.result.rows[item.row].emplace(
+      SummaryRow{std::move(summary), study.preset.study[item.row].axes, item.row,
+                 result_file("", item.key).replace_extension(".csv").string()});
   if (row.outcome == simulation::name_of(simulation::Outcome::diverged))
     study.result.outcome = simulation::Outcome::diverged;
   ++study.there;
@@ -283,7 +281,7 @@ Json to_json(const SummaryRow& row) {
   return json;
 }
 
-Json to_json(const std::vector<std::optional<SummaryRow>>& rows) {
+Json to_json(const StudyRows& rows) {
   Json list = Json::array();
   for (const std::optional<SummaryRow>& row : rows) list.push_back(row ? to_json(*row) : Json(nullptr));
   return list;

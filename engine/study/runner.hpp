@@ -36,8 +36,9 @@ double marching_time(const SummaryRow& row);
 /// The row as tables and --json have it: the summary's columns, "axes": {name: text}, "row" and "series".
 nlohmann::ordered_json to_json(const SummaryRow& row);
 
-/// The rows of a study as a list; null where one is not computed yet.
-nlohmann::ordered_json to_json(const std::vector<std::optional<SummaryRow>>& rows);
+/// The rows of a study in its order; none where a scenario is not computed yet, which is null in JSON.
+using StudyRows = std::vector<std::optional<SummaryRow>>;
+nlohmann::ordered_json to_json(const StudyRows& rows);
 
 struct StudyOptions {
   std::filesystem::path folder;  // of the study; made or continued
@@ -54,7 +55,7 @@ struct StudyObserver {
 };
 
 struct StudyResult {
-  std::vector<std::optional<SummaryRow>> rows;  // in the order of preset.study; none where not computed yet
+  StudyRows rows;
   simulation::Outcome outcome = simulation::Outcome::finished;
   int computed = 0, found = 0;
   double wall_s = 0;

@@ -28,10 +28,9 @@ constexpr double half_width = 0.02, between = 0.01;  // of the length
 
 std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const claims::Evidence& evidence,
                                                                   claims::Selection selection) {
-  selection.elements = evidence.elements;
   std::map<double, std::vector<study::SummaryRow>> rows;
-  for (const study::SummaryRow& row : evidence.rows)
-    if (claims::selects(selection, row)) rows[row.crack_velocity_over_cr].push_back(row);
+  for (const study::SummaryRow& row : claims::rows_in(evidence, std::move(selection)))
+    rows[row.crack_velocity_over_cr].push_back(row);
   for (auto& [v, of_v] : rows)
     std::sort(of_v.begin(), of_v.end(),
               [](const study::SummaryRow& a, const study::SummaryRow& b) { return a.seed < b.seed; });

@@ -82,10 +82,8 @@ bool against_velocity(Chart& chart, const claims::Claim& claim, const claims::Ev
 
 /// Rows of a selection and of the first specimen there is, velocities ascending.
 std::vector<study::SummaryRow> first_specimen(const claims::Evidence& evidence, claims::Selection selection) {
-  selection.elements = evidence.elements;
   std::map<double, study::SummaryRow> rows;
-  for (const study::SummaryRow& row : evidence.rows) {
-    if (!claims::selects(selection, row)) continue;
+  for (const study::SummaryRow& row : claims::rows_in(evidence, std::move(selection))) {
     const auto [known, fresh] = rows.emplace(row.crack_velocity_over_cr, row);
     if (!fresh && row.seed < known->second.seed) known->second = row;
   }

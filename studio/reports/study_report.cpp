@@ -50,8 +50,7 @@ std::string field_of(const Json& value) {
 
 }  // namespace
 
-std::vector<RowFamily> families(const std::vector<std::optional<study::SummaryRow>>& rows,
-                                const std::vector<std::string>& without) {
+std::vector<RowFamily> families(const study::StudyRows& rows, const std::vector<std::string>& without) {
   std::vector<RowFamily> found;
   for (const auto& row : rows) {
     if (!row) continue;
@@ -72,7 +71,7 @@ MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, double study::Su
   return {base::mean_of(values), base::deviation_of(values), static_cast<int>(values.size())};
 }
 
-Table scenario_table(const std::vector<std::optional<study::SummaryRow>>& rows) {
+Table scenario_table(const study::StudyRows& rows) {
   Table table;
   for (const auto& row : rows) {
     if (!row) continue;
@@ -94,7 +93,7 @@ Table scenario_table(const std::vector<std::optional<study::SummaryRow>>& rows) 
   return table;
 }
 
-Table seed_table(const std::vector<std::optional<study::SummaryRow>>& rows) {
+Table seed_table(const study::StudyRows& rows) {
   Table table;
   const std::vector<RowFamily> found = families(rows, {"seed"});
   if (std::none_of(found.begin(), found.end(), [](const RowFamily& f) { return f.rows.size() > 1; }))
@@ -116,13 +115,30 @@ Table seed_table(const std::vector<std::optional<study::SummaryRow>>& rows) {
   return table;
 }
 
-std::string rows_csv(const std::vector<Json>& rows) {
-  std::string csv;
+namespace {
+
+/// The columns of all rows. One that not every row has, such as friction, stands where a row has it.
+std::vector<std::string> columns_of(const std::vector<Json>& rows) {
+  std::vector<std::string> names;
   for (const Json& row : rows) {
-    if (row.is_null()) continue;
-    std::string head, line;
-    for (const auto& [name, value] : row.items()) head += "," + name, line += "," + field_of(value);
-    if (csv.empty()) csv = head.substr(1) + "\n";
+    auto place = names.begin();
+    for (const auto& [name, value] : row.items()) {
+      const auto known = std::find(names.begin(), names.end(), name);
+      place = std::next(known == names.end() ? names.insert(place, name) : known);
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string rows_csv(const std::vector<Json>& rows) {
+  const std::vector<std::string> names = columns_of(rows);
+  if (names.empty()) return {};
+  std::string csv = fmt::format("{}\n", fmt::join(names, ","));
+  for (const Json& row : rows) {
+    std::string line;
+    for (const std::string& name : names) line += "," + field_of(row.value(name, Json(nullptr)));
     csv += line.substr(1) + "\n";
   }
   return csv;
@@ -200,7 +216,7 @@ std::string axes_label(const study::AxisTexts& axes) {
   return label.empty() ? "rift" : label;
 }
 
-std::vector<NamedChart> velocity_charts(const std::vector<std::optional<study::SummaryRow>>& rows) {
+std::vector<NamedChart> velocity_charts(const study::StudyRows& rows) {
   std::vector<NamedChart> charts;
   std::vector<ChartSeries> measured;
   for (const RowFamily& family : families(rows, {"crack_velocity", "seed"})) {
@@ -232,7 +248,7 @@ std::vector<NamedChart> velocity_charts(const std::vector<std::optional<study::S
   return charts;
 }
 
-std::vector<NamedChart> tip_charts(const std::vector<std::optional<study::SummaryRow>>& rows,
+std::vector<NamedChart> tip_charts(const study::StudyRows& rows,
                                    const std::vector<std::filesystem::path>& series) {
   std::vector<Chart> charts;
   std::vector<ChartSeries> echo;  // of each chart

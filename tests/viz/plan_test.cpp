@@ -1,6 +1,5 @@
 #include "viz/plan.hpp"
 
-#include "engine/results/lane_summary.hpp"
 #include "tests/viz/drawn_plate.hpp"
 
 namespace rift::viz {
@@ -124,22 +123,6 @@ TEST(Plan, ChoosesStoredMomentsEvenlyAndNeverMakesOneUp) {
   EXPECT_EQ(evenly_chosen(times, 5), times);
   EXPECT_EQ(evenly_chosen(times, 1), (std::vector<double>{4}));
   EXPECT_THROW((void)evenly_chosen(times, 6), BadWish);
-}
-
-TEST(LaneTitle, SaysTechniqueAndVelocityAndWhatTellsThemApart) {
-  results::LaneSummary simple;
-  simple.technique = "simple", simple.crack_velocity_over_cr = 0.1, simple.damping_alpha = 0.0;
-  results::LaneSummary progressive = simple;
-  progressive.technique = "progressive", progressive.damage_zone_ratio = 5;
-  results::LaneSummary damped = simple;
-  damped.damping_alpha = 0.0002, damped.damping_region = "all";
-  using Titles = std::vector<std::string>;
-  EXPECT_EQ(results::lane_titles({simple}), (Titles{"simple release, 0.1 c_r"}));
-  EXPECT_EQ(results::lane_titles({simple, progressive}),
-            (Titles{"simple release, 0.1 c_r", "progressive release, r_l = 5, 0.1 c_r"}));
-  EXPECT_EQ(
-      results::lane_titles({simple, damped}),
-      (Titles{"undamped, simple release, 0.1 c_r", "alpha = 0.0002 everywhere, simple release, 0.1 c_r"}));
 }
 
 }  // namespace

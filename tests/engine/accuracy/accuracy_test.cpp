@@ -145,7 +145,7 @@ std::vector<CaseResult> made_up(const AccuracyPlan& plan, double scatter) {
     if (s.solver.precision == ensemble::Precision::single_precision) ratio += 1e-4;
     if (s.solver.kinematics == lattice::Kinematics::corotational) ratio += 0.05;
     const double wall = s.specimen.elements / step * (s.output.samples > 100 ? 2e-4 : 1e-4);
-    study::SummaryRow row;
+    SummaryRow row;
     row.outcome = "finished";
     row.ratio_with_damping = ratio, row.error_broberg = ratio - 0.52;
     row.wall_fracture_s = wall, row.wall_prestress_s = 100.0;
@@ -330,10 +330,10 @@ TEST(AccuracyRun, ThrowsWhereTheSceneItselfCannotBe) {
 TEST(AccuracyRun, FillsARegisterInOnePass) {
   const TemporaryFolder folder;
   const AccuracyPlan plan = tiny_plan();
-  const std::vector<study::SummaryRow> rows = fill_lanes(
+  const std::vector<SummaryRow> rows = fill_lanes(
       plan, plan.cases.front().scene, accuracy_into(folder.path()), shared_cache(), accuracy_build, {});
   ASSERT_EQ(static_cast<int>(rows.size()), study::lanes_of_many(ensemble::Precision::double_precision));
-  for (const study::SummaryRow& row : rows) EXPECT_EQ(row.lanes, static_cast<double>(rows.size()));
+  for (const SummaryRow& row : rows) EXPECT_EQ(row.lanes, static_cast<double>(rows.size()));
 }
 
 }  // namespace

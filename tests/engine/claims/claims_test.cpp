@@ -15,8 +15,8 @@ namespace rift::claims {
 namespace {
 
 /// A made-up row: Broberg 0.5 everywhere, so that a ratio of 0.5 + delta is off by delta.
-study::SummaryRow row_at(double v, long seed, double ratio) {
-  study::SummaryRow row;
+SummaryRow row_at(double v, long seed, double ratio) {
+  SummaryRow row;
   row.crack_velocity_over_cr = v;
   row.technique = "progressive", row.relaxation = 1.0, row.damage_zone_ratio = 1.0;
   row.damping_region = "none", row.stiffness = "in-situ";
@@ -31,8 +31,8 @@ using OfVelocity = std::function<double(double v)>;
 
 /// Three specimens at all velocities: 0.5 + delta(v), and plus and minus `half` about it, a standard
 /// deviation of `half`.
-std::vector<study::SummaryRow> rows_of(const OfVelocity& delta, double half = 0.0) {
-  std::vector<study::SummaryRow> rows;
+std::vector<SummaryRow> rows_of(const OfVelocity& delta, double half = 0.0) {
+  std::vector<SummaryRow> rows;
   for (double v : claimed_velocities())
     for (long seed : {1, 2, 3})
       rows.push_back(row_at(v, seed, 0.5 + delta(v) + half * static_cast<double>(seed - 2)));
@@ -76,8 +76,8 @@ TEST(Near, IsNotDecidableWhereSpecimensScatterBeyondTheMargin) {
 }
 
 TEST(Near, IsNotDecidableWhereAVelocityIsMissing) {
-  std::vector<study::SummaryRow> rows = rows_of([](double) { return 0.0; });
-  std::erase_if(rows, [](const study::SummaryRow& r) { return r.crack_velocity_over_cr == 0.7; });
+  std::vector<SummaryRow> rows = rows_of([](double) { return 0.0; });
+  std::erase_if(rows, [](const SummaryRow& r) { return r.crack_velocity_over_cr == 0.7; });
   const Judgement j = is_near(curve_of(rows, {}), {0.6, 1.0});
   EXPECT_EQ(j.verdict, Verdict::not_decidable);
   EXPECT_EQ(j.measured, "no result at 0.7 c_r");
@@ -174,8 +174,8 @@ TEST(SeveralParts, HoldTogetherAndFailForOne) {
 }
 
 TEST(Curve, TakesTheRowsOfItsSelectionOnly) {
-  std::vector<study::SummaryRow> rows = {row_at(0.5, 1, 0.6), row_at(0.5, 2, 0.7)};
-  const auto other = [&]() -> study::SummaryRow& { return rows.emplace_back(row_at(0.5, 3, 9.0)); };
+  std::vector<SummaryRow> rows = {row_at(0.5, 1, 0.6), row_at(0.5, 2, 0.7)};
+  const auto other = [&]() -> SummaryRow& { return rows.emplace_back(row_at(0.5, 3, 9.0)); };
   other().technique = "simple";
   other().relaxation = 2.0;
   other().damage_zone_ratio = 1.5;
@@ -260,11 +260,9 @@ TEST(Claims, NeedPresetsThatAreThere) {
 // What fig11 sees in rows that are as the paper says, and in rows whose linear scheme is off.
 TEST(Claims, FollowTheRowsTheyAreGiven) {
   const auto rows_with = [](double linear) {
-    std::vector<study::SummaryRow> all;
+    std::vector<SummaryRow> all;
     for (double p : {0.5, 1.0, 2.0})
-      for (study::SummaryRow row : rows_of([=](double) {
-             return p == 0.5 ? -0.1 : p == 1.0 ? linear : 0.0;
-           })) {
+      for (SummaryRow row : rows_of([=](double) { return p == 0.5 ? -0.1 : p == 1.0 ? linear : 0.0; })) {
         row.relaxation = p;
         all.push_back(row);
       }

@@ -7,8 +7,8 @@
 namespace rift::claims {
 namespace {
 
-study::SummaryRow strip_row(double v, double zone, double ratio, long seed, double relaxation = 1.0) {
-  study::SummaryRow row;
+SummaryRow strip_row(double v, double zone, double ratio, long seed, double relaxation = 1.0) {
+  SummaryRow row;
   row.technique = "progressive", row.relaxation = relaxation, row.damage_zone_ratio = zone;
   row.crack_velocity_over_cr = v, row.tips = 1, row.seed = static_cast<double>(seed);
   row.ratio_with_damping = ratio, row.ratio_scatter = 0.01, row.error_broberg = ratio - 0.5;
@@ -16,8 +16,8 @@ study::SummaryRow strip_row(double v, double zone, double ratio, long seed, doub
   return row;
 }
 
-study::SummaryRow own_row(double v, double zone, double ratio, double radius, double broberg, long seed = 1) {
-  study::SummaryRow row = strip_row(v, zone, ratio, seed);
+SummaryRow own_row(double v, double zone, double ratio, double radius, double broberg, long seed = 1) {
+  SummaryRow row = strip_row(v, zone, ratio, seed);
   row.elements = std::round(1.0 / radius);
   row.tips = 2, row.mean_radius_m = radius, row.broberg = broberg, row.length_m = 0.2;
   row.window_over_length = {0.1, 0.3};  // 40 mm in the middle
@@ -81,7 +81,7 @@ TEST(Beyond, AZoneThatTakesAllLetsTheEfficiencyHold) {
 }
 
 TEST(Beyond, WakeBandsAreSharesOfAllThatMoves) {
-  study::SummaryRow row;
+  SummaryRow row;
   row.wake_cell_m = {2e-3, 4e-3}, row.wake_kinetic_j = {5.0, 2.0, 1.0}, row.wake_rotation_j = 2.0;
   row.mean_radius_m = 0.5e-3;
   const std::vector<WakeBand> bands = wake_bands(row);
@@ -89,7 +89,7 @@ TEST(Beyond, WakeBandsAreSharesOfAllThatMoves) {
   EXPECT_EQ(bands[0].cell, 4.0);
   EXPECT_EQ(bands[0].share, 0.5);
   EXPECT_EQ(bands[2].cell, 16.0);
-  EXPECT_TRUE(wake_bands(study::SummaryRow{}).empty());
+  EXPECT_TRUE(wake_bands(SummaryRow{}).empty());
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ Json lasting(Json row) {
   return kept;
 }
 
-std::vector<Json> lasting(const std::vector<std::optional<SummaryRow>>& rows) {
+std::vector<Json> lasting(const StudyRows& rows) {
   std::vector<Json> all;
   for (const auto& row : rows) all.push_back(row ? lasting(to_json(*row)) : Json(nullptr));
   return all;
@@ -362,7 +362,7 @@ std::vector<Json> summaries(const auto& rows) {
 
 TEST(StoredStudy, IsThePresetAndTheResultsOfItsFolder) {
   const TemporaryFolder folder;
-  std::vector<std::optional<SummaryRow>> rows = found(folder.path()).rows;
+  StudyRows rows = found(folder.path()).rows;
   const StoredStudy whole = read_study(folder.path());
   EXPECT_EQ(study_hash(whole.preset), study_hash(tiny_study()));
   EXPECT_EQ(whole.preset.name, "tiny.toml");
