@@ -8,7 +8,6 @@
 #include "studio/charts/chart_script.hpp"
 #include "studio/charts/curves.hpp"
 #include "studio/reports/report.hpp"
-#include "studio/text/html.hpp"
 #include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +18,7 @@
 #include <map>
 
 namespace rift::studio {
+namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -52,8 +52,13 @@ std::string field_of(const Json& value) {
   return base::csv_field(text);
 }
 
-}  // namespace
+/// Rows that differ at most in the axes left out, and what they have in common: {"technique": "simple", ...}.
+struct RowFamily {
+  nlohmann::ordered_json axes;
+  std::vector<study::SummaryRow> rows;
+};
 
+/// Rows by the axes other than `without`, families and rows in the order of the study.
 std::vector<RowFamily> families(const std::vector<study::SummaryRow>& rows,
                                 const std::vector<std::string>& without) {
   std::vector<RowFamily> found;
@@ -71,6 +76,12 @@ std::vector<RowFamily> families(const std::vector<study::SummaryRow>& rows,
   return found;
 }
 
+/// Mean of the numbers under a name and their standard deviation (n - 1), NaN of fewer than two; nulls do not
+/// count.
+struct MeanScatter {
+  double mean, scatter;
+  int count;
+};
 MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, const std::string& name) {
   std::vector<double> values;
   for (const study::SummaryRow& row : rows)
@@ -83,6 +94,8 @@ MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, const std::strin
   for (const double v : values) squares += (v - sum / n) * (v - sum / n);
   return {sum / n, n > 1.0 ? std::sqrt(squares / (n - 1.0)) : nan, static_cast<int>(values.size())};
 }
+
+}  // namespace
 
 Table scenario_table(const std::vector<study::SummaryRow>& rows) {
   Table table;
@@ -168,6 +181,16 @@ std::string part_of_label(const std::string& name, const std::string& text) {
   return name == "crack_velocity" ? text : value;
 }
 
+/// What sets a scenario or a family apart: "progressive, linear, r_l = 1, seed 2".
+std::string axes_label(const Json& axes) {
+  std::string label;
+  for (const auto& [name, text] : axes.items()) {
+    if (text == "-") continue;
+    label += (label.empty() ? "" : ", ") + part_of_label(name, text.get<std::string>());
+  }
+  return label.empty() ? "rift" : label;
+}
+
 /// "name", "name_2", ... for charts that share what is too much for one.
 std::string numbered(const std::string& name, std::size_t k) {
   return k == 0 ? name : fmt::format("{}_{}", name, k + 1);
@@ -206,17 +229,8 @@ double echo_free_mm(const study::SummaryRow& row) {
   return 1e3 * study::number_in(row, "echo_free_over_length") * study::number_in(row, "length_m");
 }
 
-}  // namespace
-
-std::string axes_label(const Json& axes) {
-  std::string label;
-  for (const auto& [name, text] : axes.items()) {
-    if (text == "-") continue;
-    label += (label.empty() ? "" : ", ") + part_of_label(name, text.get<std::string>());
-  }
-  return label.empty() ? "rift" : label;
-}
-
+/// Ratio against crack velocity beside Broberg, Freund and the strip, mean over seeds with their scatter as
+/// bars; none where the study does not vary the velocity. At most 12 series a chart.
 std::vector<NamedChart> velocity_charts(const std::vector<study::SummaryRow>& rows) {
   std::vector<NamedChart> charts;
   std::vector<ChartSeries> measured;
@@ -247,6 +261,7 @@ std::vector<NamedChart> velocity_charts(const std::vector<study::SummaryRow>& ro
   return charts;
 }
 
+/// Ratio against tip position of each scenario. @param series  their files, by row of the study
 std::vector<NamedChart> tip_charts(const std::vector<study::SummaryRow>& rows,
                                    const std::vector<std::filesystem::path>& series) {
   std::vector<Chart> charts;
@@ -276,9 +291,6 @@ std::vector<NamedChart> tip_charts(const std::vector<study::SummaryRow>& rows,
   }
   return named;
 }
-
-namespace fs = std::filesystem;
-namespace {
 
 std::vector<fs::path> series_files(const scene::Preset& preset, const simulation::BuildInfo& build,
                                    const fs::path& folder) {

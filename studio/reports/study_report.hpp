@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/study/runner.hpp"
-#include "studio/charts/chart.hpp"
 #include "studio/text/table.hpp"
 
 #include <filesystem>
@@ -11,24 +10,6 @@
 namespace rift::studio {
 
 // The results of a study as tables. Rows that are null, not computed yet, are left out of all of them.
-
-/// Rows that differ at most in the axes left out, and what they have in common: {"technique": "simple", ...}.
-struct RowFamily {
-  nlohmann::ordered_json axes;
-  std::vector<study::SummaryRow> rows;
-};
-
-/// Rows by the axes other than `without`, families and rows in the order of the study.
-std::vector<RowFamily> families(const std::vector<study::SummaryRow>& rows,
-                                const std::vector<std::string>& without);
-
-/// Mean of the numbers under a name and their standard deviation (n - 1), NaN of fewer than two; nulls do not
-/// count.
-struct MeanScatter {
-  double mean, scatter;
-  int count;
-};
-MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, const std::string& name);
 
 /// One row per scenario: its axes, the ratio, Broberg's, the distance between them, the wall time.
 Table scenario_table(const std::vector<study::SummaryRow>& rows);
@@ -42,18 +23,6 @@ std::string rows_csv(const std::vector<nlohmann::ordered_json>& rows);
 
 /// table.csv: one row per scenario, the names of summary.json; what is undefined is empty.
 std::string study_csv(const std::vector<study::SummaryRow>& rows);
-
-/// What sets a scenario or a family apart, as a label of a chart: "progressive, linear, r_l = 1, seed 2".
-std::string axes_label(const nlohmann::ordered_json& axes);
-
-/// Ratio against crack velocity beside Broberg, Freund and the strip, mean over seeds with their scatter as
-/// bars; none where the study does not vary the velocity. At most 12 series a chart.
-std::vector<NamedChart> velocity_charts(const std::vector<study::SummaryRow>& rows);
-
-/// Ratio against tip position of each scenario, from the series under runs/. At most 12 series a chart.
-/// @param series  by row of the study
-std::vector<NamedChart> tip_charts(const std::vector<study::SummaryRow>& rows,
-                                   const std::vector<std::filesystem::path>& series);
 
 /// Writes charts/ and report.html into the folder of a study, from what is computed of it. Throws WorldError
 /// where a chart cannot be drawn; the report is then written without it.

@@ -1,4 +1,4 @@
-#include "studio/workbench/errands.hpp"
+#include "studio/workbench/background_jobs.hpp"
 
 #include "engine/base/world_error.hpp"
 
@@ -8,7 +8,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -38,7 +37,7 @@ std::string last_line(const std::string& text) {
 
 }  // namespace
 
-Errand::Errand(const std::vector<std::string>& command, std::string what)
+BackgroundJob::BackgroundJob(const std::vector<std::string>& command, std::string what)
     : what_(std::move(what)), output_(new_file()) {
   std::vector<char*> arguments;
   for (const std::string& part : command) arguments.push_back(const_cast<char*>(part.c_str()));
@@ -57,7 +56,7 @@ Errand::Errand(const std::vector<std::string>& command, std::string what)
   if (error != 0) throw base::WorldError("start", command.front(), std::strerror(error));
 }
 
-bool Errand::ended() {
+bool BackgroundJob::ended() {
   if (pid_ < 0) return true;
   int status = 0;
   if (waitpid(pid_, &status, WNOHANG) == 0) return false;
@@ -85,44 +84,45 @@ fs::path free_file(const fs::path& folder, const std::string& stem, const std::s
 
 }  // namespace
 
-std::string Errands::send(const std::vector<std::string>& arguments, const std::string& what) try {
+std::string BackgroundJobs::start(const std::vector<std::string>& arguments, const std::string& what) try {
   std::vector<std::string> command{program_.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  under_way_.emplace_back(command, what);
+  jobs_.emplace_back(command, what);
   return what + ": under way";
 } catch (const base::WorldError& error) {
   return error.what();
 }
 
-std::string Errands::news() {
+std::string BackgroundJobs::report_ended() {
   std::string said;
-  std::erase_if(under_way_, [&](Errand& errand) {
-    if (!errand.ended()) return false;
-    said = errand.what();
+  std::erase_if(jobs_, [&](BackgroundJob& job) {
+    if (!job.ended()) return false;
+    said = job.what();
     return true;
   });
   return said;
 }
 
-std::string Errands::picture(const fs::path& run, int lane) {
+std::string BackgroundJobs::picture(const fs::path& run, int lane) {
   const fs::path file = free_file(run, "frame", ".png");
-  return send({"render", run.string(), "--lane", std::to_string(lane), "--at", "1", "--picture",
-               file.string(), "--quiet"},
-              "frame");
+  return start({"render", run.string(), "--lane", std::to_string(lane), "--at", "1", "--picture",
+                file.string(), "--quiet"},
+               "frame");
 }
 
-std::string Errands::film(const fs::path& run, const std::vector<int>& lanes, double from_us, double to_us) {
+std::string BackgroundJobs::film(const fs::path& run, const std::vector<int>& lanes, double from_us,
+                                 double to_us) {
   const fs::path file = free_file(run, "film", ".mp4");
   std::vector<std::string> arguments{"render", run.string(), "--film", file.string(), "--quiet"};
   for (const int lane : lanes) arguments.insert(arguments.end(), {"--lane", std::to_string(lane)});
   if (to_us > from_us)
     arguments.insert(arguments.end(),
                      {"--from", fmt::format("{:.6f} us", from_us), "--to", fmt::format("{:.6f} us", to_us)});
-  return send(arguments, "film");
+  return start(arguments, "film");
 }
 
-std::string Errands::tables(const fs::path& run) {
-  return send({"export", run.string(), "--to", "csv"}, "export");
+std::string BackgroundJobs::tables(const fs::path& run) {
+  return start({"export", run.string(), "--to", "csv"}, "export");
 }
 
 }  // namespace rift::studio

@@ -12,11 +12,11 @@ namespace rift::studio {
 
 /// Another call of rift that works in the background, such as the drawing of a film: nobody waits for it, and
 /// it goes on when its object goes.
-class Errand {
+class BackgroundJob {
  public:
   /// @param command  program and arguments;  @param what  for people: "film of plate_pnrt"
   /// Throws WorldError where it cannot be started.
-  Errand(const std::vector<std::string>& command, std::string what);
+  BackgroundJob(const std::vector<std::string>& command, std::string what);
 
   /// Looks once whether it has ended; from then on what() says how.
   [[nodiscard]] bool ended();
@@ -28,14 +28,14 @@ class Errand {
 };
 
 /// Pictures, films and tables that a screen has asked for.
-class Errands {
+class BackgroundJobs {
  public:
-  explicit Errands(std::filesystem::path program) : program_(std::move(program)) {}
+  explicit BackgroundJobs(std::filesystem::path program) : program_(std::move(program)) {}
 
   /// Calls rift with these arguments. @return what to say
-  std::string send(const std::vector<std::string>& arguments, const std::string& what);
+  std::string start(const std::vector<std::string>& arguments, const std::string& what);
   /// What to say of those that have ended since; empty: nothing.
-  std::string news();
+  std::string report_ended();
 
   // What rift is asked for of a run's folder.
   std::string picture(const std::filesystem::path& run, int lane);
@@ -46,7 +46,7 @@ class Errands {
 
  private:
   std::filesystem::path program_;
-  std::vector<Errand> under_way_;
+  std::vector<BackgroundJob> jobs_;
 };
 
 }  // namespace rift::studio
