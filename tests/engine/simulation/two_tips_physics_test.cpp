@@ -70,17 +70,16 @@ TEST(TwoTips, AreMeasuredInOneEnergyByEitherReference) {
 
 TEST(TwoTips, SaySoInTheirSummary) {
   const Opened o = opened();
-  const nlohmann::ordered_json s =
+  const results::LaneSummary s =
       lane_summary(o.prepared, o.result, 0, rates_of(o.prepared, o.result), {"0.1.0", "a compiler"}, 0.0);
-  EXPECT_EQ(s.at("tips"), 2);
-  EXPECT_EQ(s.at("g_i0_reference"), "griffith");
-  EXPECT_NEAR(s.at("echo_free_over_length").get<double>(), 1.2 * 11.3 / 72.0, 1.2 * 0.05 / 72.0);
-  const auto window = s.at("window_over_length");
-  EXPECT_NEAR(window[1].get<double>(), s.at("echo_free_over_length").get<double>(), 1e-12);
-  const double middle = 0.5 * (window[0].get<double>() + window[1].get<double>()) * 0.072;
-  EXPECT_NEAR(s.at("g_i0_j_m2").get<double>() / (o.prepared.scale.g_i0_slope * middle), 1.0, 1e-12);
-  EXPECT_NEAR(s.at("g_id_j_m2").get<double>() / s.at("g_i0_j_m2").get<double>(),
-              s.at("ratio_with_damping").get<double>(), 1e-12);
+  EXPECT_EQ(s.tips, 2);
+  EXPECT_EQ(s.g_i0_reference, "griffith");
+  EXPECT_NEAR(s.echo_free_over_length, 1.2 * 11.3 / 72.0, 1.2 * 0.05 / 72.0);
+  const auto& window = s.window_over_length;
+  EXPECT_NEAR(window[1], s.echo_free_over_length, 1e-12);
+  const double middle = 0.5 * (window[0] + window[1]) * 0.072;
+  EXPECT_NEAR(s.g_i0_j_m2 / (o.prepared.scale.g_i0_slope * middle), 1.0, 1e-12);
+  EXPECT_NEAR(s.g_id_j_m2 / s.g_i0_j_m2, s.ratio_with_damping, 1e-12);
 }
 
 }  // namespace
