@@ -12,7 +12,7 @@ struct DamageIncrement {
   int k = 0, lane = 0;           // its place among the damageable beams
   double before = 1, after = 1;  // what is left of its stiffness
   // What the ensemble notes before the elements move:
-  lattice::BeamStrain strain = {};
+  lattice::BeamStrain strain = {0.0, 0.0, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();  // of its faces, where they may touch [m]
 };
 

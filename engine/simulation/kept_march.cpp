@@ -42,7 +42,7 @@ MarchNotes march_notes(const std::string& text) try {
   for (nlohmann::json& lane : json.at("lane"))
     for (const char* name : {"worst_residual", "arrested_m"})
       if (lane.at(name).is_null()) lane[name] = std::numeric_limits<double>::quiet_NaN();
-  const MarchNotes notes = json;
+  MarchNotes notes = json;
   for (const LaneResult& lane : notes.lane)
     if (lane.outcome < Outcome::finished || lane.outcome > Outcome::diverged)
       throw std::invalid_argument("its notes tell of an outcome that there is not");
