@@ -7,9 +7,7 @@
 #include "studio/commands/stop_signal.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <sstream>
 #include <string>

@@ -9,7 +9,6 @@
 #include <cassert>
 #include <cctype>
 #include <cmath>
-#include <system_error>
 
 namespace rift::studio {
 

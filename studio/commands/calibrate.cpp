@@ -1,14 +1,11 @@
 #include "engine/calibration/calibrate.hpp"
 
-#include "engine/lattice/lattice.hpp"
 #include "engine/lattice/statics.hpp"
-#include "engine/scene/units.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
 #include "studio/reports/calibration_report.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <memory>
 

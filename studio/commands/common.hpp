@@ -35,9 +35,9 @@ std::filesystem::path own_presets_folder();
 /// ("quickstart") or among the user's own. Throws InputError, with the nearest name, where there is none.
 std::filesystem::path resolve_preset(const std::string& preset);
 
-/// What tells reports of a kind apart.
+/// What distinguishes a kind of report.
 struct ReportKind {
-  const char* own = "";  // a file that only they have; empty where nothing tells them apart
+  const char* own = "";  // a file that only they have; empty where there is none
   bool has_run = false;  // a run is recorded below, before the report is written
 };
 

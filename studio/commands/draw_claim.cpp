@@ -4,7 +4,6 @@
 #include "engine/base/interrupted.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
 #include "engine/simulation/record_cylinders.hpp"
 #include "viz/plan.hpp"
@@ -65,9 +64,9 @@ void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, Sessio
   const fs::path run = folder / "pictures" / fmt::format("{}_{}", name, elements);
   try {
     run_if_need_be(*claim.claim, preset_for(name, elements), run, session);
-    viz::Wish wish;
-    wish.runs = {run};
-    const viz::Plan plan = viz::plan_of(wish);
+    viz::Wish request;
+    request.runs = {run};
+    const viz::Plan plan = viz::plan_of(request);
     base::make_folder(folder / "charts");
     for (const double at : claim.claim->pictures_at) {
       if (!session.progress("drawing " + claim.claim->name, at))

@@ -3,7 +3,6 @@
 #include "engine/base/interrupted.hpp"
 #include "engine/experiment/kept_parts.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/scene/parameters.hpp"
 #include "engine/scene/rows_file.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"

@@ -5,7 +5,6 @@
 #include "studio/text/progress.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <map>
 #include <memory>

@@ -39,7 +39,7 @@ bool read_two(const std::string& text, char between, Number& a, Number& b) {
 
 void read_size(FilmOptions& options, std::vector<std::string>& notes) {
   constexpr int least_width = 320, least_height = 180, most = 8192;
-  int &width = options.wish.width, &height = options.wish.height;
+  int &width = options.request.width, &height = options.request.height;
   if (!read_two(options.size, 'x', width, height))
     throw viz::BadWish(
         fmt::format("--size {}: expected a width and a height in pixels such as 1280x720", options.size));
@@ -56,24 +56,24 @@ void read_size(FilmOptions& options, std::vector<std::string>& notes) {
 }  // namespace
 
 void add_film_options(CLI::App& command, FilmOptions& options) {
-  viz::Wish& wish = options.wish;
+  viz::Wish& request = options.request;
   const std::string group = "How it looks (what is not said is as the preset's [film] has it)";
   const auto add = [&](const char* name, auto& value, const char* text) {
     return command.add_option(name, value, text)->group(group);
   };
-  add("--field", wish.field, "Field of the colours")->check(CLI::IsMember(names_of(viz::fields())));
-  add("--colours", wish.colours, "Colour map")->check(CLI::IsMember(names_of(viz::colour_maps())));
+  add("--field", request.field, "Field of the colours")->check(CLI::IsMember(names_of(viz::fields())));
+  add("--colours", request.colours, "Colour map")->check(CLI::IsMember(names_of(viz::colour_maps())));
   add("--range", options.range, "Ends of the colours in the shown unit, such as 0,2 (default: of all panes)");
-  add("--camera", wish.camera,
+  add("--camera", request.camera,
       "plate: all of it; tip: a close-up that follows the tip; side: what leaves the plane")
       ->check(CLI::IsMember({"plate", "tip", "side"}));
-  add("--beams", wish.beams, "Beams drawn: none, those on the crack's path, all")
+  add("--beams", request.beams, "Beams drawn: none, those on the crack's path, all")
       ->check(CLI::IsMember({"none", "crossing", "all"}));
-  add("--magnification", wish.magnification, "Of the displacements")->check(CLI::Range(0.0, 1000.0));
-  add("--close-up", wish.close_up_m, "Height of a close-up [m]")->check(CLI::Range(1e-6, 100.0));
-  add("--title", wish.title, "Title over the picture");
+  add("--magnification", request.magnification, "Of the displacements")->check(CLI::Range(0.0, 1000.0));
+  add("--close-up", request.close_up_m, "Height of a close-up [m]")->check(CLI::Range(1e-6, 100.0));
+  add("--title", request.title, "Title over the picture");
   command.add_flag("--no-chart", options.no_chart, "No energy budget under the picture")->group(group);
-  command.add_flag("--large-text", wish.large_text, "For lecture halls")->group(group);
+  command.add_flag("--large-text", request.large_text, "For lecture halls")->group(group);
   add("--size", options.size, "Width and height in pixels")->capture_default_str();
   add("--fps", options.fps, "Frames a second (default: a film of about 8 s)")->check(CLI::Range(0.1, 240.0));
   add("--gl", options.gl, "OpenGL: osmesa, egl, or auto for the first that works")
@@ -81,16 +81,16 @@ void add_film_options(CLI::App& command, FilmOptions& options) {
       ->capture_default_str();
 }
 
-std::vector<std::string> read_wish(FilmOptions& options) {
+std::vector<std::string> read_look(FilmOptions& options) {
   std::vector<std::string> notes;
   read_size(options, notes);
-  if (options.no_chart) options.wish.chart = false;
+  if (options.no_chart) options.request.chart = false;
   if (!options.range.empty()) {
     std::array<double, 2> range{};
     if (!read_two(options.range, ',', range[0], range[1]) || !(range[0] < range[1]))
       throw viz::BadWish(
           fmt::format("--range {}: expected two numbers that rise, such as 0,2", options.range));
-    options.wish.range = range;
+    options.request.range = range;
   }
   return notes;
 }
@@ -148,7 +148,7 @@ struct FilmOfRun::Maker {
       viz::follow_film(plan.job, rate_of(options, frames_expected), path, making(), run_ended);
     } else {
       wait_for_the_run();
-      plan = viz::plan_of(options.wish);
+      plan = viz::plan_of(options.request);
       viz::make_film(plan.job, plan.times_s, rate_of(options, plan.times_s.size()), path, making());
     }
     result.path = path.string();
@@ -157,14 +157,14 @@ struct FilmOfRun::Maker {
   /// A plan needs a frame, which the run may not have stored yet.
   viz::Plan first_plan() {
     const auto to_come = [&] {
-      return !fs::exists(options.wish.runs.front() / results::journal_name) ||
+      return !fs::exists(options.request.runs.front() / results::journal_name) ||
              (former && former->is_still_there());
     };
     while (!run_ended && !given_up && to_come()) std::this_thread::sleep_for(between_looks);
     for (;;) {
       const bool last = run_ended || given_up;
       try {
-        return viz::plan_of(options.wish);
+        return viz::plan_of(options.request);
       } catch (const viz::BadWish&) {
         if (last) throw;
       } catch (const base::WorldError&) {
@@ -200,17 +200,17 @@ bool FilmOfRun::wanted() const { return maker_->wanted(); }
 std::string FilmOfRun::trouble_with(const scene::Preset& preset, bool force) {
   if (!maker_->wanted()) return "";
   const scene::Scene& scene = preset.scene;
-  const viz::Field* field = viz::find_field(maker_->options.wish.field.value_or(scene.film.field));
-  const std::string beams = maker_->options.wish.beams.value_or(scene.film.beams);
+  const viz::Field* field = viz::find_field(maker_->options.request.field.value_or(scene.film.field));
+  const std::string beams = maker_->options.request.beams.value_or(scene.film.beams);
   const auto stored = [&](std::string_view name) {
     return std::find(scene.output.fields.begin(), scene.output.fields.end(), name) !=
            scene.output.fields.end();
   };
   maker_->frames_expected = static_cast<std::size_t>(scene.output.frames);
   try {
-    for (const std::string& note : read_wish(maker_->options)) base::message("rift run: {}\n", note);
-  } catch (const viz::BadWish& wish) {
-    return wish.what();
+    for (const std::string& note : read_look(maker_->options)) base::message("rift run: {}\n", note);
+  } catch (const viz::BadWish& mistake) {
+    return mistake.what();
   }
   if (!maker_->film.empty() && !viz::is_film_name(maker_->film))
     return fmt::format("--film {}: must end in .mp4, .webm or .gif", maker_->film);
@@ -236,7 +236,7 @@ std::string FilmOfRun::trouble_with(const scene::Preset& preset, bool force) {
 void FilmOfRun::begin(const fs::path& run, bool core_free) {
   if (!maker_->wanted()) return;
   maker_->core_free = core_free;
-  maker_->options.wish.runs = {run};
+  maker_->options.request.runs = {run};
   if (const fs::path journal = run / results::journal_name; fs::exists(journal))
     maker_->former.emplace(journal);
   maker_->thread = std::jthread([maker = maker_.get()] { maker->run(); });

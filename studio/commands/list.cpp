@@ -4,10 +4,8 @@
 #include "studio/text/catalogue.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,26 +25,14 @@ void print_json(const std::vector<PresetEntry>& entries) {
   base::print_text(base::json_text(all, 2) + "\n");
 }
 
-void print_table(const std::vector<PresetEntry>& entries, bool color) {
-  const PresetEntry titles{.name = "preset", .path = {}, .shows = "shows", .cost = "cost"};
-  std::size_t name_width = titles.name.size(), cost_width = titles.cost.size();
-  for (const PresetEntry& e : entries) {
-    name_width = std::max(name_width, e.name.size());
-    cost_width = std::max(cost_width, e.cost.size());
-  }
-  const auto row = [&](const PresetEntry& e) {
-    return fmt::format("{:<{}}  {:<{}}  {}", e.name, name_width, e.cost, cost_width, e.shows);
-  };
-  base::print_text(heading(row(titles), color) + "\n");
-  for (const PresetEntry& e : entries) base::print("{}\n", row(e));
-}
-
 void list(const ListOptions& options) {
   const std::vector<PresetEntry> entries = preset_entries(presets_folder());
   if (options.json) {
     print_json(entries);
   } else {
-    print_table(entries, wants_color(options.color, stdout));
+    Table table{{"preset", "cost", "shows"}, {}};
+    for (const PresetEntry& e : entries) table.rows.push_back({e.name, e.cost, e.shows});
+    base::print_text(plain_table(table, wants_color(options.color, stdout)));
   }
 }
 

@@ -1,7 +1,6 @@
 #include "engine/base/files.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"

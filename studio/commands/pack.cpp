@@ -6,7 +6,6 @@
 #include "studio/reports/packing_report.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <memory>
 #include <optional>

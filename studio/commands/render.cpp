@@ -152,10 +152,10 @@ ExitCode draw(const RenderOptions& options, const viz::Plan& plan, Session& sess
 }
 
 ExitCode render(RenderOptions options) try {
-  for (const std::string& note : read_wish(options.look)) base::message("rift render: {}\n", note);
+  for (const std::string& note : read_look(options.look)) base::message("rift render: {}\n", note);
   check_files(options);
-  for (const std::string& run : options.runs) options.look.wish.runs.emplace_back(run);
-  const viz::Plan plan = viz::plan_of(options.look.wish);
+  for (const std::string& run : options.runs) options.look.request.runs.emplace_back(run);
+  const viz::Plan plan = viz::plan_of(options.look.request);
   for (const std::string& note : plan.notes) base::message("rift render: {}\n", note);
   Session session("rift render", options);
   try {
@@ -164,8 +164,8 @@ ExitCode render(RenderOptions options) try {
     session.message("stopped; nothing half-made is left");
     return session.stopped();
   }
-} catch (const viz::BadWish& wish) {
-  base::message("rift render: {}\n", wish.what());
+} catch (const viz::BadWish& mistake) {
+  base::message("rift render: {}\n", mistake.what());
   return ExitCode::bad_input;
 }
 
@@ -178,7 +178,8 @@ void add_render(CLI::App& app, ExitCode& exit_code) {
       .add_option("run", options->runs,
                   "Folders of one to four runs, drawn on one clock and one scale of colours")
       ->required();
-  command.add_option("--lane", options->look.wish.lanes, "Lane of each run; again for more (default: all)")
+  command
+      .add_option("--lane", options->look.request.lanes, "Lane of each run; again for more (default: all)")
       ->check(CLI::NonNegativeNumber);
   command.add_option("--film", options->film,
                      "Film: .mp4, .webm or .gif (default: film_FIELD.mp4 in the run's folder)");

@@ -1,10 +1,8 @@
 #include "engine/base/interrupted.hpp"
-#include "engine/base/ownership.hpp"
 #include "engine/base/process_limits.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
-#include "engine/scene/issue.hpp"
 #include "engine/scene/units.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
@@ -18,7 +16,6 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -104,11 +101,12 @@ std::optional<simulation::Recorded> resume_plainly(const ResumeOptions& options,
 
 std::optional<simulation::Recorded> resume_live(const ResumeOptions& options, const scene::Preset& preset,
                                                 const Session& session) {
-  RunRequest request{.preset = preset, .folder = options.run};
-  request.resume = true;
-  request.threads = options.threads;
-  request.cache = session.cache;
-  request.build = build_info();
+  RunRequest request{.preset = preset,
+                     .folder = options.run,
+                     .resume = true,
+                     .threads = options.threads,
+                     .cache = session.cache,
+                     .build = build_info()};
   return run_in_panel(std::move(request), session.color(), session.stop);
 }
 
@@ -187,12 +185,14 @@ std::optional<simulation::Recorded> run_plainly(const RunOptions& options, const
 /// In the live panel.
 std::optional<simulation::Recorded> run_live(const RunOptions& options, const scene::Preset& preset,
                                              const fs::path& path, double checkpoint_s, Session& session) {
-  RunRequest request{.preset = preset, .folder = path, .force = options.force};
-  request.threads = options.threads;
-  request.checkpoint_s = checkpoint_s;
-  request.cache = session.cache;
-  request.build = build_info();
-  request.began = [&](const fs::path& folder) { begin_film(options, folder); };
+  RunRequest request{.preset = preset,
+                     .folder = path,
+                     .force = options.force,
+                     .threads = options.threads,
+                     .checkpoint_s = checkpoint_s,
+                     .cache = session.cache,
+                     .build = build_info(),
+                     .began = [&](const fs::path& folder) { begin_film(options, folder); }};
   auto ran = run_in_panel(std::move(request), session.color(), session.stop);
   if (!ran) say_nothing_kept(session, "stopped before the first step", nothing_written);
   return ran;

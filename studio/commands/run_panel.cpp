@@ -1,6 +1,6 @@
 #include "studio/commands/run_panel.hpp"
 
-#include "studio/terminal/bench.hpp"
+#include "studio/terminal/event_loop.hpp"
 #include "studio/terminal/terminal.hpp"
 #include "studio/workbench/panel_screen.hpp"
 
@@ -8,8 +8,8 @@
 
 namespace rift::studio {
 
-Workshop workshop_here(int threads) {
-  Workshop w;
+AppContext app_context(int threads) {
+  AppContext w;
   std::error_code none;
   w.presets = presets_folder();
   w.own_presets = own_presets_folder();
@@ -27,9 +27,9 @@ ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session)
 
 bool panel_there() { return Terminal::there(); }
 
-std::optional<simulation::Recorded> run_in_panel(RunRequest wish, bool color, const StopSignal& stop) {
-  Workshop workshop = workshop_here(wish.threads);
-  auto screen = std::make_unique<RunScreen>(workshop, std::move(wish), true);
+std::optional<simulation::Recorded> run_in_panel(RunRequest request, bool color, const StopSignal& stop) {
+  AppContext context = app_context(request.threads);
+  auto screen = std::make_unique<RunScreen>(context, std::move(request), true);
   const RunScreen& panel = *screen;
   const std::shared_ptr<LiveRun> run = screen->run();
   ProgressLine line(ProgressStyle::plain);

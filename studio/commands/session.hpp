@@ -71,7 +71,7 @@ void print_notes(const base::Cache& cache);
 /// "rift accuracy quickstart --set 'a=b'": the command with its preset and overrides, as reports tell it.
 std::string command_with_preset(const std::string& name, const SceneOptions& options);
 
-/// A command at work: its clock, its line of progress, the user's wish to stop it, the cache, and what it
+/// A command at work: its clock, its line of progress, the signal that stops it, the cache, and what it
 /// says.
 class Session {
  public:

@@ -1,12 +1,11 @@
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_panel.hpp"
-#include "studio/terminal/bench.hpp"
+#include "studio/terminal/event_loop.hpp"
 #include "studio/terminal/terminal.hpp"
 #include "studio/workbench/home_screen.hpp"
 #include "studio/workbench/screen.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -17,10 +16,10 @@ struct StudioOptions : SessionOptions {
   std::string preset, lesson;
 };
 
-std::unique_ptr<Screen> first_screen(const StudioOptions& options, Workshop& workshop) {
-  if (!options.lesson.empty()) return lesson_screen(workshop, options.lesson);
-  if (!options.preset.empty()) return form_of_preset(workshop, resolve_preset(options.preset));
-  return std::make_unique<HomeScreen>(workshop);
+std::unique_ptr<Screen> first_screen(const StudioOptions& options, AppContext& context) {
+  if (!options.lesson.empty()) return lesson_screen(context, options.lesson);
+  if (!options.preset.empty()) return form_of_preset(context, resolve_preset(options.preset));
+  return std::make_unique<HomeScreen>(context);
 }
 
 ExitCode open_studio(const StudioOptions& options) {
@@ -31,8 +30,8 @@ ExitCode open_studio(const StudioOptions& options) {
         why);
     return ExitCode::bad_input;
   }
-  Workshop workshop = workshop_here(options.threads);
-  return work_in_terminal(first_screen(options, workshop), Session("rift studio", options));
+  AppContext context = app_context(options.threads);
+  return work_in_terminal(first_screen(options, context), Session("rift studio", options));
 }
 
 }  // namespace

@@ -117,13 +117,13 @@ void print_tables(const StudyCommand& command, const study::StudyResult& result,
 
 /// table.csv always; charts and report unless the user wants to be let go. A part of a study leaves all of
 /// them to the call that gathers the parts.
-void write_files(const StudyCommand& command, const scene::Preset& preset, const study::StudyResult& result,
-                 const fs::path& folder) {
+ExitCode write_files(const StudyCommand& command, const scene::Preset& preset,
+                     const study::StudyResult& result, const fs::path& folder, Session& session) {
   const std::string csv = command.shard.empty() ? study_csv(to_json(result.rows)) : "";
-  if (csv.empty()) return;
+  if (csv.empty()) return ExitCode::done;
   base::write_whole_file(folder / "table.csv", csv);
-  if (result.outcome != simulation::Outcome::stopped)
-    write_study_report(preset, build_info(), result, folder);
+  if (result.outcome == simulation::Outcome::stopped) return ExitCode::done;
+  return session.write_or_say([&] { write_study_report(preset, build_info(), result, folder); });
 }
 
 ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const study::StudyOptions& options,
@@ -139,7 +139,7 @@ ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const
   const study::StudyResult result = study::run_study(preset, options, session.cache, build_info(), observer);
   session.line.clear();
   for (const std::string& note : session.cache.notes) base::message("note: {}\n", note);
-  const ExitCode files = session.write_or_say([&] { write_files(command, preset, result, options.folder); });
+  const ExitCode files = write_files(command, preset, result, options.folder, session);
   session.print_result(Json{{"preset", preset.name}, {"scenarios", to_json(result.rows)}},
                        [&] { print_tables(command, result, options.folder, session.color()); });
   if (result.outcome == simulation::Outcome::stopped) {

@@ -1,11 +1,10 @@
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_panel.hpp"
-#include "studio/terminal/bench.hpp"
+#include "studio/terminal/event_loop.hpp"
 #include "studio/terminal/terminal.hpp"
 #include "studio/workbench/panel_screen.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -24,8 +23,8 @@ ExitCode watch(const WatchOptions& options) {
         why, options.run);
     return ExitCode::bad_input;
   }
-  Workshop workshop = workshop_here(0);
-  auto screen = std::make_unique<WatchScreen>(workshop, options.run);
+  AppContext context = app_context(0);
+  auto screen = std::make_unique<WatchScreen>(context, options.run);
   return work_in_terminal(std::move(screen), Session("rift watch", options));
 }
 

@@ -13,7 +13,7 @@
 
 namespace rift::studio {
 
-/// All that `rift accuracy` has to tell.
+/// All that `rift accuracy` reports.
 struct AccuracyReport {
   std::string preset, command;
   simulation::BuildInfo build;

@@ -10,7 +10,7 @@
 
 namespace rift::studio {
 
-/// What `rift calibrate` tells.
+/// What `rift calibrate` reports.
 struct Calibration {
   scene::Scene scene;
   simulation::BuildInfo build;

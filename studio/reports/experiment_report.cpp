@@ -51,6 +51,25 @@ std::string uncertainty_text(const experiment::Experiment& e, const Means& m) {
   return text + fmt::format(", window {:.1f} %", 100 * m.window);
 }
 
+/// How far what was found is from the critical rate laid over it.
+struct Distance {
+  double mean = 0, largest = 0;  // of |found / truth - 1|
+  double within = 0;  // share of the points whose band of two standard uncertainties holds the truth
+};
+
+Distance distance_from_truth(const ExperimentReport& report, bool corrected) {
+  const experiment::Experiment& e = report.experiment;
+  Distance d;
+  for (const experiment::CriticalPoint& p : e.along) {
+    const double truth = fracture::critical_rate(report.truth, p.over_cr, e.rayleigh_speed, p.position);
+    const double off = std::abs((corrected ? p.corrected : p.as_paper) - truth);
+    d.mean += off / truth, d.largest = std::max(d.largest, off / truth);
+    d.within += off <= 2.0 * (corrected ? p.corrected_uncertainty : p.uncertainty) ? 1.0 : 0.0;
+  }
+  d.mean /= static_cast<double>(e.along.size()), d.within /= static_cast<double>(e.along.size());
+  return d;
+}
+
 std::string truth_text(const ExperimentReport& report, bool corrected) {
   const Distance d = distance_from_truth(report, corrected);
   return fmt::format("{:.1f} % off on average, {:.1f} % at most; within the band at {:.0f} % of the points",
@@ -119,21 +138,7 @@ std::string toughness_csv(const ExperimentReport& report, bool by_position) {
   return csv;
 }
 
-}  // namespace
-
-Distance distance_from_truth(const ExperimentReport& report, bool corrected) {
-  const experiment::Experiment& e = report.experiment;
-  Distance d;
-  for (const experiment::CriticalPoint& p : e.along) {
-    const double truth = fracture::critical_rate(report.truth, p.over_cr, e.rayleigh_speed, p.position);
-    const double off = std::abs((corrected ? p.corrected : p.as_paper) - truth);
-    d.mean += off / truth, d.largest = std::max(d.largest, off / truth);
-    d.within += off <= 2.0 * (corrected ? p.corrected_uncertainty : p.uncertainty) ? 1.0 : 0.0;
-  }
-  d.mean /= static_cast<double>(e.along.size()), d.within /= static_cast<double>(e.along.size());
-  return d;
-}
-
+/// A dozen of the points.
 Table experiment_table(const ExperimentReport& report) {
   Table table{{"tip [mm]", "time [us]", "v [c_R]", "G_I0 [kJ/m²]", "G_IDc, as paper", "corrected",
                "efficiency", "G_IDc/G_I0"},
@@ -150,6 +155,8 @@ Table experiment_table(const ExperimentReport& report) {
   }
   return table;
 }
+
+}  // namespace
 
 std::string experiment_text(const ExperimentReport& report, bool color) {
   std::string text = plain_table(experiment_table(report), color) + "\n";
@@ -343,8 +350,6 @@ NamedChart application_chart(const experiment::Experiment& e) {
                        })}}};
 }
 
-}  // namespace
-
 std::vector<NamedChart> experiment_charts(const ExperimentReport& report) {
   std::vector<NamedChart> charts{
       history_chart(report),
@@ -358,6 +363,8 @@ std::vector<NamedChart> experiment_charts(const ExperimentReport& report) {
   if (!report.experiment.application.along.empty()) charts.push_back(application_chart(report.experiment));
   return charts;
 }
+
+}  // namespace
 
 void write_experiment_report(const ExperimentReport& report, const std::filesystem::path& folder) {
   write_report({.title = "From the experiment to G_IDc: " + report.preset,

@@ -84,6 +84,25 @@ std::string span_text(const experiment::Trace& trace) {
              : fmt::format("{:.6g} to {:.6g} us", 1e6 * trace.time.front(), 1e6 * trace.time.back());
 }
 
+/// Mean over the moments that have both, weights alike; NaN where there are none.
+struct FieldAgainstBooks {
+  int moments = 0;
+  double over_g_i0 = 0;  // G of the field over G_I0
+  double taken = 0;      // G_ID of the books over G of the field
+};
+
+FieldAgainstBooks field_against_books(const InstrumentsReport& report) {
+  FieldAgainstBooks mean;
+  for (const experiment::IntensityPoint& p : report.seen.intensity) {
+    if (!p.k || !std::isfinite(p.g_id)) continue;
+    ++mean.moments;
+    mean.over_g_i0 += p.k->release_rate / (report.seen.g_i0 + report.seen.g_i0_slope * p.tip);
+    mean.taken += p.g_id / p.k->release_rate;
+  }
+  mean.over_g_i0 /= mean.moments, mean.taken /= mean.moments;
+  return mean;
+}
+
 /// What was seen, a label and a text a row.
 Table conclusions(const InstrumentsReport& report) {
   const experiment::Instruments& seen = report.seen;
@@ -143,36 +162,7 @@ std::string intensity_csv(const experiment::Instruments& seen) {
   return csv;
 }
 
-}  // namespace
-
-FieldAgainstBooks field_against_books(const InstrumentsReport& report) {
-  FieldAgainstBooks mean;
-  for (const experiment::IntensityPoint& p : report.seen.intensity) {
-    if (!p.k || !std::isfinite(p.g_id)) continue;
-    ++mean.moments;
-    mean.over_g_i0 += p.k->release_rate / (report.seen.g_i0 + report.seen.g_i0_slope * p.tip);
-    mean.taken += p.g_id / p.k->release_rate;
-  }
-  mean.over_g_i0 /= mean.moments, mean.taken /= mean.moments;
-  return mean;
-}
-
-std::string field_csv_header() {
-  return "time_s,tip_m,x_m,y_m,ux_m,uy_m,uz_m,strain_xx,strain_yy,strain_xy\n";
-}
-
-std::string field_csv_rows(const measurement::Grid& grid, const experiment::SeenField& field) {
-  std::string csv;
-  for (std::size_t p = 0; p < field.motion.size(); ++p) {
-    if (!field.motion[p]) continue;
-    const measurement::PlaneMotion& m = *field.motion[p];
-    csv += fmt::format("{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n", field.time,
-                       field.tip, grid.point[p].x(), grid.point[p].y(), m.u.x(), m.u.y(), m.u.z(),
-                       m.strain_xx(), m.strain_yy(), m.strain_xy());
-  }
-  return csv;
-}
-
+/// A dozen moments: stress intensities, and the books beside them.
 Table intensity_table(const InstrumentsReport& report) {
   Table table{{"time [us]", "tip [mm]", "v [c_R]", "K_I [MPa m½]", "K_II", "G, field [kJ/m²]", "G_ID, books",
                "taken", "misfit"},
@@ -189,6 +179,24 @@ Table intensity_table(const InstrumentsReport& report) {
                           number_cell(p.g_id / i.release_rate, "{:.3f}"), number_cell(i.misfit, "{:.3f}")});
   }
   return table;
+}
+
+}  // namespace
+
+std::string field_csv_header() {
+  return "time_s,tip_m,x_m,y_m,ux_m,uy_m,uz_m,strain_xx,strain_yy,strain_xy\n";
+}
+
+std::string field_csv_rows(const measurement::Grid& grid, const experiment::SeenField& field) {
+  std::string csv;
+  for (std::size_t p = 0; p < field.motion.size(); ++p) {
+    if (!field.motion[p]) continue;
+    const measurement::PlaneMotion& m = *field.motion[p];
+    csv += fmt::format("{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n", field.time,
+                       field.tip, grid.point[p].x(), grid.point[p].y(), m.u.x(), m.u.y(), m.u.z(),
+                       m.strain_xx(), m.strain_yy(), m.strain_xy());
+  }
+  return csv;
 }
 
 std::string instruments_text(const InstrumentsReport& report, bool color) {

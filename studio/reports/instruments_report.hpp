@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/experiment/traces.hpp"
-#include "studio/text/table.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +10,7 @@
 
 namespace rift::studio {
 
-/// All that `rift measure` has to tell.
+/// All that `rift measure` reports.
 struct InstrumentsReport {
   std::string run, command, version;
   int lane = 0;
@@ -20,9 +19,6 @@ struct InstrumentsReport {
   std::vector<experiment::Trace> trace;      // of the run
   std::vector<experiment::Trace> measured;   // laid over
 };
-
-/// A dozen moments: stress intensities, and the books beside them.
-Table intensity_table(const InstrumentsReport& report);
 
 /// Table, and what the instruments and the measured curves come to.
 std::string instruments_text(const InstrumentsReport& report, bool color);
@@ -36,13 +32,5 @@ void write_instruments_report(const InstrumentsReport& report, const std::filesy
 /// field.csv: a row per moment and point of the grid that the camera holds.
 std::string field_csv_header();
 std::string field_csv_rows(const measurement::Grid& grid, const experiment::SeenField& field);
-
-/// Mean over the moments that have both, weights alike; NaN where there are none.
-struct FieldAgainstBooks {
-  int moments = 0;
-  double over_g_i0 = 0;  // G of the field over G_I0
-  double taken = 0;      // G_ID of the books over G of the field
-};
-FieldAgainstBooks field_against_books(const InstrumentsReport& report);
 
 }  // namespace rift::studio

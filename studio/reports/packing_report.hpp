@@ -10,7 +10,7 @@
 
 namespace rift::studio {
 
-/// What `rift pack` tells.
+/// What `rift pack` reports.
 struct PackedSpecimen {
   scene::Scene scene;
   simulation::BuildInfo build;

@@ -18,12 +18,14 @@ std::string made_by(const std::string& command, const simulation::BuildInfo& bui
 std::string html_figures(const std::vector<NamedChart>& charts, const std::filesystem::path& folder,
                          std::optional<base::WorldError>& failure) {
   std::string html;
-  for (const NamedChart& named : charts) try {
+  for (const NamedChart& named : charts) {
+    try {
       html += html_figure(draw_chart(named, folder).svg_text, named.caption);
     } catch (const base::WorldError& error) {
       failure.emplace(error);
       html += html_paragraph(error.what());
     }
+  }
   return html;
 }
 

@@ -37,7 +37,7 @@ std::string made_by(const std::string& command, const simulation::BuildInfo& bui
 /// drawn; the page is then written all the same and says so in its place.
 void write_report(const Report& report, const std::filesystem::path& folder);
 
-/// The charts as figures of a page, drawn into `folder`; what cannot be drawn is told in its place.
+/// The charts as figures of a page, drawn into `folder`; what cannot be drawn is said in its place.
 /// @param[out] failure  of the last one that cannot be drawn
 std::string html_figures(const std::vector<NamedChart>& charts, const std::filesystem::path& folder,
                          std::optional<base::WorldError>& failure);

@@ -34,7 +34,7 @@ struct JudgedClaim {
   std::string not_drawn;  // of a claim that is a picture: why there is none
 };
 
-/// All that the report tells.
+/// All that the report holds.
 struct Reproduction {
   simulation::BuildInfo build;
   std::string command;  // "rift reproduce all --quick"

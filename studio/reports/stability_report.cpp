@@ -133,8 +133,7 @@ std::string verdict(const StabilityReport& report) {
                      report.rows.size(), duration_text(report.wall_s));
 }
 
-}  // namespace
-
+/// A line per case: expected, seen in both precisions, how far the books are open, growth, what was said.
 Table stability_table(const std::vector<stability::StabilityRow>& rows) {
   Table table{{"case", "", "expected", "seen", "books, double", "single", "growth", "theory", "ratio",
                "single", "shows", "s", ""},
@@ -155,6 +154,7 @@ Table stability_table(const std::vector<stability::StabilityRow>& rows) {
   return table;
 }
 
+/// A line per claim: what physics expects of it, and what was seen in both precisions.
 Table claims_table(const std::vector<stability::StabilityRow>& rows) {
   Table table{{"case", "", "must show", "expected", "double", "single"}, {}};
   for (const stability::StabilityRow& row : rows) {
@@ -168,6 +168,8 @@ Table claims_table(const std::vector<stability::StabilityRow>& rows) {
   }
   return table;
 }
+
+}  // namespace
 
 std::string stability_text(const StabilityReport& report, bool color) {
   std::string text = plain_table(stability_table(report.rows), color);
@@ -196,22 +198,6 @@ Json stability_json(const StabilityReport& report) {
           {"of", report.rows.size()},
           {"wall_s", report.wall_s},
           {"version", report.build.version}};
-}
-
-void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder) {
-  Table said{{"case", "", "said"}, {}};
-  for (const stability::StabilityRow& row : report.rows)
-    if (!row.in_double.said.empty()) said.rows.push_back({row.family, row.name, row.in_double.said});
-  write_report({.title = "Stiff and extreme cases",
-                .opening = {verdict(report) + ". " + made_by("rift stability", report.build)},
-                .files = {{"summary.json", base::json_text(stability_json(report), 2) + "\n"},
-                          {"table.csv", csv_of(report.rows)},
-                          {"claims.csv", claims_csv(report.rows)}},
-                .sections = {{"Charts", stability_charts(report)},
-                             {"Cases", stability_table(report.rows)},
-                             {"What each case must show", claims_table(report.rows)},
-                             {"What was said", said}}},
-               folder);
 }
 
 namespace {
@@ -270,13 +256,29 @@ NamedChart residual_chart(const std::vector<stability::StabilityRow>& rows) {
           std::move(chart)};
 }
 
-}  // namespace
-
 std::vector<NamedChart> stability_charts(const StabilityReport& report) {
   std::vector<NamedChart> charts;
   if (report.growth) charts.push_back(growth_chart(*report.growth));
   charts.push_back(residual_chart(report.rows));
   return those_with_points(std::move(charts));
+}
+
+}  // namespace
+
+void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder) {
+  Table said{{"case", "", "said"}, {}};
+  for (const stability::StabilityRow& row : report.rows)
+    if (!row.in_double.said.empty()) said.rows.push_back({row.family, row.name, row.in_double.said});
+  write_report({.title = "Stiff and extreme cases",
+                .opening = {verdict(report) + ". " + made_by("rift stability", report.build)},
+                .files = {{"summary.json", base::json_text(stability_json(report), 2) + "\n"},
+                          {"table.csv", csv_of(report.rows)},
+                          {"claims.csv", claims_csv(report.rows)}},
+                .sections = {{"Charts", stability_charts(report)},
+                             {"Cases", stability_table(report.rows)},
+                             {"What each case must show", claims_table(report.rows)},
+                             {"What was said", said}}},
+               folder);
 }
 
 }  // namespace rift::studio

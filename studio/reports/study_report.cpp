@@ -9,7 +9,6 @@
 #include "studio/charts/chart_script.hpp"
 #include "studio/charts/curves.hpp"
 #include "studio/reports/report.hpp"
-#include "studio/text/html.hpp"
 #include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +18,7 @@
 #include <map>
 
 namespace rift::studio {
+namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -48,8 +48,13 @@ std::string field_of(const Json& value) {
   return base::csv_field(text);
 }
 
-}  // namespace
+/// Rows that differ at most in the axes left out, and what they have in common.
+struct RowFamily {
+  study::AxisTexts axes;
+  std::vector<study::SummaryRow> rows;
+};
 
+/// Rows by the axes other than `without`, families and rows in the order of the study.
 std::vector<RowFamily> families(const study::StudyRows& rows, const std::vector<std::string>& without) {
   std::vector<RowFamily> found;
   for (const auto& row : rows) {
@@ -64,12 +69,20 @@ std::vector<RowFamily> families(const study::StudyRows& rows, const std::vector<
   return found;
 }
 
+/// Mean of a number of the rows and its standard deviation (n - 1), NaN of fewer than two; what is undefined
+/// does not count.
+struct MeanScatter {
+  double mean, scatter;
+  int count;
+};
 MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, double study::SummaryRow::*number) {
   std::vector<double> values;
   for (const study::SummaryRow& row : rows)
     if (!std::isnan(row.*number)) values.push_back(row.*number);
   return {base::mean_of(values), base::deviation_of(values), static_cast<int>(values.size())};
 }
+
+}  // namespace
 
 Table scenario_table(const study::StudyRows& rows) {
   Table table;
@@ -172,6 +185,14 @@ std::string part_of_label(const std::string& name, const std::string& text) {
   return name == "crack_velocity" ? text : value;
 }
 
+/// What sets a scenario or a family apart: "progressive, linear, r_l = 1, seed 2".
+std::string axes_label(const study::AxisTexts& axes) {
+  std::string label;
+  for (const auto& [name, text] : axes)
+    if (text != "-") label += (label.empty() ? "" : ", ") + part_of_label(name, text);
+  return label.empty() ? "rift" : label;
+}
+
 /// "name", "name_2", ... for charts that share what is too much for one.
 std::string numbered(const std::string& name, std::size_t k) {
   return k == 0 ? name : fmt::format("{}_{}", name, k + 1);
@@ -207,15 +228,8 @@ ChartSeries against_tip(const study::SummaryRow& row, const std::filesystem::pat
 /// Tip position up to which no echo has come back [mm]; NaN where the row does not know.
 double echo_free_mm(const study::SummaryRow& row) { return 1e3 * row.echo_free_over_length * row.length_m; }
 
-}  // namespace
-
-std::string axes_label(const study::AxisTexts& axes) {
-  std::string label;
-  for (const auto& [name, text] : axes)
-    if (text != "-") label += (label.empty() ? "" : ", ") + part_of_label(name, text);
-  return label.empty() ? "rift" : label;
-}
-
+/// Ratio against crack velocity beside Broberg, Freund and the strip, mean over seeds with their scatter as
+/// bars; none where the study does not vary the velocity. At most 12 series a chart.
 std::vector<NamedChart> velocity_charts(const study::StudyRows& rows) {
   std::vector<NamedChart> charts;
   std::vector<ChartSeries> measured;
@@ -248,6 +262,7 @@ std::vector<NamedChart> velocity_charts(const study::StudyRows& rows) {
   return charts;
 }
 
+/// Ratio against tip position of each scenario. @param series  their files, by row of the study
 std::vector<NamedChart> tip_charts(const study::StudyRows& rows,
                                    const std::vector<std::filesystem::path>& series) {
   std::vector<Chart> charts;
@@ -277,9 +292,6 @@ std::vector<NamedChart> tip_charts(const study::StudyRows& rows,
   }
   return named;
 }
-
-namespace fs = std::filesystem;
-namespace {
 
 std::vector<fs::path> series_files(const scene::Preset& preset, const simulation::BuildInfo& build,
                                    const fs::path& folder) {

@@ -31,12 +31,12 @@ enum Key : int {
 };
 
 /// What the user did: a key, or the mouse at a cell.
-struct Press {
+struct KeyEvent {
   int key = key_none;
   int x = 0, y = 0;
 };
 
-// THE table of the keys: it gives what a press does, the line at the foot and the help.
+// THE table of the keys: it gives what a key does, the line at the foot and the help.
 
 /// Which screen a binding is of.
 enum class Where : std::uint8_t { anywhere, home, form, live, watch, study, compare, lesson, lesson_run };

@@ -1,7 +1,5 @@
 #include "studio/screen/layouts.hpp"
 
-#include "studio/screen/canvas.hpp"
-
 #include <algorithm>
 
 namespace rift::studio {

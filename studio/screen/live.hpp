@@ -36,7 +36,7 @@ struct Live {
   const results::Geometry* geometry = nullptr;
   double length = 0, height = 0, pulled = 0;  // of the plate [m]
   double fastest = 0;                         // that colours of the velocity tell apart [m/s]
-  double ledger_limit = 1e-9;                 // residuals beyond are told
+  double ledger_limit = 1e-9;                 // residuals beyond are marked
   std::vector<LiveLane> lanes;
 };
 

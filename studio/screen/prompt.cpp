@@ -17,14 +17,14 @@ constexpr int control_u = 21;  // as in a shell: all away
 
 }  // namespace
 
-Prompt::State Prompt::press(const Press& press) {
+Prompt::State Prompt::press(const KeyEvent& event) {
   constexpr std::size_t longest = 400;
-  if (press.key == key_enter) return state_ = State::entered;
-  if (press.key == key_escape) return state_ = State::cancelled;
-  if (press.key == key_backspace) drop_last_letter(text_);
-  if (press.key == control_u) text_.clear();
-  if (press.key >= 32 && press.key < key_up && text_.size() < longest)
-    base::append_letter(text_, static_cast<char32_t>(press.key));
+  if (event.key == key_enter) return state_ = State::entered;
+  if (event.key == key_escape) return state_ = State::cancelled;
+  if (event.key == key_backspace) drop_last_letter(text_);
+  if (event.key == control_u) text_.clear();
+  if (event.key >= 32 && event.key < key_up && text_.size() < longest)
+    base::append_letter(text_, static_cast<char32_t>(event.key));
   return state_;
 }
 

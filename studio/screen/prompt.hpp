@@ -20,8 +20,8 @@ class Prompt {
   [[nodiscard]] bool typing() const { return state_ == State::typing; }
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] const std::string& label() const { return label_; }
-  /// @return whether it was entered or given up by this press
-  State press(const Press& press);
+  /// @return whether it was entered or given up by this key
+  State press(const KeyEvent& event);
   /// "label: text_" in one line of the area, the end of the text always to be seen.
   void draw(Canvas& canvas, const Area& area, const Style& style = {}) const;
 

@@ -127,7 +127,7 @@ std::string code(const char* name) {
   return text == nullptr || text == reinterpret_cast<const char*>(-1) ? "" : text;
 }
 
-Press mouse() {
+KeyEvent mouse() {
   MEVENT event;
   if (getmouse(&event) != OK) return {};
   if (event.bstate & BUTTON4_PRESSED) return {key_wheel_up, event.x, event.y};
@@ -136,7 +136,7 @@ Press mouse() {
   return {};
 }
 
-Press special(int pressed) {
+KeyEvent special(int pressed) {
   switch (pressed) {
     case KEY_UP:
       return {key_up};
@@ -167,7 +167,7 @@ Press special(int pressed) {
   }
 }
 
-Press letter(int pressed) {
+KeyEvent letter(int pressed) {
   if (pressed == '\r') return {key_enter};
   if (pressed == 127 || pressed == 8) return {key_backspace};
   return {pressed};
@@ -301,7 +301,7 @@ void Terminal::show(const Canvas& canvas) {
   refresh();
 }
 
-Press Terminal::press(int milliseconds) {
+KeyEvent Terminal::key_event(int milliseconds) {
   timeout(milliseconds);
   wint_t pressed = 0;
   const int kind = get_wch(&pressed);

@@ -58,7 +58,7 @@ class Terminal {
   [[nodiscard]] Glyphs glyphs() const { return glyphs_; }
   void show(const Canvas& canvas);
   /// What is pressed within so many milliseconds; a change of size is nothing.
-  [[nodiscard]] Press press(int milliseconds);
+  [[nodiscard]] KeyEvent key_event(int milliseconds);
 
   /// What to say should the program crash, such as where the run is; at most 400 bytes are kept.
   static void say_in_a_crash(const std::string& text);

@@ -8,7 +8,7 @@ namespace rift::studio {
 
 // What there is to choose from: presets, and what has been computed.
 
-/// A preset as its opening comment tells it; texts it does not tell are empty.
+/// A preset as its opening comment describes it; texts that it lacks are empty.
 struct PresetEntry {
   std::string name;
   std::filesystem::path path;

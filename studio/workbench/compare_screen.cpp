@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace rift::studio {
 namespace {
@@ -121,12 +120,12 @@ void CompareScreen::draw_rates(Canvas& canvas, const Area& area, Glyphs glyphs) 
   draw_curves(canvas, area, {{0, 1e3 * length_}, {0, most}, "tip [mm]", "G_ID/G_I0"}, curves, glyphs);
 }
 
-Turn CompareScreen::press(const Press& press) {
-  const Action action = action_of(Where::compare, press.key);
+Navigation CompareScreen::press(const KeyEvent& event) {
+  const Action action = action_of(Where::compare, event.key);
   const int last = static_cast<int>(std::size(quantities)) - 1;
   if (action == Action::down) first_row_ = std::min(first_row_ + 1, last);
   if (action == Action::up) first_row_ = std::max(first_row_ - 1, 0);
-  if (action == Action::back) return {Turn::Way::back, nullptr};
+  if (action == Action::back) return {Navigation::To::back, nullptr};
   return {};
 }
 

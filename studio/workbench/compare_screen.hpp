@@ -16,7 +16,7 @@ class CompareScreen : public Screen {
   explicit CompareScreen(const std::vector<std::filesystem::path>& runs);
 
   void draw(Canvas& canvas, Glyphs glyphs) override;
-  Turn press(const Press& press) override;
+  Navigation press(const KeyEvent& event) override;
   [[nodiscard]] Where where() const override { return Where::compare; }
 
  private:

@@ -15,7 +15,7 @@ void DryRunThread::give_up() {
   found_ = {};
 }
 
-void DryRunThread::wish(const scene::Preset& preset) {
+void DryRunThread::begin(const scene::Preset& preset) {
   if (thread_.joinable()) thread_.join();  // it has ended
   stop_ = false;
   busy_ = true;
@@ -25,7 +25,7 @@ void DryRunThread::wish(const scene::Preset& preset) {
   });
 }
 
-void DryRunThread::tell(Found found) {
+void DryRunThread::publish(Found found) {
   const std::lock_guard lock(mutex_);
   if (!stop_) found_ = std::move(found);
 }
@@ -35,14 +35,14 @@ void DryRunThread::work(const scene::Preset& preset) try {
       preset.lanes.empty() ? std::vector<scene::Scene>{preset.scene} : preset.lanes;
   const simulation::Prepared prepared =
       simulation::prepare(preset, lanes, cache_, [this](std::string_view stage, double done) {
-        tell({{}, fmt::format("{} {:.0f} %", stage, 100 * done), {}});
+        publish({{}, fmt::format("{} {:.0f} %", stage, 100 * done), {}});
         return !stop_;
       });
-  if (!stop_) tell({dry_run_rows(dry_run(prepared, threads_)), {}, {}});
+  if (!stop_) publish({dry_run_rows(dry_run(prepared, threads_)), {}, {}});
 } catch (const base::Interrupted&) {
-  // another one is wished for, or none
+  // another one is asked for, or none
 } catch (const std::exception& error) {
-  tell({{}, {}, error.what()});
+  publish({{}, {}, error.what()});
 }
 
 DryRunThread::Found DryRunThread::found() const {

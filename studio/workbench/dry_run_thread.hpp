@@ -12,7 +12,7 @@
 
 namespace rift::studio {
 
-/// Dry runs in the background: what follows from the preset that was wished for last.
+/// Dry runs in the background: what follows from the preset that was asked for last.
 class DryRunThread {
  public:
   using Rows = std::vector<std::pair<std::string, std::string>>;
@@ -24,7 +24,7 @@ class DryRunThread {
   DryRunThread& operator=(const DryRunThread&) = delete;
 
   /// Begins one; none may be under way. @param preset  without issues
-  void wish(const scene::Preset& preset);
+  void begin(const scene::Preset& preset);
   /// The one under way counts no more; it ends soon, and nobody waits for it: a pre-stress cannot be left
   /// halfway.
   void give_up();
@@ -39,7 +39,7 @@ class DryRunThread {
 
  private:
   void work(const scene::Preset& preset);
-  void tell(Found found);
+  void publish(Found found);
 
   base::Cache cache_;
   int threads_;

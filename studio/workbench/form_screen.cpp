@@ -41,8 +41,8 @@ DryRunThread::Rows what_it_costs_first(const DryRunThread::Rows& rows) {
 
 }  // namespace
 
-FormScreen::FormScreen(Workshop& workshop, fs::path preset)
-    : workshop_(workshop), path_(std::move(preset)), dry_run_(workshop.cache, workshop.threads) {
+FormScreen::FormScreen(AppContext& context, fs::path preset)
+    : context_(context), path_(std::move(preset)), dry_run_(context.cache, context.threads) {
   list_rows();
   check();
 }
@@ -74,10 +74,10 @@ void FormScreen::check() {
   dry_run_.give_up();
 }
 
-Turn FormScreen::look() {
+Navigation FormScreen::look() {
   if (!dry_run_due_ || dry_run_.busy() || Clock::now() - changed_ < before_dry_run) return {};
   dry_run_due_ = false;
-  if (preset_.issues.empty() && preset_.study.empty()) dry_run_.wish(preset_);
+  if (preset_.issues.empty() && preset_.study.empty()) dry_run_.begin(preset_);
   return {};
 }
 
@@ -237,31 +237,34 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
     row("exactly", found.doing.empty() ? "in a moment" : found.doing, {Ink::dim});
 }
 
-Turn FormScreen::press(const Press& press) {
+Navigation FormScreen::press(const KeyEvent& event) try {
   message_.clear();
-  if (typing()) return type(press);
+  if (typing()) return type(event);
   const int count = static_cast<int>(rows_.size());
-  if (press.key == key_click) {
-    const int at = list_.top + press.y - 2;
-    if (press.y < 2 || press.y >= 2 + list_rows_ || at >= count || rows_[at].parameter == nullptr) return {};
+  if (event.key == key_click) {
+    const int at = list_.top + event.y - 2;
+    if (event.y < 2 || event.y >= 2 + list_rows_ || at >= count || rows_[at].parameter == nullptr) return {};
     if (at == list_.chosen) return act(Action::open);
     list_.chosen = at;
     return {};
   }
-  Action action = action_of(Where::form, press.key);
-  if (press.key == key_wheel_up) action = Action::up;
-  if (press.key == key_wheel_down) action = Action::down;
+  Action action = action_of(Where::form, event.key);
+  if (event.key == key_wheel_up) action = Action::up;
+  if (event.key == key_wheel_down) action = Action::down;
   if (list_.move(action, count, list_rows_)) {
     skip_tables(action == Action::up || action == Action::page_up ? -1 : 1);
     return {};
   }
   return act(action);
+} catch (const std::exception& error) {
+  message_ = error.what();
+  return {};
 }
 
-Turn FormScreen::type(const Press& press) {
+Navigation FormScreen::type(const KeyEvent& event) {
   if (value_.typing()) {
     const std::string key(chosen()->key);
-    const Prompt::State state = value_.press(press);
+    const Prompt::State state = value_.press(event);
     if (state == Prompt::State::cancelled) {
       if (had_change_)
         change(key, before_);
@@ -277,15 +280,15 @@ Turn FormScreen::type(const Press& press) {
     return {};
   }
   if (search_.typing()) {
-    wanted_ = search_.press(press) == Prompt::State::cancelled ? std::string() : search_.text();
+    wanted_ = search_.press(event) == Prompt::State::cancelled ? std::string() : search_.text();
     list_rows();
     return {};
   }
-  if (name_.press(press) == Prompt::State::entered) save();
+  if (name_.press(event) == Prompt::State::entered) save();
   return {};
 }
 
-Turn FormScreen::act(Action action) {
+Navigation FormScreen::act(Action action) {
   const scene::Parameter* row = chosen();
   switch (action) {
     case Action::open: {
@@ -307,42 +310,37 @@ Turn FormScreen::act(Action action) {
       search_ = Prompt("search", wanted_);
       return {};
     case Action::back:
-      return {Turn::Way::back, nullptr};
+      return {Navigation::To::back, nullptr};
     default:
       return {};
   }
 }
 
-Turn FormScreen::run() try {
+Navigation FormScreen::run() {
   if (!preset_.issues.empty()) {
     message_ = "there are mistakes: nothing is run before they are mended";
     return {};
   }
   dry_run_.give_up();
-  return {Turn::Way::forward, screen_of_preset(workshop_, path_, overrides())};
-} catch (const std::exception& error) {
-  message_ = error.what();
-  return {};
+  return {Navigation::To::forward, screen_of_preset(context_, path_, overrides())};
 }
 
-void FormScreen::save() try {
+void FormScreen::save() {
   const std::string& name = name_.text();
-  const bool sound = !name.empty() && name.find_first_of("/\\ ") == std::string::npos && name.front() != '.';
-  if (!sound) {
+  const bool valid = !name.empty() && name.find_first_of("/\\ ") == std::string::npos && name.front() != '.';
+  if (!valid) {
     message_ = fmt::format("\"{}\" is no name of a preset: letters, digits, - and _", name);
   } else if (!preset_.issues.empty()) {
     message_ = "there are mistakes: a preset is saved when they are mended";
-  } else if (const fs::path file = workshop_.own_presets / (name + ".toml"); fs::exists(file)) {
+  } else if (const fs::path file = context_.own_presets / (name + ".toml"); fs::exists(file)) {
     message_ = file.string() + " is there already: choose another name";
   } else {
-    base::make_folder(workshop_.own_presets);
+    base::make_folder(context_.own_presets);
     base::write_whole_file(file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}",
                                              base::escaped(path_.stem().string()), changes_.size(),
                                              scene::preset_text(preset_)));
     message_ = "saved: " + file.string();
   }
-} catch (const std::exception& error) {
-  message_ = error.what();
 }
 
 }  // namespace rift::studio

@@ -17,11 +17,11 @@ namespace rift::studio {
 /// beside it what follows from it.
 class FormScreen : public Screen {
  public:
-  FormScreen(Workshop& workshop, std::filesystem::path preset);
+  FormScreen(AppContext& context, std::filesystem::path preset);
 
   void draw(Canvas& canvas, Glyphs glyphs) override;
-  Turn press(const Press& press) override;
-  Turn look() override;
+  Navigation press(const KeyEvent& event) override;
+  Navigation look() override;
   [[nodiscard]] bool typing() const override { return value_.typing() || name_.typing() || search_.typing(); }
   [[nodiscard]] Where where() const override { return Where::form; }
 
@@ -49,13 +49,13 @@ class FormScreen : public Screen {
   void draw_row(Canvas& canvas, const Area& area, const Row& row, bool is_chosen) const;
   void draw_derived(Canvas& canvas, const Area& area) const;
   void draw_detail(Canvas& canvas, const Area& area) const;
-  Turn type(const Press& press);
-  Turn act(Action action);
-  Turn run();
+  Navigation type(const KeyEvent& event);
+  Navigation act(Action action);
+  Navigation run();
   void save();
 
   using Clock = std::chrono::steady_clock;
-  Workshop& workshop_;
+  AppContext& context_;
   std::filesystem::path path_;
   std::vector<Change> changes_;
   scene::Preset preset_;

@@ -1,6 +1,5 @@
 #include "studio/workbench/home_screen.hpp"
 
-#include "engine/base/ownership.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/preset.hpp"
 #include "studio/screen/canvas.hpp"
@@ -53,14 +52,14 @@ Ink ink_of(const std::string& outcome) {
 
 }  // namespace
 
-HomeScreen::HomeScreen(Workshop& workshop) : workshop_(workshop), errands_(workshop.program) {
+HomeScreen::HomeScreen(AppContext& context) : context_(context), jobs_(context.program) {
   read();
   list_.chosen = 1;
 }
 
 void HomeScreen::read() {
   all_.clear();
-  const std::vector<PresetEntry> presets = preset_entries(workshop_.presets);
+  const std::vector<PresetEntry> presets = preset_entries(context_.presets);
   for (const Group& group : groups) {
     const std::size_t heading = all_.size();
     for (const std::string_view prefix : group.prefixes)
@@ -73,12 +72,12 @@ void HomeScreen::read() {
   all_.push_back({"Lessons", {}, {}});
   for (const Lesson& lesson : lessons()) all_.push_back({"Lessons", {}, {}, &lesson});
   std::error_code none;
-  if (fs::is_directory(workshop_.own_presets, none)) {
-    const std::vector<PresetEntry> own = preset_entries(workshop_.own_presets);
+  if (fs::is_directory(context_.own_presets, none)) {
+    const std::vector<PresetEntry> own = preset_entries(context_.own_presets);
     if (!own.empty()) all_.push_back({"Your own", {}, {}});
     for (const PresetEntry& preset : own) all_.push_back({"Your own", preset, {}});
   }
-  std::vector<RunEntry> runs = run_entries(workshop_.runs), studies = run_entries(workshop_.studies);
+  std::vector<RunEntry> runs = run_entries(context_.runs), studies = run_entries(context_.studies);
   runs.insert(runs.end(), studies.begin(), studies.end());
   if (!runs.empty()) all_.push_back({"Recent runs", {}, {}});
   for (const RunEntry& run : runs) all_.push_back({"Recent runs", {}, run});
@@ -193,38 +192,41 @@ void HomeScreen::draw_detail(Canvas& canvas, const Area& area) const {
   }
 }
 
-Turn HomeScreen::press(const Press& press) {
+Navigation HomeScreen::press(const KeyEvent& event) try {
   message_.clear();
   if (question_.typing()) {
-    if (question_.press(press) != Prompt::State::typing) answer_question();
+    if (question_.press(event) != Prompt::State::typing) answer_question();
     return {};
   }
   if (search_.typing()) {
-    const Prompt::State state = search_.press(press);
+    const Prompt::State state = search_.press(event);
     wanted_ = state == Prompt::State::cancelled ? std::string() : search_.text();
     list_.chosen = 0;
     filter();
     return {};
   }
-  if (press.key == key_click) {
-    const int at = list_.top + press.y - 2;
-    if (press.y < 2 || press.y >= 2 + list_rows_ || at >= static_cast<int>(rows_.size()) ||
+  if (event.key == key_click) {
+    const int at = list_.top + event.y - 2;
+    if (event.y < 2 || event.y >= 2 + list_rows_ || at >= static_cast<int>(rows_.size()) ||
         rows_[at].heading())
       return {};
     if (at == list_.chosen) return open(true);
     list_.chosen = at;
     return {};
   }
-  if (press.key == key_wheel_up || press.key == key_wheel_down) {
-    const Action way = press.key == key_wheel_up ? Action::up : Action::down;
+  if (event.key == key_wheel_up || event.key == key_wheel_down) {
+    const Action way = event.key == key_wheel_up ? Action::up : Action::down;
     list_.move(way, static_cast<int>(rows_.size()), list_rows_);
     skip_headings(way == Action::up ? -1 : 1);
     return {};
   }
-  return act(action_of(Where::home, press.key));
+  return act(action_of(Where::home, event.key));
+} catch (const std::exception& error) {
+  message_ = error.what();
+  return {};
 }
 
-Turn HomeScreen::act(Action action) {
+Navigation HomeScreen::act(Action action) {
   if (list_.move(action, static_cast<int>(rows_.size()), list_rows_)) {
     const bool up = action == Action::up || action == Action::page_up || action == Action::last;
     skip_headings(up ? -1 : 1);
@@ -250,7 +252,7 @@ Turn HomeScreen::act(Action action) {
     case Action::resume:
       return resume_chosen();
     case Action::film:
-      message_ = row && row->run ? errands_.film(row->run->path, {}) : "choose a run: a film is made of one";
+      message_ = row && row->run ? jobs_.film(row->run->path, {}) : "choose a run: a film is made of one";
       return {};
     case Action::remove:
       if (!row || !row->run) {
@@ -261,7 +263,7 @@ Turn HomeScreen::act(Action action) {
       question_ = Prompt(fmt::format("delete {} and all that is in it? yes or no", to_remove_.string()), "");
       return {};
     case Action::back:
-      return {Turn::Way::back, nullptr};
+      return {Navigation::To::back, nullptr};
     default:
       return {};
   }
@@ -276,39 +278,30 @@ void HomeScreen::toggle_mark() {
   }
 }
 
-Turn HomeScreen::open(bool as_form) try {
+Navigation HomeScreen::open(bool as_form) {
   const Row* row = chosen();
   if (!row || row->heading()) return {};
-  if (row->lesson) return {Turn::Way::forward, lesson_screen(workshop_, std::string(row->lesson->name))};
-  if (row->run) return {Turn::Way::forward, screen_of_run(workshop_, row->run->path)};
-  return {Turn::Way::forward, as_form ? form_of_preset(workshop_, row->preset->path)
-                                      : screen_of_preset(workshop_, row->preset->path, {})};
-} catch (const std::exception& error) {
-  message_ = error.what();
-  return {};
+  if (row->lesson) return {Navigation::To::forward, lesson_screen(context_, std::string(row->lesson->name))};
+  if (row->run) return {Navigation::To::forward, screen_of_run(context_, row->run->path)};
+  return {Navigation::To::forward, as_form ? form_of_preset(context_, row->preset->path)
+                                           : screen_of_preset(context_, row->preset->path, {})};
 }
 
-Turn HomeScreen::resume_chosen() try {
+Navigation HomeScreen::resume_chosen() {
   const Row* row = chosen();
   if (!row || !row->run) {
     message_ = "choose a run that was stopped or killed";
     return {};
   }
-  return {Turn::Way::forward, resumption_of(workshop_, row->run->path)};
-} catch (const std::exception& error) {
-  message_ = error.what();
-  return {};
+  return {Navigation::To::forward, resumption_of(context_, row->run->path)};
 }
 
-Turn HomeScreen::compare_marked() try {
+Navigation HomeScreen::compare_marked() {
   if (marked_.size() < 2) {
     message_ = "mark two runs or more with the space bar first";
     return {};
   }
-  return {Turn::Way::forward, comparison_of(workshop_, {marked_.begin(), marked_.end()})};
-} catch (const std::exception& error) {
-  message_ = error.what();
-  return {};
+  return {Navigation::To::forward, comparison_of(context_, {marked_.begin(), marked_.end()})};
 }
 
 void HomeScreen::answer_question() {
@@ -328,8 +321,8 @@ void HomeScreen::answer_question() {
   read();
 }
 
-Turn HomeScreen::look() {
-  if (const std::string news = errands_.news(); !news.empty()) message_ = news;
+Navigation HomeScreen::look() {
+  if (const std::string news = jobs_.report_ended(); !news.empty()) message_ = news;
   return {};
 }
 

@@ -2,7 +2,7 @@
 
 #include "studio/screen/prompt.hpp"
 #include "studio/text/catalogue.hpp"
-#include "studio/workbench/errands.hpp"
+#include "studio/workbench/background_jobs.hpp"
 #include "studio/workbench/lesson.hpp"
 #include "studio/workbench/screen.hpp"
 
@@ -16,11 +16,11 @@ namespace rift::studio {
 /// Presets by what they are for, and what has been computed: the first screen.
 class HomeScreen : public Screen {
  public:
-  explicit HomeScreen(Workshop& workshop);
+  explicit HomeScreen(AppContext& context);
 
   void draw(Canvas& canvas, Glyphs glyphs) override;
-  Turn press(const Press& press) override;
-  Turn look() override;
+  Navigation press(const KeyEvent& event) override;
+  Navigation look() override;
   void resume() override { read(); }
   [[nodiscard]] bool typing() const override { return search_.typing() || question_.typing(); }
   [[nodiscard]] Where where() const override { return Where::home; }
@@ -49,14 +49,14 @@ class HomeScreen : public Screen {
   void skip_headings(int way);
   void next_group();
   void toggle_mark();
-  Turn act(Action action);
-  Turn open(bool as_form);
-  Turn compare_marked();
-  Turn resume_chosen();
+  Navigation act(Action action);
+  Navigation open(bool as_form);
+  Navigation compare_marked();
+  Navigation resume_chosen();
   void answer_question();
 
-  Workshop& workshop_;
-  Errands errands_;
+  AppContext& context_;
+  BackgroundJobs jobs_;
   std::vector<Row> all_, rows_;
   std::set<std::filesystem::path> marked_;
   ListView list_;

@@ -167,7 +167,7 @@ void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
   std::string body;
   for (const std::string_view page : lesson.before) body += html_paragraph(page);
   body += html_section("What was to be seen", html_paragraph(lesson.watch));
-  std::optional<base::WorldError> no_chart;  // is told in the page
+  std::optional<base::WorldError> no_chart;  // the page says why
   const std::string curves = html_figures({rate_chart(live)}, file.parent_path() / "charts", no_chart);
   std::string question = html_paragraph(lesson.question);
   for (std::size_t k = 0; k < lesson.choices.size(); ++k)

@@ -12,16 +12,11 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The lesson's run, without the frames that nobody will look at again.
-RunRequest wish_of(Workshop& workshop, const Lesson& lesson) {
+RunRequest request_of(AppContext& context, const Lesson& lesson) {
   const scene::Preset preset =
-      scene::read_preset(workshop.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=0"});
+      scene::read_preset(context.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=0"});
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
-  RunRequest wish{.preset = preset,
-                  .folder = free_folder(workshop.runs, fmt::format("lesson_{}", lesson.name))};
-  wish.threads = workshop.threads;
-  wish.cache = workshop.cache;
-  wish.build = workshop.build;
-  return wish;
+  return request_for(context, preset, free_folder(context.runs, fmt::format("lesson_{}", lesson.name)));
 }
 
 /// Lines of a text are easier to read when they are not too long.
@@ -32,15 +27,15 @@ Area readable(const Canvas& canvas, int top) {
 
 }  // namespace
 
-LessonScreen::LessonScreen(Workshop& workshop, const Lesson& lesson)
-    : workshop_(workshop),
+LessonScreen::LessonScreen(AppContext& context, const Lesson& lesson)
+    : context_(context),
       lesson_(lesson),
-      panel_(std::make_unique<RunScreen>(workshop, wish_of(workshop, lesson))) {
+      panel_(std::make_unique<RunScreen>(context, request_of(context, lesson))) {
   panel_->show_velocity(true);
   panel_->run()->pause(true);  // until the page that shows it
 }
 
-Turn LessonScreen::look() {
+Navigation LessonScreen::look() {
   (void)panel_->look();
   if (run_has_ended() || panel_->run()->stage() != LiveRun::Stage::ended) return {};
   try {
@@ -131,16 +126,16 @@ void LessonScreen::write() try {
   message_ = error.what();
 }
 
-Turn LessonScreen::press(const Press& press) {
-  if (typing()) return panel_->press(press);
+Navigation LessonScreen::press(const KeyEvent& event) {
+  if (typing()) return panel_->press(event);
   message_.clear();
-  const int asked = press.key - '1';
+  const int asked = event.key - '1';
   if (page_ == question_page() && asked >= 0 && asked < static_cast<int>(lesson_.choices.size())) {
     chosen_ = asked;
     go_to(answer_page());
     return {};
   }
-  switch (action_of(where(), press.key)) {
+  switch (action_of(where(), event.key)) {
     case Action::next:
       go_to(page_ + 1);
       return {};
@@ -152,9 +147,9 @@ Turn LessonScreen::press(const Press& press) {
       return {};
     case Action::back:
       panel_->run()->stop();
-      return {Turn::Way::back, nullptr};
+      return {Navigation::To::back, nullptr};
     default:
-      return page_ == watch_page() ? panel_->press(press) : Turn{};
+      return page_ == watch_page() ? panel_->press(event) : Navigation{};
   }
 }
 

@@ -5,7 +5,6 @@
 #include "studio/workbench/screen.hpp"
 
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace rift::studio {
@@ -13,11 +12,11 @@ namespace rift::studio {
 /// A lesson page by page: texts, the ensemble live, the question, the answer out of the run.
 class LessonScreen : public Screen {
  public:
-  LessonScreen(Workshop& workshop, const Lesson& lesson);
+  LessonScreen(AppContext& context, const Lesson& lesson);
 
   void draw(Canvas& canvas, Glyphs glyphs) override;
-  Turn press(const Press& press) override;
-  Turn look() override;
+  Navigation press(const KeyEvent& event) override;
+  Navigation look() override;
   [[nodiscard]] bool typing() const override { return page_ == watch_page() && panel_->typing(); }
   [[nodiscard]] Where where() const override {
     return page_ == watch_page() ? Where::lesson_run : Where::lesson;
@@ -34,7 +33,7 @@ class LessonScreen : public Screen {
   void go_to(int page);
   void write();
 
-  Workshop& workshop_;
+  AppContext& context_;
   const Lesson& lesson_;
   std::unique_ptr<RunScreen> panel_;
   Lanes lanes_;  // none as long as it runs

@@ -6,7 +6,6 @@
 #include "studio/screen/live_of_run.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -31,15 +30,15 @@ const std::vector<double>& slow_motions() {
   return steps_per_s;
 }
 
-LiveRun::LiveRun(RunRequest wish)
-    : wish_(std::move(wish)),
-      scenes_(scenes_of(wish_.preset)),
+LiveRun::LiveRun(RunRequest request)
+    : request_(std::move(request)),
+      scenes_(scenes_of(request_.preset)),
       books_(scenes_.size()),
       now_(scenes_.size()),
       plate_(scenes_.size()),
       plates_wanted_{0},
       scene_now_(scenes_) {
-  if (!wish_.resume) claim_.emplace(wish_.folder, wish_.force);
+  if (!request_.resume) claim_.emplace(request_.folder, request_.force);
   thread_ = std::jthread([this] { work(); });
 }
 
@@ -59,8 +58,8 @@ void LiveRun::work() {
 
 void LiveRun::run() {
   const auto start = Clock::now();
-  simulation::Prepared& p = prepared_.emplace(
-      simulation::prepare(wish_.preset, scenes_, wish_.cache, [this](std::string_view stage, double done) {
+  simulation::Prepared& p = prepared_.emplace(simulation::prepare(
+      request_.preset, scenes_, request_.cache, [this](std::string_view stage, double done) {
         const std::lock_guard lock(mutex_);
         doing_ = stage, doing_done_ = done;
         return !stop_;
@@ -69,11 +68,11 @@ void LiveRun::run() {
   if (claim_) {
     claim_->keep();
     const std::lock_guard lock(mutex_);
-    if (!claim_->has_locks()) said_.push_back(simulation::no_locks_note(wish_.folder));
+    if (!claim_->has_locks()) said_.push_back(simulation::no_locks_note(request_.folder));
   }
-  if (wish_.began) wish_.began(wish_.folder);
+  if (request_.began) request_.began(request_.folder);
   geometry_ = simulation::geometry_of(p);
-  header_ = simulation::header_of(p, wish_.build);
+  header_ = simulation::header_of(p, request_.build);
   simulation::Observer beside;
   beside.sample = [this](const results::Sample& s) {
     const std::lock_guard lock(mutex_);
@@ -89,11 +88,12 @@ void LiveRun::run() {
   };
   stage_ = Stage::running;
   const double preparation_s = std::chrono::duration<double>(Clock::now() - start).count();
-  const simulation::MarchOptions options{.threads = wish_.threads, .checkpoint_s = wish_.checkpoint_s};
+  const simulation::MarchOptions options{.threads = request_.threads, .checkpoint_s = request_.checkpoint_s};
   std::string note;
-  recorded_ = wish_.resume
-                  ? simulation::resume_run(p, wish_.folder, wish_.build, beside, note, options, preparation_s)
-                  : simulation::record_run(p, wish_.folder, wish_.build, beside, options, preparation_s);
+  recorded_ =
+      request_.resume
+          ? simulation::resume_run(p, request_.folder, request_.build, beside, note, options, preparation_s)
+          : simulation::record_run(p, request_.folder, request_.build, beside, options, preparation_s);
 }
 
 /// On the run's thread, between two steps.
@@ -163,11 +163,11 @@ void LiveRun::take_changed(const scene::Change& change, const std::string& refus
 void LiveRun::look(Live& live, const std::vector<int>& plates, bool velocity) {
   const std::lock_guard lock(mutex_);
   if (!described_ && stage_ != Stage::preparing && !header_.empty()) {
-    live = live_of_header(header_, wish_.folder);
+    live = live_of_header(header_, request_.folder);
     live.geometry = &geometry_;
     described_ = true;
   }
-  live.name = wish_.folder.filename().string();
+  live.name = request_.folder.filename().string();
   live.state = state();
   if (!said_.empty()) live.message = std::exchange(said_, {}).back();
   plates_wanted_ = plates, velocity_wanted_ = velocity;
@@ -226,62 +226,13 @@ scene::Scene LiveRun::scene(int lane) const {
   return scene_now_[lane];
 }
 
-void LiveRun::pause(bool wanted) {
-  const std::lock_guard lock(mutex_);
-  paused_ = wanted;
-  news_.notify_all();
-}
-
-void LiveRun::single_step() {
-  const std::lock_guard lock(mutex_);
-  paused_ = true;
-  ++steps_wanted_;
-  news_.notify_all();
-}
-
 void LiveRun::change_speed(int by) {
-  const std::lock_guard lock(mutex_);
-  speed_ = std::clamp(speed_ - by, 0, static_cast<int>(slow_motions().size()));
-  news_.notify_all();
-}
-
-void LiveRun::go_on_alone() {
-  const std::lock_guard lock(mutex_);
-  paused_ = false;
-  steps_wanted_ = 0;
-  speed_ = 0;
-  news_.notify_all();
-}
-
-void LiveRun::change(scene::Change wish) {
-  const std::lock_guard lock(mutex_);
-  changes_wanted_.push_back(std::move(wish));
-  news_.notify_all();
-}
-
-void LiveRun::store_frame() {
-  const std::lock_guard lock(mutex_);
-  ++frames_wanted_;
-  news_.notify_all();
-}
-
-void LiveRun::store_frames(bool wanted) {
-  const std::lock_guard lock(mutex_);
-  storing_ = wanted;
-  next_stored_ = 0;
-  ++frames_wanted_;  // the first and the last moment are always there
-  news_.notify_all();
+  order([&] { speed_ = std::clamp(speed_ - by, 0, static_cast<int>(slow_motions().size())); });
 }
 
 bool LiveRun::stored() {
   const std::lock_guard lock(mutex_);
   return std::exchange(frame_stored_, false) || stage_ == Stage::ended;
-}
-
-void LiveRun::stop() {
-  const std::lock_guard lock(mutex_);
-  stop_ = true;
-  news_.notify_all();
 }
 
 std::optional<simulation::Recorded> LiveRun::result() {

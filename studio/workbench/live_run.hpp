@@ -35,11 +35,11 @@ struct RunRequest {
 };
 
 /// A run that marches in a thread of its own while a panel looks on and steers. The panel never waits for the
-/// engine, nor the engine for the panel but where it was told to.
+/// engine, nor the engine for the panel but where it was asked to.
 class LiveRun {
  public:
   /// Claims the folder of a new run, then starts. Throws as results::ClaimedFolder, InputError for a study.
-  explicit LiveRun(RunRequest wish);
+  explicit LiveRun(RunRequest request);
   /// Stops the run, keeping what there is, and waits for its end.
   ~LiveRun();
   LiveRun(const LiveRun&) = delete;
@@ -52,28 +52,52 @@ class LiveRun {
   void look(Live& live, const std::vector<int>& plates, bool velocity = false);
 
   [[nodiscard]] Stage stage() const { return stage_; }
-  [[nodiscard]] const std::filesystem::path& folder() const { return wish_.folder; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return request_.folder; }
   [[nodiscard]] bool paused() const { return paused_; }
   /// The lane's scenario with the changes so far.
   [[nodiscard]] scene::Scene scene(int lane) const;
 
-  void pause(bool wanted);
-  void single_step();
+  void pause(bool wanted) {
+    order([&] { paused_ = wanted; });
+  }
+  void single_step() {
+    order([&] { paused_ = true, ++steps_wanted_; });
+  }
   void change_speed(int by);  // one slower is -1, one faster 1
-  void change(scene::Change wish);
-  void go_on_alone();              // nobody is there to end a pause or slow motion
-  void store_frame();              // of all lanes, into the journal
-  void store_frames(bool wanted);  // again and again
+  void change(scene::Change change) {
+    order([&] { changes_wanted_.push_back(std::move(change)); });
+  }
+  /// Nobody is there to end a pause or slow motion.
+  void go_on_alone() {
+    order([&] { paused_ = false, steps_wanted_ = 0, speed_ = 0; });
+  }
+  /// Of all lanes, into the journal.
+  void store_frame() {
+    order([&] { ++frames_wanted_; });
+  }
+  /// Again and again; the first and the last moment are always there.
+  void store_frames(bool wanted) {
+    order([&] { storing_ = wanted, next_stored_ = 0, ++frames_wanted_; });
+  }
   [[nodiscard]] bool storing() const { return storing_; }
   /// Whether a frame that was asked for has come into the journal since the last question, or never will.
   [[nodiscard]] bool stored();
-  void stop();
+  void stop() {
+    order([&] { stop_ = true; });
+  }
 
   /// How it ended; rethrows what went wrong. Nothing where it was stopped before its first step.
   [[nodiscard]] std::optional<simulation::Recorded> result();
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// Changes what the run's thread reads, and wakes it.
+  template <class Change>
+  void order(const Change& change) {
+    const std::lock_guard lock(mutex_);
+    change();
+    news_.notify_all();
+  }
   void work();
   void run();
   simulation::Orders steer(const simulation::Moment& moment);
@@ -82,7 +106,7 @@ class LiveRun {
   [[nodiscard]] bool at_rest() const { return paused_ && steps_wanted_ == 0; }
   [[nodiscard]] std::string state() const;
 
-  RunRequest wish_;
+  RunRequest request_;
   std::optional<results::ClaimedFolder> claim_;  // of a new run
   std::vector<scene::Scene> scenes_;
   std::atomic<Stage> stage_ = Stage::preparing;

@@ -1,6 +1,5 @@
 #include "studio/workbench/panel_screen.hpp"
 
-#include "engine/base/ownership.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/scenarios.hpp"
 #include "studio/screen/canvas.hpp"
@@ -20,11 +19,11 @@ void PanelScreen::draw(Canvas& canvas, Glyphs glyphs) {
   draw_question(canvas, glyphs);
 }
 
-bool PanelScreen::choose(const Press& press) {
+bool PanelScreen::choose(const KeyEvent& event) {
   const int count = lanes();
   if (count == 0) return false;
-  const int asked = press.key - '1';
-  const Action action = action_of(where(), press.key);
+  const int asked = event.key - '1';
+  const Action action = action_of(where(), event.key);
   if (asked >= 0 && asked < std::min(count, 8)) {
     shown_ = asked;
   } else if (action == Action::lane || action == Action::down) {
@@ -42,30 +41,30 @@ bool PanelScreen::choose(const Press& press) {
   return true;
 }
 
-WatchScreen::WatchScreen(Workshop& workshop, const std::filesystem::path& run)
-    : PanelScreen(workshop), folder_(run), run_(std::in_place, run), live_(run_->live()) {}
+WatchScreen::WatchScreen(AppContext& context, const std::filesystem::path& run)
+    : PanelScreen(context), folder_(run), run_(std::in_place, run), live_(run_->live()) {}
 
-Turn WatchScreen::press(const Press& press) {
-  if (choose(press)) return {};
-  switch (action_of(Where::watch, press.key)) {
+Navigation WatchScreen::press(const KeyEvent& event) {
+  if (choose(event)) return {};
+  switch (action_of(Where::watch, event.key)) {
     case Action::frame:
-      live_.message = errands_.picture(folder_, shown_);
+      live_.message = jobs_.picture(folder_, shown_);
       return {};
     case Action::film:
-      live_.message = errands_.film(folder_, {});
+      live_.message = jobs_.film(folder_, {});
       return {};
     case Action::export_tables:
-      live_.message = errands_.tables(folder_);
+      live_.message = jobs_.tables(folder_);
       return {};
     case Action::back:
-      return {Turn::Way::back, nullptr};
+      return {Navigation::To::back, nullptr};
     default:
       return {};
   }
 }
 
-Turn WatchScreen::look() {
-  const std::string message = live_.message, news = errands_.news();
+Navigation WatchScreen::look() {
+  const std::string message = live_.message, news = jobs_.report_ended();
   live_.message = news.empty() ? message : news;
   try {
     if (!run_)
@@ -91,10 +90,12 @@ void WatchScreen::open_again() try {
   // its journal holds no geometry yet
 }
 
-RunScreen::RunScreen(Workshop& workshop, RunRequest wish, bool leave_at_end)
-    : PanelScreen(workshop), run_(std::make_shared<LiveRun>(std::move(wish))), leave_at_end_(leave_at_end) {}
+RunScreen::RunScreen(AppContext& context, RunRequest request, bool leave_at_end)
+    : PanelScreen(context),
+      run_(std::make_shared<LiveRun>(std::move(request))),
+      leave_at_end_(leave_at_end) {}
 
-Turn RunScreen::look() {
+Navigation RunScreen::look() {
   std::vector<int> plates{shown_};
   if (beside_ >= 0) plates.push_back(beside_);
   const std::string message = live_.message;
@@ -105,13 +106,13 @@ Turn RunScreen::look() {
     since_ = std::chrono::steady_clock::now();
     if (lanes() > 1) beside_ = 1;  // an ensemble begins as a comparison
   }
-  if (const std::string news = errands_.news(); !news.empty()) say(news);
+  if (const std::string news = jobs_.report_ended(); !news.empty()) say(news);
   send_what_is_due();
   const bool ended = run_->stage() == LiveRun::Stage::ended;
   if (!ended) return {};
-  if (leaving_ || (leave_at_end_ && seen_for_a_while())) return {Turn::Way::back, nullptr};
-  if (!told_end_) {
-    told_end_ = true;
+  if (leaving_ || (leave_at_end_ && seen_for_a_while())) return {Navigation::To::back, nullptr};
+  if (!end_said_) {
+    end_said_ = true;
     try {
       if (const auto recorded = run_->result())
         say(fmt::format("{}: {}",
@@ -128,11 +129,11 @@ Turn RunScreen::look() {
 
 void RunScreen::send_what_is_due() {
   if ((!picture_due_ && !film_due_) || !run_->stored()) return;
-  if (std::exchange(picture_due_, false)) say(errands_.picture(run_->folder(), shown_));
+  if (std::exchange(picture_due_, false)) say(jobs_.picture(run_->folder(), shown_));
   if (!std::exchange(film_due_, false)) return;
   std::vector<int> lanes{shown_};
   if (beside_ >= 0) lanes.push_back(beside_);
-  say(errands_.film(run_->folder(), lanes, film_from_us_, time_us() + 1));
+  say(jobs_.film(run_->folder(), lanes, film_from_us_, time_us() + 1));
 }
 
 /// A run of half a second is no flicker then; one that showed nothing is not waited for.
@@ -146,21 +147,21 @@ double RunScreen::time_us() const {
   return 1e6 * (books.back().time_s - books.front().time_s);
 }
 
-Turn RunScreen::press(const Press& press) {
+Navigation RunScreen::press(const KeyEvent& event) {
   if (value_.typing()) {
-    if (value_.press(press) == Prompt::State::entered)
+    if (value_.press(event) == Prompt::State::entered)
       run_->change({shown_, 0, std::string(scene::steerable_axes()[axis_]), value_.text()});
     return {};
   }
   if (choosing_) {
-    choose_change(press);
+    choose_change(event);
     return {};
   }
-  if (choose(press)) return {};
-  return act(action_of(Where::live, press.key));
+  if (choose(event)) return {};
+  return act(action_of(Where::live, event.key));
 }
 
-Turn RunScreen::act(Action action) {
+Navigation RunScreen::act(Action action) {
   const bool running = run_->stage() == LiveRun::Stage::running;
   switch (action) {
     case Action::pause:
@@ -185,13 +186,13 @@ Turn RunScreen::act(Action action) {
       toggle_film();
       return {};
     case Action::export_tables:
-      say(errands_.tables(run_->folder()));
+      say(jobs_.tables(run_->folder()));
       return {};
     case Action::stop:
       run_->stop();
       return {};
     case Action::back:
-      if (run_->stage() == LiveRun::Stage::ended) return {Turn::Way::back, nullptr};
+      if (run_->stage() == LiveRun::Stage::ended) return {Navigation::To::back, nullptr};
       run_->stop();
       leaving_ = true;
       say(running ? "stopping; what there is, is kept" : "stopping");
@@ -209,15 +210,15 @@ void RunScreen::begin_change() {
   choosing_ = true;
 }
 
-void RunScreen::choose_change(const Press& press) {
+void RunScreen::choose_change(const KeyEvent& event) {
   const int count = static_cast<int>(scene::steerable_axes().size());
-  const Action action = action_of(Where::anywhere, press.key);
+  const Action action = action_of(Where::anywhere, event.key);
   if (action == Action::up) axis_ = (axis_ + count - 1) % count;
   if (action == Action::down) axis_ = (axis_ + 1) % count;
   if (action == Action::back) choosing_ = false;
-  const int asked = press.key - '1';
+  const int asked = event.key - '1';
   if (asked >= 0 && asked < count) ask_value(asked);
-  if (press.key == key_enter) ask_value(axis_);
+  if (event.key == key_enter) ask_value(axis_);
 }
 
 void RunScreen::ask_value(int axis) {
@@ -258,13 +259,13 @@ void RunScreen::take_frame() {
     picture_due_ = true;
     say("frame: storing this moment");
   } else {
-    say(errands_.picture(run_->folder(), shown_));
+    say(jobs_.picture(run_->folder(), shown_));
   }
 }
 
 void RunScreen::toggle_film() {
   if (run_->stage() != LiveRun::Stage::running && !run_->storing()) {
-    say(errands_.film(run_->folder(), {}));
+    say(jobs_.film(run_->folder(), {}));
   } else if (run_->storing()) {
     run_->store_frames(false);
     film_due_ = true;

@@ -2,7 +2,7 @@
 
 #include "studio/screen/live_of_run.hpp"
 #include "studio/screen/prompt.hpp"
-#include "studio/workbench/errands.hpp"
+#include "studio/workbench/background_jobs.hpp"
 #include "studio/workbench/live_run.hpp"
 #include "studio/workbench/screen.hpp"
 
@@ -21,14 +21,14 @@ class PanelScreen : public Screen {
   void show_velocity(bool wanted) { velocity_ = wanted; }
 
  protected:
-  explicit PanelScreen(Workshop& workshop) : errands_(workshop.program) {}
+  explicit PanelScreen(AppContext& context) : jobs_(context.program) {}
   /// Drawn over the last line where something is asked.
   virtual void draw_question(Canvas&, Glyphs) {}
-  /// @return whether the press was about what is shown
-  bool choose(const Press& press);
+  /// @return whether the key was about what is shown
+  bool choose(const KeyEvent& event);
   [[nodiscard]] int lanes() const { return static_cast<int>(live().lanes.size()); }
 
-  Errands errands_;
+  BackgroundJobs jobs_;
   int shown_ = 0, beside_ = -1;
   bool velocity_ = false;
 };
@@ -36,9 +36,9 @@ class PanelScreen : public Screen {
 /// The panel of a run that goes on elsewhere, or has ended: read only.
 class WatchScreen : public PanelScreen {
  public:
-  WatchScreen(Workshop& workshop, const std::filesystem::path& run);
-  Turn press(const Press& press) override;
-  Turn look() override;
+  WatchScreen(AppContext& context, const std::filesystem::path& run);
+  Navigation press(const KeyEvent& event) override;
+  Navigation look() override;
   [[nodiscard]] Where where() const override { return Where::watch; }
 
   [[nodiscard]] const Live& live() const override { return live_; }
@@ -55,10 +55,10 @@ class WatchScreen : public PanelScreen {
 class RunScreen : public PanelScreen {
  public:
   /// @param leave_at_end  the screen goes when the run has ended and it could be seen for two seconds
-  RunScreen(Workshop& workshop, RunRequest wish, bool leave_at_end = false);
+  RunScreen(AppContext& context, RunRequest request, bool leave_at_end = false);
 
-  Turn press(const Press& press) override;
-  Turn look() override;
+  Navigation press(const KeyEvent& event) override;
+  Navigation look() override;
   [[nodiscard]] bool typing() const override { return value_.typing() || choosing_; }
   [[nodiscard]] Where where() const override { return Where::live; }
   [[nodiscard]] std::string last_words() const override;
@@ -69,7 +69,7 @@ class RunScreen : public PanelScreen {
 
  private:
   void draw_question(Canvas& canvas, Glyphs glyphs) override;
-  void choose_change(const Press& press);
+  void choose_change(const KeyEvent& event);
   void begin_change();
   void ask_value(int axis);
   void take_frame();
@@ -78,12 +78,12 @@ class RunScreen : public PanelScreen {
   [[nodiscard]] double time_us() const;  // since the crack's start
   void send_what_is_due();
   void say(std::string text) { live_.message = std::move(text); }
-  Turn act(Action action);
+  Navigation act(Action action);
   [[nodiscard]] std::string value_now(int axis) const;
 
   std::shared_ptr<LiveRun> run_;
   Live live_;
-  bool leave_at_end_, choosing_ = false, leaving_ = false, told_end_ = false, seen_ = false;
+  bool leave_at_end_, choosing_ = false, leaving_ = false, end_said_ = false, seen_ = false;
   std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
   int axis_ = 0;
   Prompt value_;

@@ -13,6 +13,14 @@
 
 namespace rift::studio {
 
+RunRequest request_for(const AppContext& context, scene::Preset preset, std::filesystem::path folder) {
+  return {.preset = std::move(preset),
+          .folder = std::move(folder),
+          .threads = context.threads,
+          .cache = context.cache,
+          .build = context.build};
+}
+
 std::filesystem::path free_folder(const std::filesystem::path& folder, const std::string& name) {
   std::filesystem::path path = folder / name;
   for (int k = 2; std::filesystem::exists(path); ++k) path = folder / fmt::format("{}-{}", name, k);
@@ -21,53 +29,46 @@ std::filesystem::path free_folder(const std::filesystem::path& folder, const std
 
 namespace fs = std::filesystem;
 
-std::unique_ptr<Screen> form_of_preset(Workshop& workshop, const fs::path& preset) {
-  return std::make_unique<FormScreen>(workshop, preset);
+std::unique_ptr<Screen> form_of_preset(AppContext& context, const fs::path& preset) {
+  return std::make_unique<FormScreen>(context, preset);
 }
 
-std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const fs::path& path,
+std::unique_ptr<Screen> screen_of_preset(AppContext& context, const fs::path& path,
                                          const std::vector<std::string>& overrides) {
   const scene::Preset preset = scene::read_preset(path, overrides);
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   const std::string name = path.stem().string();
   if (!preset.study.empty()) {
     // A folder that holds the same study is continued; a changed one gets a folder of its own.
-    const fs::path folder = overrides.empty() ? workshop.studies / name : free_folder(workshop.studies, name);
-    return std::make_unique<StudyScreen>(workshop, preset, folder);
+    const fs::path folder = overrides.empty() ? context.studies / name : free_folder(context.studies, name);
+    return std::make_unique<StudyScreen>(context, preset, folder);
   }
-  RunRequest wish{.preset = preset, .folder = free_folder(workshop.runs, name)};
-  wish.threads = workshop.threads;
-  wish.cache = workshop.cache;
-  wish.build = workshop.build;
-  return std::make_unique<RunScreen>(workshop, std::move(wish));
+  return std::make_unique<RunScreen>(context, request_for(context, preset, free_folder(context.runs, name)));
 }
 
-std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const fs::path& run) {
+std::unique_ptr<Screen> screen_of_run(AppContext& context, const fs::path& run) {
   if (fs::exists(run / study::study_name))
-    return std::make_unique<StudyScreen>(workshop, study::read_study(run), run);
-  return std::make_unique<WatchScreen>(workshop, run);
+    return std::make_unique<StudyScreen>(context, study::read_study(run), run);
+  return std::make_unique<WatchScreen>(context, run);
 }
 
-std::unique_ptr<Screen> resumption_of(Workshop& workshop, const fs::path& run) {
+std::unique_ptr<Screen> resumption_of(AppContext& context, const fs::path& run) {
   if (fs::exists(run / study::study_name))
-    return std::make_unique<StudyScreen>(workshop, study::read_study(run).preset, run);
+    return std::make_unique<StudyScreen>(context, study::read_study(run).preset, run);
   if (simulation::complete_end(run) || simulation::has_ended(run))
     throw scene::InputError({scene::Issue{
         .file = run.string(), .key = {}, .text = "has come to its end: nothing is left of it"}});
-  RunRequest wish{.preset = simulation::preset_of_run(run), .folder = run};
-  wish.resume = true;
-  wish.threads = workshop.threads;
-  wish.cache = workshop.cache;
-  wish.build = workshop.build;
-  return std::make_unique<RunScreen>(workshop, std::move(wish));
+  RunRequest request = request_for(context, simulation::preset_of_run(run), run);
+  request.resume = true;
+  return std::make_unique<RunScreen>(context, std::move(request));
 }
 
-std::unique_ptr<Screen> comparison_of(Workshop&, const std::vector<fs::path>& runs) {
+std::unique_ptr<Screen> comparison_of(AppContext&, const std::vector<fs::path>& runs) {
   return std::make_unique<CompareScreen>(runs);
 }
 
-std::unique_ptr<Screen> lesson_screen(Workshop& workshop, const std::string& name) {
-  return std::make_unique<LessonScreen>(workshop, lesson_of(name));
+std::unique_ptr<Screen> lesson_screen(AppContext& context, const std::string& name) {
+  return std::make_unique<LessonScreen>(context, lesson_of(name));
 }
 
 }  // namespace rift::studio

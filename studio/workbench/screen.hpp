@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/cache.hpp"
+#include "engine/scene/preset.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/keymap.hpp"
@@ -13,14 +14,13 @@
 
 namespace rift::studio {
 
-// The workbench: screens on a stack. A screen draws itself into cells and answers presses; it knows no
-// terminal.
+// The workbench: screens on a stack. A screen draws itself into cells and answers keys; it knows no terminal.
 
 class Screen;
 
-/// What is to happen after a press or a look.
-struct Turn {
-  enum class Way : std::uint8_t { stay, back, forward, replace } way = Way::stay;
+/// Which screen comes after a key or a look.
+struct Navigation {
+  enum class To : std::uint8_t { stay, back, forward, replace } to = To::stay;
   std::unique_ptr<Screen> next = {};  // of forward and replace
 };
 
@@ -28,9 +28,9 @@ class Screen {
  public:
   virtual ~Screen() = default;
   virtual void draw(Canvas& canvas, Glyphs glyphs) = 0;
-  virtual Turn press(const Press& press) = 0;
+  virtual Navigation press(const KeyEvent& event) = 0;
   /// Called before each drawing, some ten times a second: to look at what works in the background.
-  virtual Turn look() { return {}; }
+  virtual Navigation look() { return {}; }
   /// It is on the top again.
   virtual void resume() {}
   /// Whether letters are typed into it, so that none of them is a key.
@@ -41,7 +41,7 @@ class Screen {
 };
 
 /// What all screens share: where things are, and how things are run.
-struct Workshop {
+struct AppContext {
   std::filesystem::path presets, own_presets, runs = "runs", studies = "studies";
   std::filesystem::path program;  // rift itself, for what it does in the background
   base::Cache cache = {};
@@ -49,22 +49,28 @@ struct Workshop {
   int threads = 0;
 };
 
+struct RunRequest;
+
+/// A run of the preset in this folder, by the means that all screens share.
+[[nodiscard]] RunRequest request_for(const AppContext& context, scene::Preset preset,
+                                     std::filesystem::path folder);
+
 /// The first of folder/NAME, folder/NAME-2, ... that does not exist yet.
 [[nodiscard]] std::filesystem::path free_folder(const std::filesystem::path& folder, const std::string& name);
 
 // Which screen shows what. All throw with the reason where it cannot be shown.
 
-std::unique_ptr<Screen> form_of_preset(Workshop& workshop, const std::filesystem::path& preset);
+std::unique_ptr<Screen> form_of_preset(AppContext& context, const std::filesystem::path& preset);
 /// Starts it: a run or a study. @param overrides  as of --set
-std::unique_ptr<Screen> screen_of_preset(Workshop& workshop, const std::filesystem::path& preset,
+std::unique_ptr<Screen> screen_of_preset(AppContext& context, const std::filesystem::path& preset,
                                          const std::vector<std::string>& overrides);
 /// Of a folder with a run or a study in it, going on or ended; a study is shown as far as it has been
 /// computed.
-std::unique_ptr<Screen> screen_of_run(Workshop& workshop, const std::filesystem::path& run);
+std::unique_ptr<Screen> screen_of_run(AppContext& context, const std::filesystem::path& run);
 /// Goes on with a run or a study that was stopped or killed.
-std::unique_ptr<Screen> resumption_of(Workshop& workshop, const std::filesystem::path& run);
-std::unique_ptr<Screen> comparison_of(Workshop& workshop, const std::vector<std::filesystem::path>& runs);
+std::unique_ptr<Screen> resumption_of(AppContext& context, const std::filesystem::path& run);
+std::unique_ptr<Screen> comparison_of(AppContext& context, const std::vector<std::filesystem::path>& runs);
 /// @param name  of a lesson
-std::unique_ptr<Screen> lesson_screen(Workshop& workshop, const std::string& name);
+std::unique_ptr<Screen> lesson_screen(AppContext& context, const std::string& name);
 
 }  // namespace rift::studio

@@ -39,16 +39,13 @@ std::string row_name(const scene::StudyRow& row, std::size_t without) {
 
 }  // namespace
 
-StudyScreen::StudyScreen(Workshop& workshop, scene::Preset preset, std::filesystem::path folder)
-    : workshop_(workshop),
-      preset_(std::move(preset)),
-      folder_(std::move(folder)),
-      rows_(preset_.study.size()) {
+StudyScreen::StudyScreen(AppContext& context, scene::Preset preset, std::filesystem::path folder)
+    : context_(context), preset_(std::move(preset)), folder_(std::move(folder)), rows_(preset_.study.size()) {
   begin();
 }
 
-StudyScreen::StudyScreen(Workshop& workshop, study::StoredStudy stored, std::filesystem::path folder)
-    : workshop_(workshop),
+StudyScreen::StudyScreen(AppContext& context, study::StoredStudy stored, std::filesystem::path folder)
+    : context_(context),
       preset_(std::move(stored.preset)),
       folder_(std::move(folder)),
       ended_(true),
@@ -82,13 +79,13 @@ void StudyScreen::work() {
   };
   std::string message;
   try {
-    base::Cache cache = workshop_.cache;
+    base::Cache cache = context_.cache;
     const study::StudyResult result = study::run_study(
-        preset_, {.folder = folder_, .threads = workshop_.threads}, cache, workshop_.build, observer);
+        preset_, {.folder = folder_, .threads = context_.threads}, cache, context_.build, observer);
     if (const std::string csv = study_csv(to_json(result.rows)); !csv.empty())
       base::write_whole_file(folder_ / "table.csv", csv);
     if (result.outcome != simulation::Outcome::stopped)
-      write_study_report(preset_, workshop_.build, result, folder_);
+      write_study_report(preset_, context_.build, result, folder_);
     message = result.outcome == simulation::Outcome::stopped
                   ? "stopped; u goes on from here"
                   : fmt::format("done: {}/report.html", folder_.string());
@@ -100,10 +97,10 @@ void StudyScreen::work() {
   ended_ = true;
 }
 
-Turn StudyScreen::look() {
+Navigation StudyScreen::look() {
   const std::lock_guard lock(mutex_);
   shown_ = rows_;
-  return leaving_ && ended_ ? Turn{Turn::Way::back, nullptr} : Turn{};
+  return leaving_ && ended_ ? Navigation{Navigation::To::back, nullptr} : Navigation{};
 }
 
 void StudyScreen::draw(Canvas& canvas, Glyphs glyphs) {
@@ -224,8 +221,8 @@ void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) c
               curves, glyphs);
 }
 
-Turn StudyScreen::press(const Press& press) {
-  switch (action_of(Where::study, press.key)) {
+Navigation StudyScreen::press(const KeyEvent& event) {
+  switch (action_of(Where::study, event.key)) {
     case Action::resume:
       if (ended_) begin();
       return {};
@@ -233,7 +230,7 @@ Turn StudyScreen::press(const Press& press) {
       stop_ = true;
       return {};
     case Action::back:
-      if (ended_) return {Turn::Way::back, nullptr};
+      if (ended_) return {Navigation::To::back, nullptr};
       stop_ = leaving_ = true;
       return {};
     default:

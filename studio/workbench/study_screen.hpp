@@ -5,7 +5,6 @@
 #include "studio/workbench/screen.hpp"
 
 #include <atomic>
-#include <exception>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -18,15 +17,15 @@ namespace rift::studio {
 class StudyScreen : public Screen {
  public:
   /// Begins, or goes on, in a thread of its own.
-  StudyScreen(Workshop& workshop, scene::Preset preset, std::filesystem::path folder);
+  StudyScreen(AppContext& context, scene::Preset preset, std::filesystem::path folder);
   /// Shows what has been computed, and goes on only where it is asked to.
-  StudyScreen(Workshop& workshop, study::StoredStudy stored, std::filesystem::path folder);
+  StudyScreen(AppContext& context, study::StoredStudy stored, std::filesystem::path folder);
   /// Stops it: what has been computed is kept.
   ~StudyScreen() override;
 
   void draw(Canvas& canvas, Glyphs glyphs) override;
-  Turn press(const Press& press) override;
-  Turn look() override;
+  Navigation press(const KeyEvent& event) override;
+  Navigation look() override;
   [[nodiscard]] Where where() const override { return Where::study; }
   [[nodiscard]] std::string last_words() const override;
 
@@ -37,7 +36,7 @@ class StudyScreen : public Screen {
   void draw_velocities(Canvas& canvas, const Area& area, Glyphs glyphs) const;
   void draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) const;
 
-  Workshop& workshop_;
+  AppContext& context_;
   scene::Preset preset_;
   std::filesystem::path folder_;
   std::atomic<bool> stop_ = false, ended_ = false;

@@ -28,9 +28,9 @@ struct Slow {
   Live live;
 
   explicit Slow(const std::vector<std::string>& overrides = {}, bool paused = true) {
-    RunRequest wish{.preset = simulation::small_preset(overrides), .folder = folder.path() / "run"};
-    wish.cache = shared_cache();
-    run.emplace(std::move(wish));
+    RunRequest request{.preset = simulation::small_preset(overrides), .folder = folder.path() / "run"};
+    request.cache = shared_cache();
+    run.emplace(std::move(request));
     if (paused) run->pause(true);
   }
   bool look_until(const std::string& state) {
@@ -152,9 +152,9 @@ TEST(LiveRun, StoppedItKeepsWhatThereIs) {
 TEST(LiveRun, StoppedBeforeItsFirstStepItLeavesNoFolder) {
   TemporaryFolder folder;
   {
-    RunRequest wish{.preset = simulation::small_preset({"specimen.elements=4000"}),
-                 .folder = folder.path() / "run"};
-    LiveRun run(std::move(wish));
+    RunRequest request{.preset = simulation::small_preset({"specimen.elements=4000"}),
+                       .folder = folder.path() / "run"};
+    LiveRun run(std::move(request));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "run"));
     run.stop();
     EXPECT_FALSE(run.result());
@@ -164,9 +164,9 @@ TEST(LiveRun, StoppedBeforeItsFirstStepItLeavesNoFolder) {
 
 TEST(LiveRun, AFailureIsToldWhereTheResultIsAskedFor) {
   TemporaryFolder folder;
-  RunRequest wish{.preset = simulation::small_preset({"specimen.coordination=6.9"}),
-               .folder = folder.path() / "run"};
-  LiveRun run(std::move(wish));
+  RunRequest request{.preset = simulation::small_preset({"specimen.coordination=6.9"}),
+                     .folder = folder.path() / "run"};
+  LiveRun run(std::move(request));
   EXPECT_THROW((void)run.result(), scene::InputError);
   Live live;
   run.look(live, {0});

@@ -24,31 +24,31 @@ std::string text_of(Screen& screen, int width = 120, int height = 40, Glyphs gly
   return text;
 }
 
-Turn type(Screen& screen, const std::string& keys) {
-  Turn turn;
-  for (const char key : keys) turn = screen.press({key});
-  return turn;
+Navigation type(Screen& screen, const std::string& keys) {
+  Navigation navigation;
+  for (const char key : keys) navigation = screen.press({key});
+  return navigation;
 }
 
-/// A workshop in a folder of its own with one tiny preset.
+/// A context in a folder of its own with one tiny preset.
 struct Shop {
   TinyPlate plate;
-  Workshop workshop;
+  AppContext context;
 
   Shop() {
     fs::create_directories(plate.path() / "presets");
     fs::copy_file(plate.preset(), plate.path() / "presets" / "plate_tiny.toml");
-    workshop.presets = plate.path() / "presets";
-    workshop.own_presets = plate.path() / "own";
-    workshop.runs = plate.path() / "runs";
-    workshop.studies = plate.path() / "studies";
-    workshop.program = RIFT_EXE;
-    workshop.cache = shared_cache();
+    context.presets = plate.path() / "presets";
+    context.own_presets = plate.path() / "own";
+    context.runs = plate.path() / "runs";
+    context.studies = plate.path() / "studies";
+    context.program = RIFT_EXE;
+    context.cache = shared_cache();
   }
-  fs::path preset() const { return workshop.presets / "plate_tiny.toml"; }
+  fs::path preset() const { return context.presets / "plate_tiny.toml"; }
   Ran run(const std::string& name, const std::string& more = "") const {
     return run_rift(
-        "run '" + preset().string() + "' --quiet --out '" + (workshop.runs / name).string() + "' " + more,
+        "run '" + preset().string() + "' --quiet --out '" + (context.runs / name).string() + "' " + more,
         plate.environment());
   }
 };
@@ -68,8 +68,8 @@ void expect_drawn_at_any_size(Screen& screen) {
 TEST(HomeScreen, ShowsPresetsByGroupLessonsAndRunsWithTheirOutcome) {
   const Shop shop;
   ASSERT_EQ(shop.run("first").exit_code, 0);
-  Workshop workshop = shop.workshop;
-  HomeScreen home(workshop);
+  AppContext context = shop.context;
+  HomeScreen home(context);
   const std::string text = text_of(home);
   for (const char* part : {"Start here", "plate_tiny", "A tiny plate", "Lessons", "node-release",
                            "Recent runs", "first", "finished", "enter open"})
@@ -79,7 +79,7 @@ TEST(HomeScreen, ShowsPresetsByGroupLessonsAndRunsWithTheirOutcome) {
 
 TEST(HomeScreen, SearchShowsOnlyWhatHoldsTheLetters) {
   Shop shop;
-  HomeScreen home(shop.workshop);
+  HomeScreen home(shop.context);
   type(home, "/DAMP");
   EXPECT_TRUE(home.typing());
   home.press({key_enter});
@@ -88,23 +88,23 @@ TEST(HomeScreen, SearchShowsOnlyWhatHoldsTheLetters) {
   EXPECT_NE(text.find("Can damping mend"), std::string::npos);
   type(home, "/zzzz\n");
   EXPECT_NE(text_of(home).find("nothing holds these letters"), std::string::npos);
-  EXPECT_EQ(home.press({key_enter}).way, Turn::Way::stay);
+  EXPECT_EQ(home.press({key_enter}).to, Navigation::To::stay);
 }
 
 TEST(HomeScreen, DeletesARunOnlyAfterYes) {
   Shop shop;
   ASSERT_EQ(shop.run("first").exit_code, 0);
-  HomeScreen home(shop.workshop);
+  HomeScreen home(shop.context);
   home.press({key_end});
   type(home, "dno\n");
-  EXPECT_TRUE(fs::exists(shop.workshop.runs / "first"));
+  EXPECT_TRUE(fs::exists(shop.context.runs / "first"));
   {
-    const base::FolderLock lock(shop.workshop.runs / "first");
+    const base::FolderLock lock(shop.context.runs / "first");
     type(home, "dyes\n");
-    EXPECT_TRUE(fs::exists(shop.workshop.runs / "first")) << "it is being written";
+    EXPECT_TRUE(fs::exists(shop.context.runs / "first")) << "it is being written";
   }
   type(home, "dyes\n");
-  EXPECT_FALSE(fs::exists(shop.workshop.runs / "first"));
+  EXPECT_FALSE(fs::exists(shop.context.runs / "first"));
   home.press({key_home});
   type(home, "d");
   EXPECT_NE(text_of(home).find("presets are not deleted here"), std::string::npos);
@@ -114,44 +114,44 @@ TEST(HomeScreen, ComparesTheMarkedRuns) {
   Shop shop;
   ASSERT_EQ(shop.run("first").exit_code, 0);
   ASSERT_EQ(shop.run("second", "--set crack.technique=simple").exit_code, 0);
-  HomeScreen home(shop.workshop);
+  HomeScreen home(shop.context);
   home.press({key_end});
   type(home, " c");
   EXPECT_NE(text_of(home).find("mark two runs or more"), std::string::npos);
   home.press({key_up});
-  const Turn turn = type(home, " c");
-  ASSERT_EQ(turn.way, Turn::Way::forward);
-  const std::string text = text_of(*turn.next);
+  const Navigation navigation = type(home, " c");
+  ASSERT_EQ(navigation.to, Navigation::To::forward);
+  const std::string text = text_of(*navigation.next);
   for (const char* part :
        {"2 scenarios beside each other", "first: progressive", "second: simple", "G_ID / G_I0", "residual"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
-  expect_drawn_at_any_size(*turn.next);
+  expect_drawn_at_any_size(*navigation.next);
 }
 
 TEST(HomeScreen, AClickChoosesAndASecondOneOpens) {
   Shop shop;
-  HomeScreen home(shop.workshop);
+  HomeScreen home(shop.context);
   Canvas canvas(100, 30);
   home.draw(canvas, Glyphs::unicode);
   int lesson = 0;
   while (canvas.row(lesson).find("velocity") == std::string::npos) ++lesson;
-  EXPECT_EQ(home.press({key_click, 10, 2}).way, Turn::Way::stay);  // a heading
-  EXPECT_EQ(home.press({key_click, 10, lesson}).way, Turn::Way::stay);
+  EXPECT_EQ(home.press({key_click, 10, 2}).to, Navigation::To::stay);  // a heading
+  EXPECT_EQ(home.press({key_click, 10, lesson}).to, Navigation::To::stay);
   EXPECT_NE(text_of(home).find("What a faster crack leaves behind"), std::string::npos);
-  EXPECT_EQ(home.press({key_click, 10, 3}).way, Turn::Way::stay);
-  const Turn turn = home.press({key_click, 10, 3});
-  ASSERT_EQ(turn.way, Turn::Way::forward);
-  EXPECT_EQ(turn.next->where(), Where::form);
+  EXPECT_EQ(home.press({key_click, 10, 3}).to, Navigation::To::stay);
+  const Navigation navigation = home.press({key_click, 10, 3});
+  ASSERT_EQ(navigation.to, Navigation::To::forward);
+  EXPECT_EQ(navigation.next->where(), Where::form);
 }
 
 TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
   Shop shop;
   ASSERT_EQ(shop.run("first").exit_code, 0);
-  HomeScreen home(shop.workshop);
+  HomeScreen home(shop.context);
   home.press({key_end});
-  EXPECT_EQ(type(home, "u").way, Turn::Way::stay);
+  EXPECT_EQ(type(home, "u").to, Navigation::To::stay);
   EXPECT_NE(text_of(home).find("has come to its end"), std::string::npos);
-  const std::string second = (shop.workshop.runs / "second").string();
+  const std::string second = (shop.context.runs / "second").string();
   run_shell("for limit in 0.1 0.2 0.4 0.8 1.6; do env " +
             shop.plate.environment() +  // on a machine of any speed
             " timeout -s INT $limit '" RIFT_EXE "' run '" + shop.preset().string() +
@@ -162,20 +162,20 @@ TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
   ASSERT_NE(text.find("stopped"), std::string::npos) << text;
   home.press({key_end});
   home.press({key_up});  // the latest stands first
-  Turn turn = type(home, "u");
-  ASSERT_EQ(turn.way, Turn::Way::forward) << text_of(home);
+  Navigation navigation = type(home, "u");
+  ASSERT_EQ(navigation.to, Navigation::To::forward) << text_of(home);
   text.clear();
   for (int k = 0; k < 3000 && text.find("finished") == std::string::npos; ++k) {
-    turn.next->look();
+    navigation.next->look();
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    text = text_of(*turn.next);
+    text = text_of(*navigation.next);
   }
   EXPECT_NE(text.find("second  finished"), std::string::npos) << text;
 }
 
 TEST(FormScreen, AMistakeIsShownAtItsFieldWhileItIsTyped) {
   Shop shop;
-  FormScreen form(shop.workshop, shop.preset());
+  FormScreen form(shop.context, shop.preset());
   EXPECT_NE(text_of(form).find("ready to run"), std::string::npos);
   type(form, "/poisson\n");
   form.press({key_enter});
@@ -194,7 +194,7 @@ TEST(FormScreen, AMistakeIsShownAtItsFieldWhileItIsTyped) {
 
 TEST(FormScreen, EscapeLeavesTheValueAsItWas) {
   Shop shop;
-  FormScreen form(shop.workshop, shop.preset());
+  FormScreen form(shop.context, shop.preset());
   type(form, "/crack.velocity\n\n");
   type(form, "9");
   form.press({key_escape});
@@ -203,7 +203,7 @@ TEST(FormScreen, EscapeLeavesTheValueAsItWas) {
 
 TEST(FormScreen, WhatFollowsIsExactAfterAMoment) {
   Shop shop;
-  FormScreen form(shop.workshop, shop.preset());
+  FormScreen form(shop.context, shop.preset());
   EXPECT_NE(text_of(form).find("in a moment"), std::string::npos);
   std::string text;
   for (int k = 0; k < 300 && text.find("of the critical") == std::string::npos; ++k) {
@@ -217,13 +217,13 @@ TEST(FormScreen, WhatFollowsIsExactAfterAMoment) {
 
 TEST(FormScreen, SavesAPresetOfOnesOwnThatReadsBack) {
   Shop shop;
-  FormScreen form(shop.workshop, shop.preset());
+  FormScreen form(shop.context, shop.preset());
   type(form, "/damage_zone\n\n");
   form.press({key_backspace});
   type(form, "6\ns");
   for (int k = 0; k < 40; ++k) form.press({key_backspace});
   type(form, "mine\n");
-  const fs::path file = shop.workshop.own_presets / "mine.toml";
+  const fs::path file = shop.context.own_presets / "mine.toml";
   ASSERT_TRUE(fs::exists(file)) << text_of(form);
   EXPECT_EQ(scene::read_preset(file).scene.crack.damage_zone_ratio, 6);
   EXPECT_TRUE(scene::read_preset(file).issues.empty());
@@ -237,13 +237,13 @@ TEST(FormScreen, SavesAPresetOfOnesOwnThatReadsBack) {
 
 TEST(StudyScreen, FillsItsGridAndWritesItsReport) {
   Shop shop;
-  const fs::path preset = shop.workshop.presets / "study_tiny.toml";
+  const fs::path preset = shop.context.presets / "study_tiny.toml";
   std::string text = read_text(shop.preset());
   text.replace(text.find("velocity = \"0.5 c_r\"\n"), 21, "");
   write_text(preset, text +
                          "[study]\ntechnique = [\"simple\", \"progressive\"]\ncrack_velocity = [\"0.3 c_r\", "
                          "\"0.5 c_r\"]\n");
-  const auto screen = screen_of_preset(shop.workshop, preset, {});
+  const auto screen = screen_of_preset(shop.context, preset, {});
   std::string shown;
   for (int k = 0; k < 600 && shown.find("done: ") == std::string::npos; ++k) {
     screen->look();
@@ -253,39 +253,39 @@ TEST(StudyScreen, FillsItsGridAndWritesItsReport) {
   for (const char* part :
        {"4 of 4 scenarios", "0.3 c_r", "simple", "progressive", "log10 seconds", "report.html"})
     EXPECT_NE(shown.find(part), std::string::npos) << part << " in\n" << shown;
-  EXPECT_TRUE(fs::exists(shop.workshop.studies / "study_tiny" / "report.html"));
+  EXPECT_TRUE(fs::exists(shop.context.studies / "study_tiny" / "report.html"));
   expect_drawn_at_any_size(*screen);
 }
 
 TEST(StudyScreen, OpensAStudyOfTheListWithoutComputingAndGoesOnWhenAsked) {
   Shop shop;
-  const fs::path folder = shop.workshop.studies / "half";
+  const fs::path folder = shop.context.studies / "half";
   write_text(shop.plate.preset(),
              read_text(shop.plate.preset()) + "[study]\ntechnique = [\"simple\", \"progressive\"]\n");
   ASSERT_EQ(run_rift("study '" + shop.plate.preset().string() + "' --shard 1/2 --quiet --out '" +
                      folder.string() + "'")
                 .exit_code,
             0);
-  shop.workshop.build.version = nlohmann::json::parse(read_text(folder / "study.json")).at("version");
-  HomeScreen home(shop.workshop);
+  shop.context.build.version = nlohmann::json::parse(read_text(folder / "study.json")).at("version");
+  HomeScreen home(shop.context);
   home.press({key_end});
   EXPECT_NE(text_of(home).find("1 of 2"), std::string::npos) << text_of(home);
-  const Turn turn = home.press({key_enter});
-  ASSERT_EQ(turn.way, Turn::Way::forward) << text_of(home);
-  ASSERT_EQ(turn.next->where(), Where::study);
-  turn.next->look();
-  std::string shown = text_of(*turn.next, 80, 24);
+  const Navigation navigation = home.press({key_enter});
+  ASSERT_EQ(navigation.to, Navigation::To::forward) << text_of(home);
+  ASSERT_EQ(navigation.next->where(), Where::study);
+  navigation.next->look();
+  std::string shown = text_of(*navigation.next, 80, 24);
   for (const char* part : {"half", "1 of 2 scenarios", "u goes on with it", "simple", "progressi"})
     EXPECT_NE(shown.find(part), std::string::npos) << part << " in\n" << shown;
-  expect_drawn_at_any_size(*turn.next);
-  type(*turn.next, "u");
+  expect_drawn_at_any_size(*navigation.next);
+  type(*navigation.next, "u");
   for (int k = 0; k < 600 && shown.find("done: ") == std::string::npos; ++k) {
-    turn.next->look();
+    navigation.next->look();
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    shown = text_of(*turn.next);
+    shown = text_of(*navigation.next);
   }
   EXPECT_NE(shown.find("2 of 2 scenarios"), std::string::npos) << shown;
-  const auto again = screen_of_run(shop.workshop, folder);
+  const auto again = screen_of_run(shop.context, folder);
   EXPECT_NE(text_of(*again).find("half/report.html"), std::string::npos) << text_of(*again);
 }
 
@@ -313,9 +313,9 @@ TEST(Lesson, TheAnswerFollowsFromTheNumbersOfTheRun) {
 TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
   Shop shop;
   std::string text = read_text(shop.preset());
-  write_text(shop.workshop.presets / "teach_node_release.toml",
+  write_text(shop.context.presets / "teach_node_release.toml",
              text + "[[lanes]]\ntechnique = \"simple\"\n[[lanes]]\ntechnique = \"progressive\"\n");
-  const auto screen = lesson_screen(shop.workshop, "node-release");
+  const auto screen = lesson_screen(shop.context, "node-release");
   EXPECT_NE(text_of(*screen).find("1 of 5"), std::string::npos);
   expect_drawn_at_any_size(*screen);
   screen->press({key_enter});
@@ -335,7 +335,7 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
   shown = text_of(*screen);
   EXPECT_NE(shown.find("This run says:"), std::string::npos) << shown;
   type(*screen, "h");
-  const fs::path handout = shop.workshop.runs / "lesson_node-release" / "handout.html";
+  const fs::path handout = shop.context.runs / "lesson_node-release" / "handout.html";
   ASSERT_TRUE(fs::exists(handout)) << text_of(*screen);
   const std::string html = read_text(handout);
   for (const char* part :
@@ -355,7 +355,7 @@ TEST(LessonScreen, EveryLessonsPresetIsShipped) {
 TEST(WatchScreen, ShowsTheRunThatHasTakenThePlaceOfTheFollowedOne) {
   Shop shop;
   ASSERT_EQ(shop.run("one").exit_code, 0);
-  WatchScreen screen(shop.workshop, shop.workshop.runs / "one");
+  WatchScreen screen(shop.context, shop.context.runs / "one");
   (void)screen.look();
   const auto steps_shown = [&] {
     const std::string text = text_of(screen);
@@ -367,7 +367,7 @@ TEST(WatchScreen, ShowsTheRunThatHasTakenThePlaceOfTheFollowedOne) {
   const std::string text = text_of(screen);
   EXPECT_TRUE(contains(text, "another run has taken the place of the one that was shown"));
   EXPECT_NE(steps_shown(), before);  // simple release takes another number of steps
-  fs::remove_all(shop.workshop.runs / "one");
+  fs::remove_all(shop.context.runs / "one");
   (void)screen.look();
   EXPECT_TRUE(contains(text_of(screen), "another process has replaced or removed this run"));
 }

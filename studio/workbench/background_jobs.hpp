@@ -12,14 +12,14 @@ namespace rift::studio {
 
 /// Pictures, films and tables that a screen has asked for: other calls of rift that work in the background.
 /// Nobody waits for them, and they go on when this object goes.
-class Errands {
+class BackgroundJobs {
  public:
-  explicit Errands(std::filesystem::path program) : program_(std::move(program)) {}
+  explicit BackgroundJobs(std::filesystem::path program) : program_(std::move(program)) {}
 
   /// Calls rift with these arguments. @return what to say
-  std::string send(const std::vector<std::string>& arguments, const std::string& what);
+  std::string start(const std::vector<std::string>& arguments, const std::string& what);
   /// What to say of those that have ended since; empty: nothing.
-  std::string news();
+  std::string report_ended();
 
   // What rift is asked for of a run's folder.
   std::string picture(const std::filesystem::path& run, int lane);
@@ -29,12 +29,12 @@ class Errands {
   std::string tables(const std::filesystem::path& run);
 
  private:
-  struct Errand {
+  struct Job {
     std::string what;  // for people: "film"
     std::unique_ptr<base::ChildProcess> child;
   };
   std::filesystem::path program_;
-  std::vector<Errand> under_way_;
+  std::vector<Job> jobs_;
 };
 
 }  // namespace rift::studio

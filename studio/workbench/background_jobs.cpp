@@ -1,4 +1,4 @@
-#include "studio/workbench/errands.hpp"
+#include "studio/workbench/background_jobs.hpp"
 
 #include "engine/base/child_process.hpp"
 
@@ -18,48 +18,49 @@ fs::path free_file(const fs::path& folder, const std::string& stem, const std::s
 
 }  // namespace
 
-std::string Errands::send(const std::vector<std::string>& arguments, const std::string& what) try {
+std::string BackgroundJobs::start(const std::vector<std::string>& arguments, const std::string& what) try {
   std::vector<std::string> command{program_.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  under_way_.push_back(
+  jobs_.push_back(
       {what, std::make_unique<base::ChildProcess>(std::move(command), base::ChildOptions{.outlives = true})});
   return what + ": under way";
 } catch (const base::WorldError& error) {
   return error.what();
 }
 
-std::string Errands::news() {
+std::string BackgroundJobs::report_ended() {
   std::string said;
-  std::erase_if(under_way_, [&](const Errand& errand) {
-    if (!errand.child->has_ended()) return false;
-    const base::ChildProcess::End& end = errand.child->wait();
+  std::erase_if(jobs_, [&](const Job& job) {
+    if (!job.child->has_ended()) return false;
+    const base::ChildProcess::End& end = job.child->wait();
     const bool well = end.code == 0;
     const std::string words = !end.words.empty() ? end.words : well ? "done" : "no word why";
-    said = fmt::format("{}{}: {}", errand.what, well ? "" : " failed", words);
+    said = fmt::format("{}{}: {}", job.what, well ? "" : " failed", words);
     return true;
   });
   return said;
 }
 
-std::string Errands::picture(const fs::path& run, int lane) {
+std::string BackgroundJobs::picture(const fs::path& run, int lane) {
   const fs::path file = free_file(run, "frame", ".png");
-  return send({"render", run.string(), "--lane", std::to_string(lane), "--at", "1", "--picture",
-               file.string(), "--quiet"},
-              "frame");
+  return start({"render", run.string(), "--lane", std::to_string(lane), "--at", "1", "--picture",
+                file.string(), "--quiet"},
+               "frame");
 }
 
-std::string Errands::film(const fs::path& run, const std::vector<int>& lanes, double from_us, double to_us) {
+std::string BackgroundJobs::film(const fs::path& run, const std::vector<int>& lanes, double from_us,
+                                 double to_us) {
   const fs::path file = free_file(run, "film", ".mp4");
   std::vector<std::string> arguments{"render", run.string(), "--film", file.string(), "--quiet"};
   for (const int lane : lanes) arguments.insert(arguments.end(), {"--lane", std::to_string(lane)});
   if (to_us > from_us)
     arguments.insert(arguments.end(),
                      {"--from", fmt::format("{:.6f} us", from_us), "--to", fmt::format("{:.6f} us", to_us)});
-  return send(arguments, "film");
+  return start(arguments, "film");
 }
 
-std::string Errands::tables(const fs::path& run) {
-  return send({"export", run.string(), "--to", "csv"}, "export");
+std::string BackgroundJobs::tables(const fs::path& run) {
+  return start({"export", run.string(), "--to", "csv"}, "export");
 }
 
 }  // namespace rift::studio

@@ -1,4 +1,4 @@
-#include "studio/terminal/bench.hpp"
+#include "studio/terminal/event_loop.hpp"
 
 #include "studio/screen/canvas.hpp"
 #include "studio/terminal/terminal.hpp"
@@ -13,21 +13,23 @@ namespace {
 constexpr int between_drawings_ms =
     95;  // more than ten a second, and no more: the terminal draws on the same cores
 
-class Bench {
+class EventLoop {
  public:
-  Bench(std::unique_ptr<Screen> first, bool color) : terminal_(color) { stack_.push_back(std::move(first)); }
+  EventLoop(std::unique_ptr<Screen> first, bool color) : terminal_(color) {
+    stack_.push_back(std::move(first));
+  }
 
   [[nodiscard]] bool empty() const { return stack_.empty(); }
 
   /// @return whether the terminal is still there
   bool round(const Unseen& unseen) {
     terminal_.stop_if_asked();
-    turn(top().look());
+    navigate(top().look());
     if (empty()) return true;
     const Terminal::Hold hold = terminal_.hold();
     if (hold == Terminal::Hold::ours) {
       draw();
-      press();
+      read_key();
       return true;
     }
     if (unseen) unseen(hold == Terminal::Hold::gone);
@@ -38,15 +40,15 @@ class Bench {
  private:
   Screen& top() { return *stack_.back(); }
 
-  void press() {
-    const Press press = terminal_.press(between_drawings_ms);
-    if (press.key == key_none) return;
-    const bool asked_for_help = !top().typing() && action_of(top().where(), press.key) == Action::help;
+  void read_key() {
+    const KeyEvent event = terminal_.key_event(between_drawings_ms);
+    if (event.key == key_none) return;
+    const bool asked_for_help = !top().typing() && action_of(top().where(), event.key) == Action::help;
     if (help_ || asked_for_help) {
       help_ = !help_;
       return;
     }
-    turn(top().press(press));
+    navigate(top().press(event));
   }
 
   void draw() {
@@ -57,11 +59,11 @@ class Bench {
     Terminal::say_in_a_crash(top().last_words());
   }
 
-  void turn(Turn turn) {
-    if (turn.way == Turn::Way::stay) return;
-    if (turn.way != Turn::Way::forward) stack_.pop_back();
-    if (turn.next) stack_.push_back(std::move(turn.next));
-    if (turn.way == Turn::Way::back && !empty()) top().resume();
+  void navigate(Navigation navigation) {
+    if (navigation.to == Navigation::To::stay) return;
+    if (navigation.to != Navigation::To::forward) stack_.pop_back();
+    if (navigation.next) stack_.push_back(std::move(navigation.next));
+    if (navigation.to == Navigation::To::back && !empty()) top().resume();
   }
 
   Terminal terminal_;
@@ -73,9 +75,9 @@ class Bench {
 
 void work_in_terminal(std::unique_ptr<Screen> first, bool color, const std::function<bool()>& stopped,
                       const Unseen& unseen) {
-  Bench bench(std::move(first), color);
+  EventLoop loop(std::move(first), color);
   bool there = true;
-  while (!bench.empty() && !stopped() && (there || unseen)) there = bench.round(unseen);
+  while (!loop.empty() && !stopped() && (there || unseen)) there = loop.round(unseen);
 }
 
 }  // namespace rift::studio
