@@ -48,15 +48,14 @@ std::string field_of(const Json& value) {
   return base::csv_field(text);
 }
 
-/// Rows that differ at most in the axes left out, and what they have in common: {"technique": "simple", ...}.
+/// Rows that differ at most in the axes left out, and what they have in common.
 struct RowFamily {
-  nlohmann::ordered_json axes;
+  study::AxisTexts axes;
   std::vector<study::SummaryRow> rows;
 };
 
 /// Rows by the axes other than `without`, families and rows in the order of the study.
-std::vector<RowFamily> families(const study::StudyRows& rows,
-                                const std::vector<std::string>& without) {
+std::vector<RowFamily> families(const study::StudyRows& rows, const std::vector<std::string>& without) {
   std::vector<RowFamily> found;
   for (const auto& row : rows) {
     if (!row) continue;
@@ -70,8 +69,8 @@ std::vector<RowFamily> families(const study::StudyRows& rows,
   return found;
 }
 
-/// Mean of the numbers under a name and their standard deviation (n - 1), NaN of fewer than two; nulls do not
-/// count.
+/// Mean of a number of the rows and its standard deviation (n - 1), NaN of fewer than two; what is undefined
+/// does not count.
 struct MeanScatter {
   double mean, scatter;
   int count;
@@ -187,12 +186,10 @@ std::string part_of_label(const std::string& name, const std::string& text) {
 }
 
 /// What sets a scenario or a family apart: "progressive, linear, r_l = 1, seed 2".
-std::string axes_label(const Json& axes) {
+std::string axes_label(const study::AxisTexts& axes) {
   std::string label;
-  for (const auto& [name, text] : axes.items()) {
-    if (text == "-") continue;
-    label += (label.empty() ? "" : ", ") + part_of_label(name, text.get<std::string>());
-  }
+  for (const auto& [name, text] : axes)
+    if (text != "-") label += (label.empty() ? "" : ", ") + part_of_label(name, text);
   return label.empty() ? "rift" : label;
 }
 
