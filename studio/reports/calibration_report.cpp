@@ -146,9 +146,9 @@ void write_calibration_report(const Calibration& c, const std::filesystem::path&
   const std::vector<Json> rows = calibration::rows_of(*c.study);
   write_report(
       {.title = "Calibration",
-       .files = {{"table.csv", rows_csv(rows)},
-                 {"material.toml", material_block(c)},
-                 {"summary.json", base::json_text(calibration_json(c), 2) + "\n"}},
+       .files = {{"summary.json", base::json_text(calibration_json(c), 2) + "\n"},
+                 {"table.csv", rows_csv(rows)},
+                 {"material.toml", material_block(c)}},
        .sections = {{"Answer", html_lines(calibration_text(c, false))},
                     {"Specimens, with the paper's beams (E_mu = 356 GPa, nu_mu = 0.3, r_mu = 0.3)",
                      table_of(*c.study)},

@@ -24,7 +24,9 @@ struct ReportSection {
 struct Report {
   std::string title;
   std::vector<std::string> opening = {};                        // paragraphs before the sections
-  std::vector<std::pair<std::string, std::string>> files = {};  // beside the page: name and text
+  std::vector<std::pair<std::string, std::string>> files = {};  // beside the page: name and text;
+                                                                // summary.json first: it tells a report that
+                                                                // was cut off, which --force may replace
   std::vector<ReportSection> sections = {};
 };
 

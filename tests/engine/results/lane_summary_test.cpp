@@ -39,7 +39,8 @@ TEST(LaneSummary, IsReadBackAsItWasWritten) {
 
 TEST(LaneSummary, WritesItsColumnsInTheirOrderThoseOfTheScenarioFirst) {
   std::vector<std::string> names;
-  for (const auto& [name, value] : to_json(filled()).items()) names.push_back(name);
+  const Json json = to_json(filled());
+  for (const auto& [name, value] : json.items()) names.push_back(name);
   std::size_t k = 0;
   for (const SummaryColumn& column : summary_columns()) EXPECT_EQ(names.at(k++), column.name);
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());

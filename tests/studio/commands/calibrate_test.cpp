@@ -47,6 +47,23 @@ TEST_F(Calibrate, LeavesAMaterialThatAPresetTakes) {
   EXPECT_EQ(calibrate("--young '3.2 GPa' --poisson 0.25 --force --out " + out() + small).exit_code, 0);
 }
 
+TEST_F(Calibrate, CutOffWhileItWritesItsReportIsBegunAnewWithForce) {
+  const std::string arguments = "--young '3.2 GPa' --poisson 0.25 --out " + out() + small;
+  ASSERT_EQ(calibrate(arguments).exit_code, 0);  // all of it is in the cache from now on
+  int cut_off = 0;
+  for (const int blocks : {4, 6, 8, 12, 24}) {
+    fs::remove_all(folder_.path() / "out");
+    const Ran cut =
+        run_shell("env " + shared_cache_environment() + " sh -c 'ulimit -f " + std::to_string(blocks) +
+                  "; exec \"$0\" \"$@\"' '" RIFT_EXE "' calibrate " + arguments);
+    if (cut.exit_code == 0) continue;
+    cut_off += fs::exists(folder_.path() / "out") ? 1 : 0;
+    const Ran again = calibrate(arguments + " --force");
+    EXPECT_EQ(again.exit_code, 0) << blocks << ": " << again.err;
+  }
+  EXPECT_GE(cut_off, 2);
+}
+
 TEST_F(Calibrate, PrintsJson) {
   const Ran ran = calibrate("--young '3.2 GPa' --poisson 0.25 --json --quiet" + std::string(small));
   const Json j = Json::parse(ran.out);

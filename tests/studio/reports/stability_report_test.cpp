@@ -34,7 +34,7 @@ TEST(RowsCsv, QuotesTextsAndLeavesOutWhatIsUndefined) {
                                    {"none", nullptr},
                                    {"list", {1, 2}},
                                    {"ratio", 0.5}};
-  EXPECT_EQ(rows_csv({row, nullptr}), "series,value,none,list,ratio\n\"scan, twisted\",,,1 2,0.5\n");
+  EXPECT_EQ(rows_csv({row}), "series,value,none,list,ratio\n\"scan, twisted\",,,1 2,0.5\n");
 }
 
 }  // namespace
