@@ -21,9 +21,9 @@ constexpr std::size_t most_panes = 4;
 
 std::shared_ptr<results::JournalIndex> open(const fs::path& run, std::vector<std::string>& notes) {
   const fs::path path = run / results::journal_name;
-  if (!fs::exists(run)) throw BadWish(fmt::format("{}: there is no such run", run.string()));
+  if (!fs::exists(run)) throw BadRequest(fmt::format("{}: there is no such run", run.string()));
   if (!fs::exists(path))
-    throw BadWish(fmt::format("{} holds no run: no {}", run.string(), results::journal_name));
+    throw BadRequest(fmt::format("{} holds no run: no {}", run.string(), results::journal_name));
   auto journal = std::make_shared<results::JournalIndex>(path);
   if (journal->state() == results::JournalState::damaged)
     notes.push_back(
@@ -32,26 +32,26 @@ std::shared_ptr<results::JournalIndex> open(const fs::path& run, std::vector<std
 }
 
 /// The lanes of the runs in their order.
-std::vector<Shown> lanes_shown(const Wish& wish, std::vector<std::string>& notes) {
+std::vector<Shown> lanes_shown(const Request& request, std::vector<std::string>& notes) {
   std::vector<Shown> shown;
-  for (const fs::path& run : wish.runs) {
+  for (const fs::path& run : request.runs) {
     const auto journal = open(run, notes);
     const Header header = Header::parse(journal->header_json());
     if (!header.contains("path"))
-      throw BadWish(fmt::format(
+      throw BadRequest(fmt::format(
           "{} was written by an older version, which does not say where its crack runs: run it again",
           run.string()));
-    std::vector<int> lanes = wish.lanes;
-    for (int k = 0; wish.lanes.empty() && k < journal->lanes(); ++k) lanes.push_back(k);
+    std::vector<int> lanes = request.lanes;
+    for (int k = 0; request.lanes.empty() && k < journal->lanes(); ++k) lanes.push_back(k);
     for (const int lane : lanes) {
       if (lane < 0 || lane >= journal->lanes())
-        throw BadWish(fmt::format("{} has no lane {}: its lanes are 0 to {}", run.string(), lane,
-                                  journal->lanes() - 1));
+        throw BadRequest(fmt::format("{} has no lane {}: its lanes are 0 to {}", run.string(), lane,
+                                     journal->lanes() - 1));
       shown.push_back({run, lane, journal, header});
     }
   }
   if (shown.size() > most_panes)
-    throw BadWish(
+    throw BadRequest(
         fmt::format("{} lanes, and a frame shows up to {}: choose by --lane", shown.size(), most_panes));
   return shown;
 }
@@ -68,7 +68,8 @@ std::set<std::string> stored_in(const Shown& shown) {
 
 void check_stored(const Shown& shown, const Field& field, const Look& look) {
   if (shown.frames().empty())
-    throw BadWish(fmt::format("{} holds no frames: run it with --set output.frames=100", shown.run.string()));
+    throw BadRequest(
+        fmt::format("{} holds no frames: run it with --set output.frames=100", shown.run.string()));
   std::set<std::string> stored = stored_in(shown);
   std::string missing;
   if (!stored.contains(std::string(field.stored))) missing = field.stored;
@@ -78,7 +79,7 @@ void check_stored(const Shown& shown, const Field& field, const Look& look) {
   for (const Field& other : fields())
     if (stored.contains(std::string(other.stored))) names.push_back(other.name);
   stored.insert(missing);
-  throw BadWish(
+  throw BadRequest(
       fmt::format("{} holds no {}; its fields are {}. To have it, run with --set 'output.fields=[\"{}\"]'",
                   shown.run.string(), missing == field.stored ? fmt::format("field {}", field.name) : missing,
                   fmt::join(names, ", "), fmt::join(stored, "\", \"")));
@@ -88,24 +89,24 @@ const Field& field_named(const std::string& name) {
   if (const Field* field = find_field(name)) return *field;
   std::vector<std::string_view> names;
   for (const Field& field : fields()) names.push_back(field.name);
-  throw BadWish(fmt::format("no field is called '{}': {}", name, fmt::join(names, ", ")));
+  throw BadRequest(fmt::format("no field is called '{}': {}", name, fmt::join(names, ", ")));
 }
 
 /// The look that the first run's preset asks for, and over it what the user asks for.
-Look look_for(const Wish& wish, const Header& header) {
+Look look_for(const Request& request, const Header& header) {
   const Header film = header.value("film", Header::object());
   Look look;
-  look.title = wish.title.value_or(film.value("title", std::string{}));
+  look.title = request.title.value_or(film.value("title", std::string{}));
   if (look.title.empty()) look.title = fs::path(header.value("preset_name", std::string{})).stem().string();
-  look.field = wish.field.value_or(film.value("field", look.field));
-  look.colours = wish.colours.value_or(film.value("colours", look.colours));
-  look.camera = camera_named(wish.camera.value_or(film.value("camera", std::string("plate"))));
-  look.beams = beams_named(wish.beams.value_or(film.value("beams", std::string("none"))));
-  look.magnification = wish.magnification.value_or(film.value("magnification", look.magnification));
-  look.close_up_m = wish.close_up_m.value_or(film.value("close_up_m", look.close_up_m));
-  look.chart = wish.chart.value_or(film.value("chart", look.chart));
-  look.boundaries = wish.boundaries.value_or(film.value("boundaries", look.boundaries));
-  look.large_text = wish.large_text;
+  look.field = request.field.value_or(film.value("field", look.field));
+  look.colours = request.colours.value_or(film.value("colours", look.colours));
+  look.camera = camera_named(request.camera.value_or(film.value("camera", std::string("plate"))));
+  look.beams = beams_named(request.beams.value_or(film.value("beams", std::string("none"))));
+  look.magnification = request.magnification.value_or(film.value("magnification", look.magnification));
+  look.close_up_m = request.close_up_m.value_or(film.value("close_up_m", look.close_up_m));
+  look.chart = request.chart.value_or(film.value("chart", look.chart));
+  look.boundaries = request.boundaries.value_or(film.value("boundaries", look.boundaries));
+  look.large_text = request.large_text;
   return look;
 }
 
@@ -133,10 +134,10 @@ std::array<double, 2> range_in(const std::vector<Shown>& shown, const Field& fie
   return {range[0] - field.unit_in_si, range[0] + field.unit_in_si};  // all the same: any range shows it
 }
 
-void choose_range(Plan& plan, const Wish& wish, const std::vector<Shown>& shown, const Field& field) {
-  if (wish.range) {
-    const auto [low, high] = *wish.range;
-    if (!(low < high)) throw BadWish(fmt::format("--range {},{}: must rise", low, high));
+void choose_range(Plan& plan, const Request& request, const std::vector<Shown>& shown, const Field& field) {
+  if (request.range) {
+    const auto [low, high] = *request.range;
+    if (!(low < high)) throw BadRequest(fmt::format("--range {},{}: must rise", low, high));
     plan.job.look.range = {low * field.unit_in_si, high * field.unit_in_si};
     return;
   }
@@ -176,16 +177,16 @@ std::vector<Pane> panes_of(const std::vector<Shown>& shown) {
 
 }  // namespace
 
-Plan plan_of(const Wish& wish) {
+Plan plan_of(const Request& request) {
   Plan plan;
-  const std::vector<Shown> shown = lanes_shown(wish, plan.notes);
-  plan.job.look = look_for(wish, shown.front().header);
-  plan.job.width = wish.width;
-  plan.job.height = wish.height;
+  const std::vector<Shown> shown = lanes_shown(request, plan.notes);
+  plan.job.look = look_for(request, shown.front().header);
+  plan.job.width = request.width;
+  plan.job.height = request.height;
   const Field& field = field_named(plan.job.look.field);
   for (const Shown& pane : shown) check_stored(pane, field, plan.job.look);
   plan.job.panes = panes_of(shown);
-  choose_range(plan, wish, shown, field);
+  choose_range(plan, request, shown, field);
   choose_clock(plan, shown);
   return plan;
 }
@@ -193,7 +194,7 @@ Plan plan_of(const Wish& wish) {
 std::vector<double> evenly_chosen(const std::vector<double>& times_s, int count) {
   const auto stored = static_cast<int>(times_s.size());
   if (count > stored)
-    throw BadWish(fmt::format(
+    throw BadRequest(fmt::format(
         "--frames {}: the run holds {} moments, and a frame is never made up between two; run it with "
         "--set output.frames={}",
         count, stored, count));

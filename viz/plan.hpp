@@ -18,12 +18,12 @@
 namespace rift::viz {
 
 /// The user asked for something that cannot be: names what there is instead. Exit code 2.
-struct BadWish : std::runtime_error {
+struct BadRequest : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// What is asked for. What is not given is as the run's preset has it ([film]).
-struct Wish {
+struct Request {
   std::vector<std::filesystem::path> runs;
   std::vector<int> lanes;  // none: all, up to four panes
   std::optional<std::string> title, field, colours, camera, beams;
@@ -54,10 +54,10 @@ struct Plan {
 };
 
 /// Opens the runs and reads what the picture needs to be planned. The clock is that of the pane that lasts
-/// longest. Throws BadWish, or WorldError where a run cannot be read.
-[[nodiscard]] Plan plan_of(const Wish& wish);
+/// longest. Throws BadRequest, or WorldError where a run cannot be read.
+[[nodiscard]] Plan plan_of(const Request& request);
 
-/// `count` of the moments, evenly chosen, first and last among them. Throws BadWish where there are not so
+/// `count` of the moments, evenly chosen, first and last among them. Throws BadRequest where there are not so
 /// many: a frame is a stored moment, never something between two.
 [[nodiscard]] std::vector<double> evenly_chosen(const std::vector<double>& times_s, int count);
 

@@ -12,10 +12,10 @@ struct Interrupted : std::runtime_error {
 };
 
 /// Told the fraction done in [0, 1] from time to time; answers false to give up (Interrupted is thrown then).
-using FractionTold = std::function<bool(double)>;
+using ProgressCallback = std::function<bool(double)>;
 
 /// Tells the fraction done; throws Interrupted(what) where the answer is to give up.
-inline void tell_or_stop(const FractionTold& told, double done, const char* what) {
+inline void tell_or_stop(const ProgressCallback& told, double done, const char* what) {
   if (told && !told(done)) throw Interrupted(what);
 }
 

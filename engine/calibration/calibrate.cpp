@@ -109,7 +109,7 @@ std::vector<Scattered> poisson_of(const std::vector<CylinderResult>& packings) {
 }
 
 Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio,
-                     base::Cache& cache, const base::FractionTold& progress, int threads) {
+                     base::Cache& cache, const base::ProgressCallback& progress, int threads) {
   constexpr double close_enough = 2e-4, share_of_scan = 0.7;
   constexpr int most_secants = 5;
   const int elements = scene.calibration.elements;

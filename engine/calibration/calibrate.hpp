@@ -18,13 +18,13 @@ namespace rift::calibration {
 /// whose notes are gathered in `cache`.
 /// @param[in] result_of  (test, cache, tell) -> result; tell as in side_by_side()
 template <class Test, class ResultOf>
-auto each_specimen(const std::vector<Test>& tests, base::Cache& cache, const base::FractionTold& progress,
+auto each_specimen(const std::vector<Test>& tests, base::Cache& cache, const base::ProgressCallback& progress,
                    int threads, const ResultOf& result_of) {
   std::vector<double> work;
   for (const Test& test : tests) work.push_back(test.packing.elements);
   std::vector<base::Cache> caches(base::threads_or_all_cpus(threads), base::Cache{cache.folder, {}});
   std::vector<decltype(result_of(tests.front(), cache, progress))> results(tests.size());
-  side_by_side(work, threads, progress, [&](std::size_t k, int thread, const base::FractionTold& tell) {
+  side_by_side(work, threads, progress, [&](std::size_t k, int thread, const base::ProgressCallback& tell) {
     results[k] = result_of(tests[k], caches[thread], tell);
   });
   for (const base::Cache& used : caches)
@@ -72,7 +72,7 @@ std::vector<Scattered> poisson_of(const std::vector<CylinderResult>& packings);
 /// and is the paper's.   [paper, appendix; Andre et al. 2012] Throws OutOfReach, and what press_cylinders()
 /// throws.
 Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio,
-                     base::Cache& cache, const base::FractionTold& progress = {}, int threads = 0);
+                     base::Cache& cache, const base::ProgressCallback& progress = {}, int threads = 0);
 
 /// What Fig. 17 of the paper shows, and the periodic boxes beside it.
 struct CalibrationStudy {

@@ -22,7 +22,7 @@ namespace {
 /// What is still to do, and how far what has begun has come.
 class TaskQueue {
  public:
-  TaskQueue(const std::vector<double>& work, const base::FractionTold& progress)
+  TaskQueue(const std::vector<double>& work, const base::ProgressCallback& progress)
       : work_(work), progress_(progress), order_(work.size()), done_(work.size()) {
     std::iota(order_.begin(), order_.end(), 0);
     std::ranges::stable_sort(order_, std::greater{}, [&](std::size_t k) { return work[k]; });
@@ -48,7 +48,7 @@ class TaskQueue {
 
  private:
   const std::vector<double>& work_;
-  const base::FractionTold& progress_;
+  const base::ProgressCallback& progress_;
   std::vector<std::size_t> order_;
   std::vector<double> done_;
   std::mutex mutex_;
@@ -58,8 +58,8 @@ class TaskQueue {
 
 }  // namespace
 
-void side_by_side(const std::vector<double>& work, int threads, const base::FractionTold& progress,
-                  const std::function<void(std::size_t, int, const base::FractionTold&)>& task) {
+void side_by_side(const std::vector<double>& work, int threads, const base::ProgressCallback& progress,
+                  const std::function<void(std::size_t, int, const base::ProgressCallback&)>& task) {
   TaskQueue queue(work, progress);
   const auto work_off = [&](int thread) {
     while (const auto k = queue.take()) try {
@@ -106,7 +106,7 @@ CylinderResult result_of(const CylinderTest& test, const std::vector<double>& n)
   return r;
 }
 
-CylinderResult press(const CylinderTest& test, base::Cache& cache, const base::FractionTold& progress) {
+CylinderResult press(const CylinderTest& test, base::Cache& cache, const base::ProgressCallback& progress) {
   constexpr double share_of_packing = 0.6;
   bool found = false;
   const packing::Packing packing = packing::cached_packing(
@@ -138,7 +138,7 @@ CylinderResult press(const CylinderTest& test, base::Cache& cache, const base::F
 }
 
 CylinderResult pressed_or_recalled(const CylinderTest& test, base::Cache& cache,
-                                   const base::FractionTold& tell) {
+                                   const base::ProgressCallback& tell) {
   const std::string key = key_of(test);
   if (const auto known = base::recall(cache, "cylinder", key);
       known && known->size() == numbers_before_responses + 3 * test.beams.size()) {
@@ -164,7 +164,7 @@ double core_coordination(const packing::Packing& packing, const packing::Box& bo
 }
 
 std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, base::Cache& cache,
-                                            const base::FractionTold& progress, int threads) {
+                                            const base::ProgressCallback& progress, int threads) {
   return each_specimen(tests, cache, progress, threads, pressed_or_recalled);
 }
 

@@ -15,8 +15,9 @@ namespace rift::calibration {
 /// @param[in] work     of each task, in any unit
 /// @param[in] threads  0 for one per available CPU
 /// @param[in] task     k, the thread's number from 0, and whom to tell the fraction of the task that is done
-void side_by_side(const std::vector<double>& work, int threads, const base::FractionTold& progress,
-                  const std::function<void(std::size_t k, int thread, const base::FractionTold& tell)>& task);
+void side_by_side(
+    const std::vector<double>& work, int threads, const base::ProgressCallback& progress,
+    const std::function<void(std::size_t k, int thread, const base::ProgressCallback& tell)>& task);
 
 /// The beams of a lattice but for their modulus, to which all its moduli are proportional.
 struct BeamShape {
@@ -52,7 +53,7 @@ struct CylinderResult {
 /// same whatever the threads. Throws PackingError, StaticsError or Interrupted.
 /// @param[in] threads  0 for one per available CPU
 std::vector<CylinderResult> press_cylinders(const std::vector<CylinderTest>& tests, base::Cache& cache,
-                                            const base::FractionTold& progress = {}, int threads = 0);
+                                            const base::ProgressCallback& progress = {}, int threads = 0);
 
 /// Mean of the coordination of the elements further than `away` from the walls [as the box]; of all elements
 /// where none is.

@@ -63,7 +63,7 @@ std::array<double, 2> reuss(const Matrix6& stiffness) {
 
 }  // namespace
 
-Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const base::FractionTold& told) {
+Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const base::ProgressCallback& told) {
   assert(lattice.box.shape == packing::Shape::periodic);
   lattice::FreeBody body(lattice);
   std::array<std::vector<lattice::Vector6>, 6> motion;
@@ -107,7 +107,7 @@ BoxResult result_of(const BoxTest& test, const std::vector<double>& n) {
   return {test.packing, n[0], n[1], Eigen::Map<const Matrix6>(n.data() + numbers_before_stiffness)};
 }
 
-BoxResult homogenise(const BoxTest& test, base::Cache& cache, const base::FractionTold& tell) {
+BoxResult homogenise(const BoxTest& test, base::Cache& cache, const base::ProgressCallback& tell) {
   constexpr double share_of_packing = 0.4;
   bool found = false;
   const packing::Packing packing = packing::cached_packing(
@@ -122,7 +122,8 @@ BoxResult homogenise(const BoxTest& test, base::Cache& cache, const base::Fracti
           })};
 }
 
-BoxResult homogenised_or_recalled(const BoxTest& test, base::Cache& cache, const base::FractionTold& tell) {
+BoxResult homogenised_or_recalled(const BoxTest& test, base::Cache& cache,
+                                  const base::ProgressCallback& tell) {
   const std::string key = key_of(test);
   const auto known = base::recall(cache, "box", key);
   BoxResult result;
@@ -141,7 +142,7 @@ BoxResult homogenised_or_recalled(const BoxTest& test, base::Cache& cache, const
 }  // namespace
 
 std::vector<BoxResult> homogenise_boxes(const std::vector<BoxTest>& tests, base::Cache& cache,
-                                        const base::FractionTold& progress, int threads) {
+                                        const base::ProgressCallback& progress, int threads) {
   return each_specimen(tests, cache, progress, threads, homogenised_or_recalled);
 }
 

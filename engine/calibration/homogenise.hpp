@@ -13,7 +13,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Stiffness tensor of a lattice that repeats itself [Pa]: six unit strains, each with the motions that leave
 /// every element in balance, and C_ab = (2 / V) sum over beams of their bilinear energy.
 /// Cost of six solutions with one matrix; throws StaticsError. Asserts a periodic box.
-Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const base::FractionTold& told = {});
+Matrix6 homogenised_stiffness(const lattice::Lattice& lattice, const base::ProgressCallback& told = {});
 
 /// The isotropic solid nearest to a tensor, and how far from it the tensor is.
 struct Isotropic {
@@ -40,6 +40,6 @@ struct BoxResult {
 
 /// Homogenises all boxes; as press_cylinders() does it.
 std::vector<BoxResult> homogenise_boxes(const std::vector<BoxTest>& tests, base::Cache& cache,
-                                        const base::FractionTold& progress = {}, int threads = 0);
+                                        const base::ProgressCallback& progress = {}, int threads = 0);
 
 }  // namespace rift::calibration

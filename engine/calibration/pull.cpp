@@ -75,7 +75,7 @@ Eigen::Matrix3d gradient_in_middle(const lattice::Lattice& lattice,
 }
 
 Pulled pull(const lattice::Lattice& lattice, lattice::FreeBody& body, int axis, double force,
-            const base::FractionTold& told) {
+            const base::ProgressCallback& told) {
   constexpr double tolerance = 1e-10;
   Pulled result;
   result.motion = body.at_rest(end_loads(lattice, axis, force), tolerance, told);

@@ -32,6 +32,6 @@ Eigen::Matrix3d gradient_in_middle(const lattice::Lattice& lattice,
 
 /// Pulls (or presses) a free specimen statically: E and nu of the paper's appendix.
 Pulled pull(const lattice::Lattice& lattice, lattice::FreeBody& body, int axis, double force,
-            const base::FractionTold& told = {});
+            const base::ProgressCallback& told = {});
 
 }  // namespace rift::calibration

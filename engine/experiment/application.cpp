@@ -157,7 +157,7 @@ Application apply(const scene::Preset& preset, const Experiment& found, base::Ca
   Application a;
   a.arrested_m = run.lane[0].arrested_m;
   std::vector<Sample> rows;
-  for (const Sample& row : run.lane[0].books)
+  for (const Sample& row : run.lane[0].samples)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
   if (rows.size() < 2) return a;
   a.along = compared(found, rows, simulation::scale_of(prepared, prepared.lane[0]));

@@ -25,7 +25,7 @@ constexpr int points = 60, static_parts = 8;
 
 std::vector<Sample> crack_rows(const simulation::LaneResult& lane) {
   std::vector<Sample> rows;
-  for (const Sample& row : lane.books)
+  for (const Sample& row : lane.samples)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
   return rows;
 }

@@ -66,7 +66,7 @@ struct Experiment {
   Application application;           // empty where it was not wished
   int resamples = 0, specimens = 0;  // that came to their end
   int resamples_asked = 0;
-  double worst_residual = 0;  // of the books of all runs
+  double worst_residual = 0;  // the largest balance error of all runs
   simulation::Outcome outcome = simulation::Outcome::finished;
 };
 

@@ -19,7 +19,7 @@ double released(const Sample& s) {
          s.step_correction_j - s.damping_j - s.numerical_damping_j - s.contact_j;
 }
 
-/// The books at a tip position between two rows, each column interpolated.
+/// The energies at a tip position between two rows, each column interpolated.
 Sample books_at(const std::vector<Sample>& lane, double tip) {
   const auto [k, part] = base::interval_at(lane, tip, &Sample::tip_m);
   const Sample &p = lane[k - 1], &q = lane[k];

@@ -59,7 +59,7 @@ struct ViscousDamping {
       : beam(std::move(beams)), last(4 * beam.size(), 0.0) {}
 };
 
-/// Adds the damping forces at rates (q_{n+1} - q_n) / dt, and books their work of this step,
+/// Adds the damping forces at rates (q_{n+1} - q_n) / dt, and adds their work of this step,
 ///   1/2 (F_n + F_{n+1}) . (q_{n+1} - q_n)   [physics.md §7].
 /// @param[in]     rate      [element][6], (q_{n+1} - q_n) / dt
 /// @param[in]     factor    [crossing beam]: a softening beam is damped in proportion

@@ -26,7 +26,7 @@ double share_of_digits(double change, double last_change) {
 
 /// Largest eigenvalue of a symmetric operator by Lanczos iteration (Paige 1972, without reorthogonalisation:
 /// rounding only repeats eigenvalues that have converged already).
-double largest_eigenvalue(const Operator& apply, long size, const base::FractionTold& told) {
+double largest_eigenvalue(const Operator& apply, long size, const base::ProgressCallback& told) {
   Eigen::VectorXd v(size), last = Eigen::VectorXd::Zero(size), w(size);
   std::mt19937_64 random(20);
   for (long k = 0; k < size; ++k) v[k] = static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5;
@@ -114,7 +114,7 @@ double element_bound(const Lattice& lattice) {
 
 }  // namespace
 
-StableStep stable_step(const Lattice& lattice, const base::FractionTold& told) {
+StableStep stable_step(const Lattice& lattice, const base::ProgressCallback& told) {
   const Eigen::VectorXd root = inverse_root_mass(lattice);
   const std::vector<BeamRow> rows = all_rows(lattice);
   Eigen::VectorXd q(root.size());
@@ -129,7 +129,7 @@ StableStep stable_step(const Lattice& lattice, const base::FractionTold& told) {
 }
 
 double damped_critical_step(const Lattice& lattice, const ViscousDamping& damping, double undamped,
-                            const base::FractionTold& told) {
+                            const base::ProgressCallback& told) {
   if (damping.beam.empty() || !std::isfinite(undamped)) return undamped;
   const Eigen::VectorXd root = inverse_root_mass(lattice);
   const std::vector<BeamRow> rows = all_rows(lattice);
@@ -138,7 +138,7 @@ double damped_critical_step(const Lattice& lattice, const ViscousDamping& dampin
   double work = 0.0;
   Eigen::VectorXd q(root.size()), rate(root.size());
   double dt = undamped, done = 0.0;
-  const base::FractionTold tell = [&](double) { return !told || told(done); };
+  const base::ProgressCallback tell = [&](double) { return !told || told(done); };
   // lambda(dt) grows as dt falls, so the iteration alternates about its limit; the mean of two iterates
   // contracts.
   for (int round = 0; round < 60; ++round) {

@@ -171,7 +171,7 @@ StaticSolver::StaticSolver(const StaticSystem& system)
 StaticSolver::~StaticSolver() = default;
 
 Eigen::VectorXd StaticSolver::solve(const Eigen::VectorXd& load, double tolerance,
-                                    const base::FractionTold& told) {
+                                    const base::ProgressCallback& told) {
   iteration_->setTolerance(tolerance);
   iteration_->preconditioner().seen = [&, at_first = load.norm(),
                                        done = 0.0](const Eigen::VectorXd& left) mutable {
@@ -206,7 +206,7 @@ StaticSystem tied(const Lattice& lattice) {
 FreeBody::FreeBody(const Lattice& lattice) : system_(tied(lattice)), solver_(system_) {}
 
 std::vector<Vector6> FreeBody::at_rest(const std::vector<Vector6>& load, double tolerance,
-                                       const base::FractionTold& told) {
+                                       const base::ProgressCallback& told) {
   return motions_in(system_, solver_.solve(loads_on(system_, load), tolerance, told));
 }
 
@@ -255,7 +255,7 @@ std::vector<Vector6> gripped(const Lattice& lattice, const Pull& pull) {
 }  // namespace
 
 std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector<char>& present,
-                                       const Pull& pull, const base::FractionTold& told) {
+                                       const Pull& pull, const base::ProgressCallback& told) {
   std::vector<Vector6> q = gripped(lattice, pull);
   const StaticSystem system = assemble(lattice, number_the_free(lattice, present), present,
                                        [&](int b) { return stiffness_of(lattice.beam[b]); });
@@ -271,12 +271,12 @@ std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector
 }
 
 std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, const std::vector<char>& present,
-                                                    const Pull& pull, const base::FractionTold& told) {
+                                                    const Pull& pull, const base::ProgressCallback& told) {
   constexpr double inner_tolerance = 1e-5;
   constexpr int most_rounds = 20;
   constexpr double usual_rounds = 5.0;  // the linear solution among them
   int solved = 0;
-  const base::FractionTold tell = [&](double done) {
+  const base::ProgressCallback tell = [&](double done) {
     return !told || told(std::min(0.99, (solved + done) / usual_rounds));
   };
   // A beam's stretch is the difference of two lengths, rounded to some 1e-16 of them.

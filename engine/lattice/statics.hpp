@@ -47,7 +47,8 @@ class StaticSolver {
   ~StaticSolver();
   /// Throws StaticsError where the relative residual stays above the tolerance, Interrupted. What is told is
   /// done by the digits of the residual.
-  Eigen::VectorXd solve(const Eigen::VectorXd& load, double tolerance, const base::FractionTold& told = {});
+  Eigen::VectorXd solve(const Eigen::VectorXd& load, double tolerance,
+                        const base::ProgressCallback& told = {});
 
  private:
   struct ConjugateGradients;  // Eigen's, which takes long to compile
@@ -67,7 +68,7 @@ class FreeBody {
   /// Motions at rest under forces and moments on the elements [N, N m]. Cost about 100 products with K;
   /// throws StaticsError, Interrupted. @param[in] tolerance  of the relative residual
   std::vector<Vector6> at_rest(const std::vector<Vector6>& load, double tolerance = 1e-10,
-                               const base::FractionTold& told = {});
+                               const base::ProgressCallback& told = {});
 
  private:
   StaticSystem system_;
@@ -90,13 +91,14 @@ struct Pull {
 /// @return N displacements (u [m], theta [rad]); relative residual of the free forces 1e-13
 /// Cost about 100 products with K (conjugate gradients, see RigidPatches); throws StaticsError, Interrupted.
 std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector<char>& present,
-                                       const Pull& pull, const base::FractionTold& told = {});
+                                       const Pull& pull, const base::ProgressCallback& told = {});
 
 /// The same with corotational beams: Newton's method from the linear solution until the free forces are 1e-11
 /// of the linear loads, or what rounding leaves of strains below 1e-4. Cost about five linear solutions;
 /// throws StaticsError, Interrupted.
 /// @return N displacements and rotation vectors
 std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, const std::vector<char>& present,
-                                                    const Pull& pull, const base::FractionTold& told = {});
+                                                    const Pull& pull,
+                                                    const base::ProgressCallback& told = {});
 
 }  // namespace rift::lattice

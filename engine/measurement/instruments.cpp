@@ -49,11 +49,11 @@ std::vector<Row> of_lane(const std::vector<Row>& rows, int lane) {
   return kept;
 }
 
-/// By the first row of the books whose tip is on the measured way.
-double clock_of(const scene::Scene& scene, const std::vector<results::Sample>& books) {
+/// By the first sample whose tip is on the measured way.
+double clock_of(const scene::Scene& scene, const std::vector<results::Sample>& samples) {
   if (scene.crack.history.empty()) return 0.0;
   const history::SmoothedHistory course = scene::smoothed_history(scene);
-  for (const results::Sample& s : books)
+  for (const results::Sample& s : samples)
     if (s.velocity_m_s > 0.0 && s.tip_m > scene.crack.start)
       return course.first_time + history::time_of_arrival(course.history, s.tip_m) - s.time_s;
   return 0.0;
@@ -111,16 +111,16 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentO
                             .zone = zone ? scene.crack.damage_zone_ratio * radius : 0.0},
                    .g_i0 = scale.g_i0,
                    .g_i0_slope = scale.g_i0_slope,
-                   .books = of_lane(scan.samples, options.lane),
+                   .samples = of_lane(scan.samples, options.lane),
                    .gauges = of_lane(scan.gauges, options.lane),
                    .intensity = {},
                    .no_intensity = strange_field(scene),
                    .grip_moves = scene::grip_moves(scene),
                    .finished = scan.summary_json.has_value()};
-  seen.clock = clock_of(scene, seen.books);
+  seen.clock = clock_of(scene, seen.samples);
   const fracture::CrackPath path = path_in(header);
   const Camera camera(places_of(*scan.geometry), seen.grid.point, seen.subset, parted_by(path));
-  const IntensityReading reading(path, size, plate_of(scene), seen.ring, seen.books, scale);
+  const IntensityReading reading(path, size, plate_of(scene), seen.ring, seen.samples, scale);
   std::int64_t read = 0;
   bool any = false;
   const auto take = [&](const results::Frame& frame) {

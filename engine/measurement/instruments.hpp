@@ -25,7 +25,7 @@ struct Instruments {
   Ring ring;
   double clock = 0;                       // of a measured history: its time less the run's [s]
   double g_i0 = 0, g_i0_slope = 0;        // G_I0 of the plate [J/m2], and per tip position [J/m3]
-  std::vector<results::Sample> books;     // of the lane
+  std::vector<results::Sample> samples;   // of the lane
   std::vector<results::GaugeRow> gauges;  // of the lane
   std::vector<IntensityPoint> intensity;  // of each moment
   std::string no_intensity;               // why there are none

@@ -13,9 +13,9 @@ constexpr double off_edges = 0.9;  // of the way to the nearest edge: at it the 
 constexpr double reach = 2.0;  // of the search, in what is left out beside the faces, beyond the damage zone
 constexpr int terms = 6;       // of each mode: more explain no more in the plates tried
 
-std::vector<results::Sample> of_fracture(const std::vector<results::Sample>& books) {
+std::vector<results::Sample> of_fracture(const std::vector<results::Sample>& samples) {
   std::vector<results::Sample> rows;
-  std::copy_if(books.begin(), books.end(), std::back_inserter(rows),
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(rows),
                [](const results::Sample& s) { return s.phase == results::Phase::fracture; });
   return rows;
 }
@@ -40,13 +40,13 @@ struct IntensityReading::Tip {
 
 IntensityReading::IntensityReading(fracture::CrackPath path, const Eigen::Vector2d& plate_size,
                                    const ElasticPlate& plate, const Ring& ring,
-                                   const std::vector<results::Sample>& books,
+                                   const std::vector<results::Sample>& samples,
                                    const fracture::RateScale& scale)
     : path_(std::move(path)),
       size_(plate_size),
       plate_(plate),
       ring_(ring),
-      crack_(of_fracture(books)),
+      crack_(of_fracture(samples)),
       scale_(scale),
       rayleigh_(theory::wave_speeds(plate.young_modulus, plate.poisson_ratio, plate.density, plate.plane)
                     .rayleigh) {}

@@ -24,13 +24,13 @@ enum class NoFit { none, edge, bend, other_tip, fast, points, tip };
 /// "too near to an edge of the plate", ...
 const char* reason_of(NoFit why);
 
-/// Stress intensities of one moment, and what the lattice's books say there.
+/// Stress intensities of one moment, and the release rate by the energy balance there.
 struct IntensityPoint {
   double time = 0, tip = 0;          // [s], [m]
   double over_cr = 0;                // velocity of the tip
   std::optional<StressIntensity> k;  // nothing where no ring around the tip can be fitted
   NoFit why = NoFit::none;
-  /// Of the books over twice the inner radius, damping with it as `rift experiment` reads it [J/m2].
+  /// By the energy balance over twice the inner radius, damping with it as `rift experiment` reads it [J/m2].
   double g_id = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -47,7 +47,7 @@ class IntensityReading {
   /// @param[in] books  of the lane, in time
   /// @param[in] scale  of the lane
   IntensityReading(fracture::CrackPath path, const Eigen::Vector2d& plate_size, const ElasticPlate& plate,
-                   const Ring& ring, const std::vector<results::Sample>& books,
+                   const Ring& ring, const std::vector<results::Sample>& samples,
                    const fracture::RateScale& scale);
 
   /// The ring's outer radius is less where an edge of the plate, a bend of the path or the other tip is
@@ -70,7 +70,7 @@ class IntensityReading {
   Eigen::Vector2d size_;
   ElasticPlate plate_;
   Ring ring_;
-  std::vector<results::Sample> crack_;  // books of the fracture phase
+  std::vector<results::Sample> crack_;  // of the fracture phase
   fracture::RateScale scale_;
   double rayleigh_;
 };

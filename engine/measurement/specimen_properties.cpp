@@ -13,7 +13,7 @@ namespace rift::measurement {
 namespace {
 
 /// Of the plate at rest with its beams as the first lane's law leaves them when the tip is at `tip` [J].
-double energy_cut_to(const simulation::Prepared& p, double tip, const base::FractionTold& told) {
+double energy_cut_to(const simulation::Prepared& p, double tip, const base::ProgressCallback& told) {
   const lattice::Kinematics kinematics = p.preset.scene.solver.kinematics;
   const scene::Scene::Loading& loading = p.preset.scene.loading;
   const lattice::Pull pull(p.pulled, loading.tilt, loading.shear);
@@ -35,8 +35,8 @@ double energy_cut_to(const simulation::Prepared& p, double tip, const base::Frac
 }  // namespace
 
 std::vector<double> quasi_static_rates(const simulation::Prepared& p, const std::vector<double>& tip,
-                                       const base::FractionTold& told) {
-  const auto solving = [&](std::size_t k) -> base::FractionTold {
+                                       const base::ProgressCallback& told) {
+  const auto solving = [&](std::size_t k) -> base::ProgressCallback {
     return [&told, k, all = static_cast<double>(tip.size())](double done) {
       return !told || told((static_cast<double>(k) + done) / all);
     };
@@ -52,7 +52,7 @@ std::vector<double> quasi_static_rates(const simulation::Prepared& p, const std:
 }
 
 double quasi_static_ratio(const simulation::Prepared& p, const std::array<double, 2>& window,
-                          const base::FractionTold& told) {
+                          const base::ProgressCallback& told) {
   const double faces = p.scale.thickness * (window[1] - window[0]) * p.scale.tips;
   const double before = energy_cut_to(p, window[0], [&](double done) { return !told || told(0.5 * done); });
   const double after =
@@ -68,7 +68,7 @@ const char* name_of(WaveKind kind) {
 
 /// The plate that hangs together, in the first lane's units.
 lattice::Lattice free_plate(const simulation::Prepared& p, base::Cache& cache,
-                            const base::FractionTold& told) {
+                            const base::ProgressCallback& told) {
   bool found = false;
   const scene::Scene& scene = p.preset.scene;
   const packing::PackingRequest request = scene::request_of(scene);
@@ -89,7 +89,7 @@ double SpecimenProperties::speed(WaveKind kind) const {
 
 SpecimenProperties measure_specimen(const simulation::Prepared& p, base::Cache& cache,
                                     const simulation::StageProgress& progress, int threads) {
-  const auto telling = [&](const char* stage, double from, double share) -> base::FractionTold {
+  const auto telling = [&](const char* stage, double from, double share) -> base::ProgressCallback {
     return [&progress, stage, from, share](double done) {
       return !progress || progress(stage, from + share * done);
     };

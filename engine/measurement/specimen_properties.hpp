@@ -15,12 +15,12 @@ namespace rift::measurement {
 /// Cost: two static solutions. Throws StaticsError, Interrupted.
 /// @param[in] window  tip positions [m]
 double quasi_static_ratio(const simulation::Prepared& prepared, const std::array<double, 2>& window,
-                          const base::FractionTold& told = {});
+                          const base::ProgressCallback& told = {});
 
 /// -dU/da of a slow crack between each two neighbours of these tip positions [m], in J/m2: one less than
 /// positions. Cost: a static solve for each.
 std::vector<double> quasi_static_rates(const simulation::Prepared& prepared, const std::vector<double>& tip,
-                                       const base::FractionTold& told = {});
+                                       const base::ProgressCallback& told = {});
 
 /// What a plate shows of itself, without a crack and unloaded.
 struct SpecimenProperties {

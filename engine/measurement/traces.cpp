@@ -32,7 +32,7 @@ constexpr std::array gauge_quantities{GaugeQuantity{"strain_yy", scene::Dimensio
 
 Trace grip_trace(const Instruments& seen) {
   Trace trace{"grip_force", scene::Dimension::force, {}, {}};
-  for (const results::Sample& s : seen.books)
+  for (const results::Sample& s : seen.samples)
     trace.time.push_back(s.time_s + seen.clock), trace.value.push_back(s.grip_force_n);
   return trace;
 }

@@ -163,7 +163,7 @@ std::vector<Swing> watch(const lattice::Lattice& plate, double dt, double durati
 }  // namespace
 
 std::vector<Wave> measured_waves(const lattice::Lattice& plate, double dt, const theory::WaveSpeeds& expected,
-                                 int threads, const base::FractionTold& progress) {
+                                 int threads, const base::ProgressCallback& progress) {
   constexpr std::size_t lanes = 8;
   constexpr double largest_misfit = 0.1;
   lattice::Lattice free = plate;

@@ -28,6 +28,6 @@ struct Wave {
 /// @param[in] threads   0 for one per available CPU
 /// Cost of some hundred steps for eight waves at once. Throws Interrupted.
 std::vector<Wave> measured_waves(const lattice::Lattice& plate, double dt, const theory::WaveSpeeds& expected,
-                                 int threads = 0, const base::FractionTold& progress = {});
+                                 int threads = 0, const base::ProgressCallback& progress = {});
 
 }  // namespace rift::measurement

@@ -110,7 +110,7 @@ SpherePacking loose_start(const PackingRequest& request, double unit, double sca
 /// unbalance falls by a steady factor a round.
 struct Watch {
   const SpherePacking& spheres;
-  const base::FractionTold& progress;
+  const base::ProgressCallback& progress;
   double grown = 0.0;  // share of the growth done
   double goal = 1e-6;  // the unbalance at which a trial ends
   int trial = 0;
@@ -304,7 +304,7 @@ bool is_thin(const Box& box, double mean_radius) {
 
 }  // namespace
 
-Packing pack(const PackingRequest& request, const base::FractionTold& progress, int threads) {
+Packing pack(const PackingRequest& request, const base::ProgressCallback& progress, int threads) {
   constexpr double expected_fraction = 0.615, start_fraction = 0.5;
   constexpr double below_target = 0.994, above_target = 1.02;  // where the search starts
   base::tell_or_stop(progress, 0.0, "packing");
@@ -370,7 +370,7 @@ std::string key_of(const PackingRequest& r) {
 }
 
 Packing cached_packing(const PackingRequest& request, base::Cache& cache, bool& from_cache,
-                       const base::FractionTold& progress, int threads) {
+                       const base::ProgressCallback& progress, int threads) {
   Packing packing;
   const std::string key = key_of(request);
   if (const auto numbers = base::recall(cache, "packing", key);

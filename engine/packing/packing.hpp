@@ -55,7 +55,7 @@ struct PackingError : std::runtime_error {
 /// @param[in] threads  0 for one per core; the packing does not depend on it
 /// Cost O(N): about 2,000 passes over the contacts for a plate two elements thick, several times that for a
 /// block, which is near jamming at a coordination of 6.
-Packing pack(const PackingRequest& request, const base::FractionTold& progress = {}, int threads = 0);
+Packing pack(const PackingRequest& request, const base::ProgressCallback& progress = {}, int threads = 0);
 
 /// Pairs (i < j) at a distance of at most tolerance x (r_i + r_j), ordered by i, then j; in a periodic box
 /// through its faces as well. Cost O(N).
@@ -68,6 +68,6 @@ std::string key_of(const PackingRequest& request);
 
 /// The packing from the cache, or made and remembered. @param[out] from_cache  set where it was there
 Packing cached_packing(const PackingRequest& request, base::Cache& cache, bool& from_cache,
-                       const base::FractionTold& progress = {}, int threads = 0);
+                       const base::ProgressCallback& progress = {}, int threads = 0);
 
 }  // namespace rift::packing

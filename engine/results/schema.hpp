@@ -10,7 +10,7 @@ namespace rift::results {
 
 enum class Phase : std::uint8_t { loading, hold, fracture };
 
-/// One lane's books at one step; energies and works in J since the start of the run.
+/// One lane's energies at one step; energies and works in J since the start of the run.
 struct Sample {
   std::int64_t step = 0;
   double time_s = 0;
@@ -78,7 +78,7 @@ struct ReleaseEvent {
   std::int32_t lane = 0;
   double time_s = 0;
   double position_m = 0;  // of the tip that meets it: arc length, or half length of two tips
-  double energy_j = 0;    // booked as fracture energy over its whole release
+  double energy_j = 0;    // fracture energy of its whole release
 };
 
 }  // namespace rift::results

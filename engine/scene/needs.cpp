@@ -13,7 +13,7 @@ Needs needs_of(const Scene& scene) {
   needs.moving_grip = grip_moves(scene);
   needs.corotation = scene.solver.kinematics == lattice::Kinematics::corotational;
   needs.contact = scene.crack.friction.has_value();
-  needs.step_books =
+  needs.step_energies =
       needs.damping || needs.numerical_damping || needs.ramp || needs.moving_grip || needs.contact;
   needs.frames = scene.output.frames > 0 && !scene.output.fields.empty();
   needs.gauges = !scene.output.gauges.empty();
@@ -42,7 +42,7 @@ std::vector<std::string> left_out(const Scene& scene) {
     lines.emplace_back(
         "corotation: kinematics = linear, beam axes and elements' quaternions stay as they are");
   if (!needs.contact) lines.emplace_back("contact: no friction, the crack's faces do not touch");
-  if (!needs.step_books)
+  if (!needs.step_energies)
     lines.emplace_back("books of every step: nothing is dissipated or pulled, energies are read at samples");
   if (!needs.frames) {
     lines.emplace_back(scene.output.frames == 0 ? "frames: frames = 0, no fields are written"

@@ -16,7 +16,7 @@ struct Needs {
   bool moving_grip = false;        // while the crack runs
   bool corotation = false;         // beam axes that turn with the elements
   bool contact = false;            // of the crack's faces
-  bool step_books = false;         // something is booked at every step: damping of either kind, a moving grip
+  bool step_energies = false;      // energy is added up at every step: damping of either kind, a moving grip
   bool frames = false;             // fields are written
   bool gauges = false;
 };

@@ -114,7 +114,7 @@ Resumption unwrapped(results::Checkpoint checkpoint) {
   if (found == checkpoint.state.end() || found->second.size() % numbers_of_row != 0)
     throw std::invalid_argument("it holds no rows of a march");
   for (std::size_t k = 0; k < found->second.size(); k += numbers_of_row)
-    from.books.push_back(row_from(&found->second[k]));
+    from.samples.push_back(row_from(&found->second[k]));
   checkpoint.state.erase(found);
   checkpoint.notes = base::json_text(results::json_or_discarded(checkpoint.notes).at("march"));
   from.checkpoint = std::move(checkpoint);
@@ -133,7 +133,7 @@ class Keeper {
   Keeper(const Observer& beside, const MarchOptions& options, const MarchKeeping& keeping,
          const Resumption* from)
       : beside_(beside), options_(options), keeping_(keeping) {
-    if (from) rows_ = from->books;
+    if (from) rows_ = from->samples;
   }
 
   Observer observer() {

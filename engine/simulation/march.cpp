@@ -295,7 +295,7 @@ results::Sample Run::sample(const LaneSlot& slot) {
 void Run::add_sample(LaneSlot& slot) {
   LaneResult& lane = lane_of(slot);
   const results::Sample now = sample(slot);
-  lane.books.push_back(now);
+  lane.samples.push_back(now);
   if (observer_.sample) observer_.sample(now);
   const double residual = std::abs(now.residual);
   if (!(residual <= lane.worst_residual)) lane.worst_residual = residual;

@@ -72,12 +72,12 @@ const char* name_of(Outcome outcome);
 struct LaneResult {
   Outcome outcome = Outcome::finished;
   std::int64_t steps = 0;
-  std::string where;                   // of a divergence or a stop, for people
-  std::vector<results::Sample> books;  // all samples, in time
-  double worst_residual = 0;           // largest |residual| of all samples
-  std::int64_t last_good_step = -1;    // at which the energy balance was looked at and not hopeless
-  double prestress_kinetic = 0;        // kinetic over total energy when the crack started (ramp)
-  double energy_at_crack_start = 0;    // elastic [J]
+  std::string where;                     // of a divergence or a stop, for people
+  std::vector<results::Sample> samples;  // in time
+  double worst_residual = 0;             // largest |residual| of all samples
+  std::int64_t last_good_step = -1;      // at which the energy balance was looked at and not hopeless
+  double prestress_kinetic = 0;          // kinetic over total energy when the crack started (ramp)
+  double energy_at_crack_start = 0;      // elastic [J]
   fracture::Wake wake;                 // when it finished, of two heights behind the tip, or between two tips
   double wall_s = 0;                   // its share of the time while its crack ran
   std::vector<scene::Change> changes;  // those that were made, its own velocities among them
@@ -99,7 +99,7 @@ struct RunResult {
 /// Where a march goes on.
 struct Resumption {
   results::Checkpoint checkpoint;
-  std::vector<results::Sample> books;  // the samples of all lanes up to there, in time
+  std::vector<results::Sample> samples;  // the samples of all lanes up to there, in time
 };
 
 /// How to march; of no influence on the results, but for the last bits by the instruction set.

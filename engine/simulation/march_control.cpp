@@ -165,7 +165,7 @@ void Run::stop_tip(LaneSlot& slot) {
                .restarted_m = slot.rest.restarted_m};
   make_own_change(slot, tip_stops, "");
   lane_of(slot).arrested_m = tip;
-  if (lane_of(slot).books.empty() || lane_of(slot).books.back().step != steps(slot)) add_sample(slot);
+  if (lane_of(slot).samples.empty() || lane_of(slot).samples.back().step != steps(slot)) add_sample(slot);
 }
 
 void Run::make_own_change(LaneSlot& slot, std::string_view axis, const std::string& value) {
@@ -192,10 +192,10 @@ void Run::go_on(const Resumption& from) {
   MarchNotes notes = march_notes(from.checkpoint.notes);
   check_fit(notes);
   result_.lane = std::move(notes.lane);
-  for (const results::Sample& row : from.books) {
+  for (const results::Sample& row : from.samples) {
     if (row.lane >= static_cast<int>(result_.lane.size()))
       throw std::invalid_argument("the journal holds rows of a lane that this run does not have");
-    result_.lane[row.lane].books.push_back(row);
+    result_.lane[row.lane].samples.push_back(row);
   }
   for (int k = 0; k < static_cast<int>(lane_.size()); ++k)
     for (const scene::Change& change : result_.lane[k].changes)

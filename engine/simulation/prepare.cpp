@@ -98,7 +98,7 @@ LanePlan plan_lane(const Prepared& p, const scene::Scene& scene) {
   return lane;
 }
 
-StepWish step_wish(const LanePlan& lane, double rayleigh_speed) {
+StepRequest step_wish(const LanePlan& lane, double rayleigh_speed) {
   return {.zone_length = lane.scenario.law.zone_length,
           .speed = scene::highest_velocity(lane.scene) * rayleigh_speed * lane.units.time,
           .critical_damped = {}};
@@ -108,7 +108,8 @@ StepWish step_wish(const LanePlan& lane, double rayleigh_speed) {
 class DampedLimits {
  public:
   explicit DampedLimits(const Prepared& p) : p_(p) {}
-  double of(const LanePlan& lane, std::vector<lattice::DampedBeam> damped, const base::FractionTold& told) {
+  double of(const LanePlan& lane, std::vector<lattice::DampedBeam> damped,
+            const base::ProgressCallback& told) {
     const std::pair kind(lane.scene.damping.region, lane.scene.damping.alpha);
     if (const auto known = limit_.find(kind); known != limit_.end()) return known->second;
     return limit_[kind] = damped_limit(p_, std::move(damped), {&lane, 1}, told);
@@ -120,14 +121,14 @@ class DampedLimits {
 };
 
 std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>& scenes,
-                              const base::FractionTold& told) {
+                              const base::ProgressCallback& told) {
   if (fracture::crossings(p.path, p.lattice).empty())
     throw scene::InputError({scene::issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
   std::vector<LanePlan> lanes;
   DampedLimits limits(p);
   for (const scene::Scene& scene : scenes) {
     LanePlan lane = plan_lane(p, scene);
-    StepWish wish = step_wish(lane, p.rayleigh_speed);
+    StepRequest wish = step_wish(lane, p.rayleigh_speed);
     std::vector<lattice::DampedBeam> damped = damped_beams(p, {&lane, 1});
     lane.beams_damped = damped.size();
     if (!damped.empty()) wish.critical_damped = limits.of(lane, std::move(damped), told);
@@ -179,7 +180,7 @@ double lattice_speed(const Prepared& p, const scene::Speed& speed, const LaneUni
 }
 
 double damped_limit(const Prepared& p, std::vector<lattice::DampedBeam> damped,
-                    std::span<const LanePlan> lanes, const base::FractionTold& told) {
+                    std::span<const LanePlan> lanes, const base::ProgressCallback& told) {
   lattice::ViscousDamping damping(std::move(damped));
   for (const LanePlan& lane : lanes) {
     damping.alpha_at_surface = std::max(damping.alpha_at_surface, lane.scenario.alpha_at_surface);

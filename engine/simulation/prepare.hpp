@@ -22,7 +22,7 @@ namespace rift::simulation {
 using StageProgress = std::function<bool(std::string_view stage, double done)>;
 
 /// What tells of one stage; `progress` must outlive it.
-inline base::FractionTold stage(const StageProgress& progress, const char* name) {
+inline base::ProgressCallback stage(const StageProgress& progress, const char* name) {
   return [&progress, name](double done) { return !progress || progress(name, done); };
 }
 
@@ -101,7 +101,7 @@ double lattice_speed(const Prepared& prepared, const scene::Speed& speed, const 
 
 /// The largest stable step [s] where the beams are damped as much as any of the lanes damps them.
 double damped_limit(const Prepared& prepared, std::vector<lattice::DampedBeam> damped,
-                    std::span<const LanePlan> lanes, const base::FractionTold& told = {});
+                    std::span<const LanePlan> lanes, const base::ProgressCallback& told = {});
 
 /// What a lane's release rate is measured against, in its own units.
 fracture::RateScale scale_of(const Prepared& prepared, const LanePlan& lane);

@@ -100,7 +100,7 @@ struct Statics {
       return q;
     });
   }
-  base::FractionTold telling() const {
+  base::ProgressCallback telling() const {
     return [this](double done) {
       const double all = std::max(expected, solved + 1);
       return !progress || progress("pre-stress", (solved + done) / all);

@@ -134,7 +134,7 @@ Recorded resume_run(const Prepared& prepared, const std::filesystem::path& folde
   results::RunWriter writer(folder, checkpoint->journal_bytes);
   Resumption from{std::move(*checkpoint), results::scan_journal(folder / results::journal_name).samples};
   if (beside.sample)
-    for (const results::Sample& row : from.books) beside.sample(row);
+    for (const results::Sample& row : from.samples) beside.sample(row);
   Recording recording{writer,          beside,
                       folder,          options.checkpoint_s,
                       prepared.preset, preparation_s + taken_s(from.checkpoint)};
@@ -153,7 +153,7 @@ RunResult result_of_run(const std::filesystem::path& folder) {
   }
   for (const results::Sample& row : results::scan_journal(folder / results::journal_name).samples) {
     LaneResult& lane = result.lane.at(static_cast<std::size_t>(row.lane));
-    lane.books.push_back(row);
+    lane.samples.push_back(row);
     if (!(std::abs(row.residual) <= lane.worst_residual)) lane.worst_residual = std::abs(row.residual);
   }
   return result;

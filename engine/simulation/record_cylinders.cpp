@@ -85,7 +85,7 @@ nlohmann::ordered_json header_for(const scene::Preset& preset, const Scenery& sc
 }  // namespace
 
 void record_cylinders(const scene::Preset& preset, const std::filesystem::path& folder,
-                      const BuildInfo& build, base::Cache& cache, const base::FractionTold& progress) {
+                      const BuildInfo& build, base::Cache& cache, const base::ProgressCallback& progress) {
   Scenery scenery;
   const scene::Scene& scene = preset.scene;
   for (std::size_t k = 0; k < scene.calibration.sizes.size(); ++k) {

@@ -13,6 +13,7 @@ namespace rift::simulation {
 /// the cylinders side by side into a run's folder, as one frame that `rift render` can draw.
 /// @param[in] folder  made by create_run_folder()
 void record_cylinders(const scene::Preset& preset, const std::filesystem::path& folder,
-                      const BuildInfo& build, base::Cache& cache, const base::FractionTold& progress = {});
+                      const BuildInfo& build, base::Cache& cache,
+                      const base::ProgressCallback& progress = {});
 
 }  // namespace rift::simulation

@@ -59,7 +59,7 @@ double default_step(double critical, double zone_length, double speed) {
   return dt;
 }
 
-TimeStep choose_step(const scene::Preset& preset, const lattice::StableStep& stable, const StepWish& wish,
+TimeStep choose_step(const scene::Preset& preset, const lattice::StableStep& stable, const StepRequest& wish,
                      double time_unit) {
   const scene::Scene& scene = preset.scene;
   TimeStep step{.dt = default_step(stable.critical, wish.zone_length, wish.speed),

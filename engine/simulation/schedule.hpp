@@ -25,7 +25,7 @@ struct TimeStep {
 double default_step(double critical, double zone_length, double speed);
 
 /// What a scenario asks of the step.
-struct StepWish {
+struct StepRequest {
   double zone_length = 0, speed = 0;      // L_CZM [m], 0 for S-NRT; highest of the crack [m/s]
   std::optional<double> critical_damped;  // where its damping makes the limit smaller [s]
 };
@@ -33,7 +33,7 @@ struct StepWish {
 /// The step which the preset asks for, or else the default one of the wish. Throws InputError where it is not
 /// below the limit.
 /// @param[in] time_unit  a second of the lattice, in seconds of the preset   [LaneUnits]
-TimeStep choose_step(const scene::Preset& preset, const lattice::StableStep& stable, const StepWish& wish,
+TimeStep choose_step(const scene::Preset& preset, const lattice::StableStep& stable, const StepRequest& wish,
                      double time_unit = 1.0);
 
 /// Which step does what; steps are counted from the start of the run, loading included.

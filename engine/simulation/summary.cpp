@@ -124,8 +124,8 @@ void add_rates(results::LaneSummary& s, const Prepared& p, const LanePlan& lane,
 void add_energy_balance(results::LaneSummary& s, const Prepared& p, const LanePlan& lane,
                         const LaneResult& r) {
   const bool ramped = lane.schedule.ramp > 0;
-  const results::Sample last = r.books.empty() ? results::Sample{} : r.books.back();
-  if (!r.books.empty()) s.energy_initial_j = r.energy_at_crack_start;
+  const results::Sample last = r.samples.empty() ? results::Sample{} : r.samples.back();
+  if (!r.samples.empty()) s.energy_initial_j = r.energy_at_crack_start;
   s.energy_elastic_j = last.elastic_j;
   s.energy_kinetic_translation_j = last.kinetic_translation_j;
   s.energy_kinetic_rotation_j = last.kinetic_rotation_j;
@@ -239,7 +239,7 @@ double largest_displacement(const Prepared& prepared) {
 
 Rates rates_of(const Prepared& prepared, const RunResult& result, int lane) {
   std::vector<results::Sample> rows;
-  for (const results::Sample& row : result.lane[lane].books)
+  for (const results::Sample& row : result.lane[lane].samples)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
   if (rows.size() < 2) return {};
   const LanePlan& plan = prepared.lane[lane];

@@ -71,7 +71,7 @@ Seen seen_of(const simulation::Prepared& p, const simulation::RunResult& result,
     return seen;
   }
   seen.ending = seen.residual <= seen.limit ? Ending::closes : Ending::open;
-  const results::Sample& last = r.books.back();
+  const results::Sample& last = r.samples.back();
   seen.stored = r.energy_at_crack_start;
   seen.damped = last.damping_j / r.energy_at_crack_start;
   seen.time_s = last.time_s;
@@ -84,7 +84,7 @@ Seen seen_of(const simulation::Prepared& p, const simulation::RunResult& result,
   }
   // Rows of large steps lie beside the window's ends.
   std::vector<results::Sample> rows;
-  std::copy_if(r.books.begin(), r.books.end(), std::back_inserter(rows),
+  std::copy_if(r.samples.begin(), r.samples.end(), std::back_inserter(rows),
                [](const results::Sample& row) { return row.phase == results::Phase::fracture; });
   const auto& [from, to] = p.lane[lane].window;
   seen.ratio =

@@ -111,7 +111,7 @@ scene::Preset preset_of(const Study& study, const StudyItem& item) {
 /// The energy balance, that of a ramp included, and the rate curve, as series.csv of a run has them.
 std::string series_of(const simulation::LaneResult& lane, const simulation::Rates& rates) {
   std::vector<results::Sample> rows;
-  for (results::Sample row : lane.books) {
+  for (results::Sample row : lane.samples) {
     row.lane = 0;
     rows.push_back(row);
   }

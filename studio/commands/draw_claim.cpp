@@ -64,7 +64,7 @@ void draw_claim(JudgedClaim& claim, const fs::path& folder, int elements, Sessio
   const fs::path run = folder / "pictures" / fmt::format("{}_{}", name, elements);
   try {
     run_if_need_be(*claim.claim, preset_for(name, elements), run, session);
-    viz::Wish request;
+    viz::Request request;
     request.runs = {run};
     const viz::Plan plan = viz::plan_of(request);
     base::make_folder(folder / "charts");

@@ -41,11 +41,11 @@ void read_size(FilmOptions& options, std::vector<std::string>& notes) {
   constexpr int least_width = 320, least_height = 180, most = 8192;
   int &width = options.request.width, &height = options.request.height;
   if (!read_two(options.size, 'x', width, height))
-    throw viz::BadWish(
+    throw viz::BadRequest(
         fmt::format("--size {}: expected a width and a height in pixels such as 1280x720", options.size));
   if (width < least_width || height < least_height || width > most || height > most)
-    throw viz::BadWish(fmt::format("--size {}: must lie between {}x{} and {}x{}", options.size, least_width,
-                                   least_height, most, most));
+    throw viz::BadRequest(fmt::format("--size {}: must lie between {}x{} and {}x{}", options.size,
+                                      least_width, least_height, most, most));
   if (width % 2 == 0 && height % 2 == 0) return;
   width += width % 2;
   height += height % 2;
@@ -56,7 +56,7 @@ void read_size(FilmOptions& options, std::vector<std::string>& notes) {
 }  // namespace
 
 void add_film_options(CLI::App& command, FilmOptions& options) {
-  viz::Wish& request = options.request;
+  viz::Request& request = options.request;
   const std::string group = "How it looks (what is not said is as the preset's [film] has it)";
   const auto add = [&](const char* name, auto& value, const char* text) {
     return command.add_option(name, value, text)->group(group);
@@ -88,7 +88,7 @@ std::vector<std::string> read_look(FilmOptions& options) {
   if (!options.range.empty()) {
     std::array<double, 2> range{};
     if (!read_two(options.range, ',', range[0], range[1]) || !(range[0] < range[1]))
-      throw viz::BadWish(
+      throw viz::BadRequest(
           fmt::format("--range {}: expected two numbers that rise, such as 0,2", options.range));
     options.request.range = range;
   }
@@ -165,7 +165,7 @@ struct FilmOfRun::Maker {
       const bool last = run_ended || given_up;
       try {
         return viz::plan_of(options.request);
-      } catch (const viz::BadWish&) {
+      } catch (const viz::BadRequest&) {
         if (last) throw;
       } catch (const base::WorldError&) {
         if (last) throw;
@@ -209,7 +209,7 @@ std::string FilmOfRun::trouble_with(const scene::Preset& preset, bool force) {
   maker_->frames_expected = static_cast<std::size_t>(scene.output.frames);
   try {
     for (const std::string& note : read_look(maker_->options)) base::message("rift run: {}\n", note);
-  } catch (const viz::BadWish& mistake) {
+  } catch (const viz::BadRequest& mistake) {
     return mistake.what();
   }
   if (!maker_->film.empty() && !viz::is_film_name(maker_->film))

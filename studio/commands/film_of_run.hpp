@@ -15,7 +15,7 @@ namespace rift::studio {
 
 /// How a film looks, as options say it; what is not said is as the run's preset has it.
 struct FilmOptions {
-  viz::Wish request;
+  viz::Request request;
   std::string size = "1280x720", range, gl = "auto";
   bool no_chart = false;
   double fps = 0;  // 0: so that a film lasts about eight seconds
@@ -25,7 +25,7 @@ struct FilmOptions {
 void add_film_options(CLI::App& command, FilmOptions& options);
 
 /// Reads size and range into the request. @return what was changed of them, for the user. Throws
-/// viz::BadWish.
+/// viz::BadRequest.
 std::vector<std::string> read_look(FilmOptions& options);
 
 viz::Gl gl_of(const FilmOptions& options);

@@ -29,7 +29,7 @@ struct RenderOptions : SessionOptions {
 
 double time_of(const char* option, const std::string& text) {
   const scene::Parsed<double> time = scene::read_quantity(text, scene::Dimension::time);
-  if (!time.value) throw viz::BadWish(fmt::format("{} {}: {}", option, text, time.problem));
+  if (!time.value) throw viz::BadRequest(fmt::format("{} {}: {}", option, text, time.problem));
   return *time.value;
 }
 
@@ -41,11 +41,11 @@ std::vector<double> times_of(const RenderOptions& options, const viz::Plan& plan
   std::copy_if(plan.times_s.begin(), plan.times_s.end(), std::back_inserter(times),
                [&](double t) { return t >= from && t <= to; });
   if (times.empty())
-    throw viz::BadWish(fmt::format("no moment is stored from {} to {}: there are those from {} to {}",
-                                   scene::quantity_text(from, scene::Dimension::time),
-                                   scene::quantity_text(to, scene::Dimension::time),
-                                   scene::rounded_text(plan.times_s.front(), scene::Dimension::time),
-                                   scene::rounded_text(plan.times_s.back(), scene::Dimension::time)));
+    throw viz::BadRequest(fmt::format("no moment is stored from {} to {}: there are those from {} to {}",
+                                      scene::quantity_text(from, scene::Dimension::time),
+                                      scene::quantity_text(to, scene::Dimension::time),
+                                      scene::rounded_text(plan.times_s.front(), scene::Dimension::time),
+                                      scene::rounded_text(plan.times_s.back(), scene::Dimension::time)));
   return options.frames > 0 ? viz::evenly_chosen(times, options.frames) : times;
 }
 
@@ -114,7 +114,7 @@ ExitCode draw_film(const RenderOptions& options, const viz::Plan& plan, const st
 /// The files that are asked for by name, before the first of them is drawn.
 void check_files(const RenderOptions& options) {
   if (!options.film.empty() && !viz::is_film_name(options.film))
-    throw viz::BadWish(fmt::format("--film {}: must end in .mp4, .webm or .gif", options.film));
+    throw viz::BadRequest(fmt::format("--film {}: must end in .mp4, .webm or .gif", options.film));
   for (const std::string& file : {options.film, options.picture})
     if (!file.empty()) check_file(file, options.force);
   if (!options.pictures.empty()) check_folder_of_pictures(options.pictures, options.force);
@@ -164,7 +164,7 @@ ExitCode render(RenderOptions options) try {
     session.message("stopped; nothing half-made is left");
     return session.stopped();
   }
-} catch (const viz::BadWish& mistake) {
+} catch (const viz::BadRequest& mistake) {
   base::message("rift render: {}\n", mistake.what());
   return ExitCode::bad_input;
 }

@@ -88,7 +88,7 @@ std::string span_text(const measurement::Trace& trace) {
 struct FieldAgainstBooks {
   int moments = 0;
   double over_g_i0 = 0;  // G of the field over G_I0
-  double taken = 0;      // G_ID of the books over G of the field
+  double taken = 0;      // G_ID by the energy balance over G of the field
 };
 
 FieldAgainstBooks field_against_books(const InstrumentsReport& report) {
@@ -120,7 +120,7 @@ Table conclusions(const InstrumentsReport& report) {
   if (blind) say("", "no subset holds enough elements: widen --subset");
   if (!seen.finished)
     say("unfinished", fmt::format("the run has come to {:.6g} us so far",
-                                  seen.books.empty() ? 0.0 : 1e6 * seen.books.back().time_s));
+                                  seen.samples.empty() ? 0.0 : 1e6 * seen.samples.back().time_s));
   if (!seen.no_intensity.empty()) say("stress intensities", "none: " + seen.no_intensity);
   const FieldAgainstBooks against = field_against_books(report);
   if (seen.no_intensity.empty())
@@ -162,7 +162,7 @@ std::string intensity_csv(const measurement::Instruments& seen) {
   return csv;
 }
 
-/// A dozen moments: stress intensities, and the books beside them.
+/// A dozen moments: stress intensities, and the release rate by the energy balance beside them.
 Table intensity_table(const InstrumentsReport& report) {
   Table table{{"time [us]", "tip [mm]", "v [c_R]", "K_I [MPa m½]", "K_II", "G, field [kJ/m²]", "G_ID, books",
                "taken", "misfit"},

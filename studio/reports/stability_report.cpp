@@ -133,7 +133,7 @@ std::string verdict(const StabilityReport& report) {
                      report.rows.size(), duration_text(report.wall_s));
 }
 
-/// A line per case: expected, seen in both precisions, how far the books are open, growth, what was said.
+/// A line per case: expected, seen in both precisions, the balance errors, growth, what was said.
 Table stability_table(const std::vector<stability::StabilityRow>& rows) {
   Table table{{"case", "", "expected", "seen", "books, double", "single", "growth", "theory", "ratio",
                "single", "shows", "s", ""},

@@ -36,7 +36,7 @@ constexpr Entry entries[] = {
 double most_energy(const LiveLane& lane) {
   double most = 0;
   for (const Entry& entry : entries)
-    for (const results::Sample& s : lane.books) most = std::max(most, std::abs(entry.value(s)));
+    for (const results::Sample& s : lane.samples) most = std::max(most, std::abs(entry.value(s)));
   return most > 0 ? most : 1;
 }
 
@@ -64,8 +64,8 @@ void draw_head(Canvas& canvas, const Area& area, const Live& live, Glyphs glyphs
 }
 
 void draw_budget(Canvas& canvas, const Area& area, const LiveLane& lane, double limit, Glyphs glyphs) {
-  if (area.empty() || lane.books.empty()) return;
-  const results::Sample& last = lane.books.back();
+  if (area.empty() || lane.samples.empty()) return;
+  const results::Sample& last = lane.samples.back();
   const double most = most_energy(lane);
   constexpr int names = 9, numbers = 11;
   int y = area.y;
@@ -96,7 +96,7 @@ struct Column {
 const Column columns[] = {
     {"tip mm", 8,
      [](const LiveLane& lane) {
-       return lane.books.empty() ? "" : fmt::format("{:.1f}", lane.books.back().tip_m / millimetre);
+       return lane.samples.empty() ? "" : fmt::format("{:.1f}", lane.samples.back().tip_m / millimetre);
      }},
     {"G/G0", 7,
      [](const LiveLane& lane) {
@@ -104,11 +104,11 @@ const Column columns[] = {
      }},
     {"kinetic J", 11,
      [](const LiveLane& lane) {
-       return lane.books.empty() ? "" : fmt::format("{:.3g}", kinetic_of(lane.books.back()));
+       return lane.samples.empty() ? "" : fmt::format("{:.3g}", kinetic_of(lane.samples.back()));
      }},
     {"residual", 10,
      [](const LiveLane& lane) {
-       return lane.books.empty() ? "" : fmt::format("{:.0e}", std::abs(lane.books.back().residual));
+       return lane.samples.empty() ? "" : fmt::format("{:.0e}", std::abs(lane.samples.back().residual));
      }},
 };
 
@@ -155,13 +155,13 @@ void draw_table(Canvas& canvas, const Area& area, const Live& live, const LiveLo
 }
 
 void draw_energies(Canvas& canvas, const Area& area, const LiveLane& lane, Glyphs glyphs) {
-  if (area.empty() || lane.books.size() < 2) return;
-  const double start = lane.books.front().time_s, end = lane.books.back().time_s;
+  if (area.empty() || lane.samples.size() < 2) return;
+  const double start = lane.samples.front().time_s, end = lane.samples.back().time_s;
   std::vector<Curve> curves;
   for (const Entry& entry : entries) {
     Curve& curve = curves.emplace_back();
     curve.style.ink = entry.ink;
-    for (const results::Sample& s : lane.books)
+    for (const results::Sample& s : lane.samples)
       curve.points.push_back({(s.time_s - start) / microsecond, entry.value(s)});
     if (std::all_of(curve.points.begin(), curve.points.end(), [](const auto& p) { return p[1] == 0; }))
       curves.pop_back();

@@ -17,7 +17,7 @@ namespace rift::studio {
 struct LiveLane {
   std::string title;                                         // "simple release, 0.1 c_r"
   fracture::RateScale scale;                                 // of its release rate
-  std::vector<results::Sample> books;                        // of the crack, in time
+  std::vector<results::Sample> samples;                      // of the crack, in time
   std::vector<results::RatePoint> rates;                     // against tip position
   std::optional<double> broberg, strip;                      // to compare with
   std::vector<std::array<float, 3>> displacement, velocity;  // of the last frame; may be empty

@@ -86,10 +86,10 @@ bool LiveOfRun::look() {
 
 void LiveOfRun::read_lane(int k) {
   LiveLane& lane = live_.lanes[k];
-  lane.books.clear();
+  lane.samples.clear();
   for (const results::Sample& s : journal_.samples(k))
-    if (s.phase == results::Phase::fracture) lane.books.push_back(s);
-  if (lane.books.size() > 2) lane.rates = fracture::rate_curve(lane.books, lane.scale);
+    if (s.phase == results::Phase::fracture) lane.samples.push_back(s);
+  if (lane.samples.size() > 2) lane.rates = fracture::rate_curve(lane.samples, lane.scale);
   if (journal_.frames(k).empty()) return;
   const results::FrameEntry& last = journal_.frames(k).back();
   results::Frame frame = journal_.frame(last);

@@ -145,10 +145,10 @@ void LiveRun::show_plates(const simulation::RunSnapshot& moment) {
   }
   for (const int k : wanted) {
     auto frame = moment.frame(k, velocity);
-    auto books = slow ? moment.sample(k) : std::nullopt;
+    auto sample = slow ? moment.sample(k) : std::nullopt;
     const std::lock_guard lock(mutex_);
     if (frame) plate_[k] = std::move(frame);
-    if (books) now_[k] = books;
+    if (sample) now_[k] = sample;
   }
 }
 
@@ -180,12 +180,12 @@ void LiveRun::look(Live& live, const std::vector<int>& plates, bool velocity) {
     LiveLane& lane = live.lanes[k];
     bool fresh = false;
     for (const results::Sample& s : std::exchange(books_[k], {}))
-      if (s.phase == results::Phase::fracture) lane.books.push_back(s), fresh = true;
+      if (s.phase == results::Phase::fracture) lane.samples.push_back(s), fresh = true;
     if (now_[k] && now_[k]->phase == results::Phase::fracture &&
-        (lane.books.empty() || now_[k]->step > lane.books.back().step))
-      lane.books.push_back(*now_[k]), fresh = true;
+        (lane.samples.empty() || now_[k]->step > lane.samples.back().step))
+      lane.samples.push_back(*now_[k]), fresh = true;
     now_[k].reset();
-    if (fresh && lane.books.size() > 2) lane.rates = fracture::rate_curve(lane.books, lane.scale);
+    if (fresh && lane.samples.size() > 2) lane.rates = fracture::rate_curve(lane.samples, lane.scale);
     if (!plate_[k]) continue;
     lane.displacement = std::move(plate_[k]->displacement);
     lane.velocity = std::move(plate_[k]->velocity);

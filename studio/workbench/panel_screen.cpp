@@ -142,9 +142,9 @@ bool RunScreen::seen_for_a_while() const {
 }
 
 double RunScreen::time_us() const {
-  if (live_.lanes.empty() || live_.lanes[shown_].books.empty()) return 0;
-  const auto& books = live_.lanes[shown_].books;
-  return 1e6 * (books.back().time_s - books.front().time_s);
+  if (live_.lanes.empty() || live_.lanes[shown_].samples.empty()) return 0;
+  const auto& samples = live_.lanes[shown_].samples;
+  return 1e6 * (samples.back().time_s - samples.front().time_s);
 }
 
 Navigation RunScreen::press(const KeyEvent& event) {

@@ -8,16 +8,16 @@ namespace {
 using namespace drawn_plate;
 using Json = nlohmann::ordered_json;
 
-Wish wish_for(std::vector<std::filesystem::path> runs) {
-  Wish wish;
-  wish.runs = std::move(runs);
-  return wish;
+Request request_for(std::vector<std::filesystem::path> runs) {
+  Request request;
+  request.runs = std::move(runs);
+  return request;
 }
 
-std::string complaint(const Wish& wish) {
+std::string complaint(const Request& request) {
   try {
-    (void)plan_of(wish);
-  } catch (const BadWish& bad) {
+    (void)plan_of(request);
+  } catch (const BadRequest& bad) {
     return bad.what();
   }
   return "no complaint";
@@ -25,7 +25,7 @@ std::string complaint(const Wish& wish) {
 
 TEST(Plan, TakesAllLanesOnTheClockOfTheLongest) {
   const TemporaryFolder folder;
-  const Plan plan = plan_of(wish_for({write_run(folder / "short", 3), write_run(folder / "long", 6, 2)}));
+  const Plan plan = plan_of(request_for({write_run(folder / "short", 3), write_run(folder / "long", 6, 2)}));
   ASSERT_EQ(plan.job.panes.size(), 3U);
   EXPECT_EQ(plan.job.panes[2].lane, 1);
   ASSERT_EQ(plan.times_s.size(), 6U);
@@ -37,15 +37,15 @@ TEST(Plan, TakesAllLanesOnTheClockOfTheLongest) {
 
 TEST(Plan, HasOneRangeForAllPanes) {
   const TemporaryFolder folder;
-  Wish wish = wish_for({write_run(folder / "short", 3), write_run(folder / "long", 6)});
-  EXPECT_EQ(plan_of(wish).job.look.range, (std::array{0.0, pulled}));
-  EXPECT_TRUE(plan_of(wish).range_known);
-  wish.field = "vx";
-  EXPECT_EQ(plan_of(wish).job.look.range, (std::array{-50.0, 50.0}));
-  EXPECT_FALSE(plan_of(wish).range_known);
-  wish.field = "uy";
-  wish.range = {0.1, 0.3};  // mm
-  EXPECT_NEAR(plan_of(wish).job.look.range[1], 0.3e-3, 1e-12);
+  Request request = request_for({write_run(folder / "short", 3), write_run(folder / "long", 6)});
+  EXPECT_EQ(plan_of(request).job.look.range, (std::array{0.0, pulled}));
+  EXPECT_TRUE(plan_of(request).range_known);
+  request.field = "vx";
+  EXPECT_EQ(plan_of(request).job.look.range, (std::array{-50.0, 50.0}));
+  EXPECT_FALSE(plan_of(request).range_known);
+  request.field = "uy";
+  request.range = {0.1, 0.3};  // mm
+  EXPECT_NEAR(plan_of(request).job.look.range[1], 0.3e-3, 1e-12);
 }
 
 TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
@@ -61,15 +61,15 @@ TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
     for (int k = 0; k < 3; ++k) journal.write(frame(k));
     journal.close();
   }
-  Wish wish = wish_for({run});
-  Look look = plan_of(wish).job.look;
+  Request request = request_for({run});
+  Look look = plan_of(request).job.look;
   EXPECT_EQ(look.title, "of the preset");
   EXPECT_EQ(look.field, "vx");
   EXPECT_EQ(look.camera, Camera::tip);
   EXPECT_FALSE(look.chart);
-  wish.title = "mine";
-  wish.camera = "side";
-  look = plan_of(wish).job.look;
+  request.title = "mine";
+  request.camera = "side";
+  look = plan_of(request).job.look;
   EXPECT_EQ(look.title, "mine");
   EXPECT_EQ(look.camera, Camera::side);
   EXPECT_EQ(look.field, "vx");
@@ -78,40 +78,40 @@ TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
 TEST(Plan, NamesWhatARunHasInPlaceOfWhatItHasNot) {
   const TemporaryFolder folder;
   const std::filesystem::path run = write_run(folder / "run");
-  Wish wish = wish_for({run});
-  wish.field = "elastic";
+  Request request = request_for({run});
+  request.field = "elastic";
   EXPECT_EQ(
-      complaint(wish),
+      complaint(request),
       run.string() +
           " holds no field elastic; its fields are ux, uy, uz, u, vx, vy, vz, v, kinetic, damage. To have "
           "it, run with --set 'output.fields=[\"damage\", \"displacement\", \"energy\", \"velocity\"]'");
-  wish.field = "uy";
-  wish.lanes = {3};
-  EXPECT_EQ(complaint(wish), run.string() + " has no lane 3: its lanes are 0 to 0");
-  wish.lanes = {};
-  wish.runs = {folder / "none"};
-  EXPECT_EQ(complaint(wish), (folder / "none").string() + ": there is no such run");
-  wish.runs = {folder.path()};
-  EXPECT_EQ(complaint(wish), folder.path().string() + " holds no run: no journal.rift");
-  wish.runs = {write_run(folder / "bare", 0)};
-  EXPECT_EQ(complaint(wish),
+  request.field = "uy";
+  request.lanes = {3};
+  EXPECT_EQ(complaint(request), run.string() + " has no lane 3: its lanes are 0 to 0");
+  request.lanes = {};
+  request.runs = {folder / "none"};
+  EXPECT_EQ(complaint(request), (folder / "none").string() + ": there is no such run");
+  request.runs = {folder.path()};
+  EXPECT_EQ(complaint(request), folder.path().string() + " holds no run: no journal.rift");
+  request.runs = {write_run(folder / "bare", 0)};
+  EXPECT_EQ(complaint(request),
             (folder / "bare").string() + " holds no frames: run it with --set output.frames=100");
-  wish.runs = {write_run(folder / "five", 2, 5)};
-  EXPECT_EQ(complaint(wish), "5 lanes, and a frame shows up to 4: choose by --lane");
+  request.runs = {write_run(folder / "five", 2, 5)};
+  EXPECT_EQ(complaint(request), "5 lanes, and a frame shows up to 4: choose by --lane");
 }
 
 TEST(Plan, ShowsADamagedRunUpToItsDamageAndSaysSo) {
   const TemporaryFolder folder;
   const std::filesystem::path journal = write_run(folder / "run") / results::journal_name;
   std::filesystem::resize_file(journal, std::filesystem::file_size(journal) - 2000);
-  EXPECT_TRUE(plan_of(wish_for({folder / "run"})).notes.empty()) << "a run that goes on looks like this";
-  EXPECT_EQ(plan_of(wish_for({folder / "run"})).times_s.size(), 5U);
+  EXPECT_TRUE(plan_of(request_for({folder / "run"})).notes.empty()) << "a run that goes on looks like this";
+  EXPECT_EQ(plan_of(request_for({folder / "run"})).times_s.size(), 5U);
   {
     std::fstream file(journal, std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(-20000, std::ios::end);
     file.put('x');
   }
-  const Plan plan = plan_of(wish_for({folder / "run"}));
+  const Plan plan = plan_of(request_for({folder / "run"}));
   ASSERT_EQ(plan.notes.size(), 1U);
   EXPECT_NE(plan.notes[0].find("is damaged"), std::string::npos) << plan.notes[0];
   EXPECT_LT(plan.times_s.size(), 5U);
@@ -122,7 +122,7 @@ TEST(Plan, ChoosesStoredMomentsEvenlyAndNeverMakesOneUp) {
   EXPECT_EQ(evenly_chosen(times, 3), (std::vector<double>{0, 2, 4}));
   EXPECT_EQ(evenly_chosen(times, 5), times);
   EXPECT_EQ(evenly_chosen(times, 1), (std::vector<double>{4}));
-  EXPECT_THROW((void)evenly_chosen(times, 6), BadWish);
+  EXPECT_THROW((void)evenly_chosen(times, 6), BadRequest);
 }
 
 }  // namespace

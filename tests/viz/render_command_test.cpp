@@ -152,9 +152,9 @@ TEST(RunWithRender, LeavesAFilmAndTheSameRun) {
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_TRUE(contains(ran.out, (tiny.out() / "film_uy.mp4").string()));
   EXPECT_GT(fs::file_size(tiny.out() / "film_uy.mp4"), 1000U);
-  const std::string books = read_text(tiny.out() / "series.csv");
+  const std::string samples = read_text(tiny.out() / "series.csv");
   EXPECT_EQ(run_tiny(tiny, "--force").exit_code, 0);
-  EXPECT_EQ(read_text(tiny.out() / "series.csv"), books);
+  EXPECT_EQ(read_text(tiny.out() / "series.csv"), samples);
 }
 
 TEST(RunWithRender, AFieldWhoseRangeIsNotKnownIsDrawnAfterTheRun) {

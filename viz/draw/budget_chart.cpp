@@ -61,11 +61,11 @@ void style(vtkAxis& axis, int text_px, const char* title, double least, double m
 
 }  // namespace
 
-BudgetLines budget_lines(std::span<const results::Sample> books) {
+BudgetLines budget_lines(std::span<const results::Sample> samples) {
   constexpr double enough = 1e-3;
   double stored = 0, contact = 0;
   BudgetLines lines;
-  for (const results::Sample& s : books) {
+  for (const results::Sample& s : samples) {
     lines.damping = lines.damping || s.damping_j != 0;
     stored = std::max(stored, s.elastic_j), contact = std::max(contact, std::abs(s.contact_j));
   }
@@ -107,12 +107,12 @@ BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, dou
   renderer.AddActor(actor);
 }
 
-void BudgetChart::show(std::span<const results::Sample> books, double start_s) {
+void BudgetChart::show(std::span<const results::Sample> samples, double start_s) {
   // A line has two points: the first row stands twice.
-  const std::size_t rows = books.empty() ? 0 : books.size() + 1;
+  const std::size_t rows = samples.empty() ? 0 : samples.size() + 1;
   table_->SetNumberOfRows(static_cast<vtkIdType>(rows));
   for (std::size_t row = 0; row < rows; ++row) {
-    const results::Sample& s = books[row == 0 ? 0 : row - 1];
+    const results::Sample& s = samples[row == 0 ? 0 : row - 1];
     const auto r = static_cast<vtkIdType>(row);
     table_->SetValue(r, 0, (s.time_s - start_s) / microsecond);
     for (std::size_t k = 0; k < energy_.size(); ++k)

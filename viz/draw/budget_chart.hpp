@@ -19,9 +19,9 @@ struct BudgetLines {
   bool damping = false, contact = false;
 };
 
-/// Of a lane's whole books. Contact is a line of its own from a thousandth of the energy on: without friction
-/// it is what faces that meet and part between two steps leave.
-[[nodiscard]] BudgetLines budget_lines(std::span<const results::Sample> books);
+/// Of all samples of a lane. Contact is a line of its own from a thousandth of the energy on: without
+/// friction it is what faces that meet and part between two steps leave.
+[[nodiscard]] BudgetLines budget_lines(std::span<const results::Sample> samples);
 
 /// Names and colours.
 [[nodiscard]] std::vector<KeyEntry> budget_key(const BudgetLines& lines);
@@ -34,7 +34,7 @@ class BudgetChart {
               const BudgetLines& lines);
 
   /// @param start_s  when the crack started
-  void show(std::span<const results::Sample> books, double start_s);
+  void show(std::span<const results::Sample> samples, double start_s);
 
  private:
   std::vector<double results::Sample::*> energy_;  // of each line; kinetic: of translation and rotation

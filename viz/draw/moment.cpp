@@ -24,11 +24,11 @@ LaneReader::LaneReader(const Pane& pane, const Look& look)
       moves_(look.magnification != 0) {}
 
 std::vector<results::Sample> LaneReader::books_until(double since_start_s) const {
-  const auto& books = index_.samples(lane_);
-  const auto start = std::find_if(books.begin(), books.end(), [](const results::Sample& s) {
+  const auto& samples = index_.samples(lane_);
+  const auto start = std::find_if(samples.begin(), samples.end(), [](const results::Sample& s) {
     return s.phase == results::Phase::fracture;
   });
-  const auto end = first_after(books, start_s() + since_start_s);
+  const auto end = first_after(samples, start_s() + since_start_s);
   return start < end ? std::vector(start, end) : std::vector<results::Sample>{};
 }
 
@@ -45,9 +45,9 @@ double LaneReader::lasts_s() const {
 }
 
 double LaneReader::velocity_at(double time_s) const {
-  const auto& books = index_.samples(lane_);
-  const auto after = first_after(books, time_s);
-  return after == books.begin() ? 0 : std::prev(after)->velocity_m_s;
+  const auto& samples = index_.samples(lane_);
+  const auto after = first_after(samples, time_s);
+  return after == samples.begin() ? 0 : std::prev(after)->velocity_m_s;
 }
 
 Moment LaneReader::at(double since_start_s) {

@@ -44,7 +44,7 @@ double residual_at(double fraction) {
   const simulation::Prepared p =
       simulation::small_plate({"solver.kinematics=corotational", "crack.technique=simple", "output.frames=0",
                                fmt::format("solver.dt_fraction={}", fraction)});
-  return std::abs(simulation::march(p, {}).lane[0].books.back().residual);
+  return std::abs(simulation::march(p, {}).lane[0].samples.back().residual);
 }
 
 // Velocity Verlet keeps K + U - C exactly for linear forces only. Brutal release fills the highest modes, and

@@ -63,8 +63,8 @@ TEST(Books, CloseInEveryRowOfARampedRun) {
   const simulation::RunResult result = simulation::march(p, {});
   EXPECT_EQ(result.outcome, simulation::Outcome::finished) << result.lane[0].where;
   EXPECT_LT(result.lane[0].worst_residual, 1e-13);
-  EXPECT_GT(result.lane[0].books.back().work_external_j, 0.0);
-  EXPECT_GT(result.lane[0].books.back().numerical_damping_j, 0.0);
+  EXPECT_GT(result.lane[0].samples.back().work_external_j, 0.0);
+  EXPECT_GT(result.lane[0].samples.back().numerical_damping_j, 0.0);
 }
 
 // Nothing is booked as the remainder: an error of one beam's booking shows in full.

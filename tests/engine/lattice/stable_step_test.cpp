@@ -128,7 +128,7 @@ TEST(CriticalStep, StopsBetweenTwoRoundsWhenToldTo) {
   const Lattice lattice = jumble(4, 58, true);
   const double undamped = stable_step(lattice).critical;
   int asked = 0;
-  const base::FractionTold told = [&](double) { return ++asked < 5; };
+  const base::ProgressCallback told = [&](double) { return ++asked < 5; };
   EXPECT_THROW(stable_step(lattice, told), base::Interrupted);
   EXPECT_EQ(asked, 5);
   asked = 0;

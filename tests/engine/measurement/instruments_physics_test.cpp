@@ -61,18 +61,18 @@ TemporaryFolder* RecordedStrip::folder_ = nullptr;
 TEST_F(RecordedStrip, ShowsWhatArrivesAtTheTip) {
   for (int lane = 0; lane < lanes; ++lane) {
     const Instruments seen = read(lane);
-    double field = 0.0, books = 0.0, sliding = 0.0;
+    double field = 0.0, samples = 0.0, sliding = 0.0;
     int count = 0;
     for (const IntensityPoint& p : not_empty(seen.intensity)) {
       if (!p.k || !(p.tip > 0.025 && p.tip < 0.054)) continue;
-      field += p.k->release_rate / seen.g_i0, books += p.g_id / seen.g_i0;
+      field += p.k->release_rate / seen.g_i0, samples += p.g_id / seen.g_i0;
       sliding += std::abs(p.k->sliding / p.k->opening);
       EXPECT_LT(p.k->misfit, 0.1);
       ++count;
     }
     ASSERT_GE(count, 6) << lane;
     EXPECT_NEAR(field / count, 1.0, 0.1) << lane;
-    EXPECT_LT(books, field) << lane;
+    EXPECT_LT(samples, field) << lane;
     EXPECT_LT(sliding / count, 0.06) << lane;
   }
 }
@@ -100,7 +100,7 @@ TEST_F(RecordedStrip, HoldsTheLanesOwnBooksAndGauges) {
   EXPECT_EQ(seen.clock, 0.0);
   ASSERT_FALSE(seen.gauges.empty());
   for (const results::GaugeRow& row : seen.gauges) EXPECT_EQ(row.lane, 1);
-  for (const results::Sample& row : not_empty(seen.books)) EXPECT_EQ(row.lane, 1);
+  for (const results::Sample& row : not_empty(seen.samples)) EXPECT_EQ(row.lane, 1);
   int moving = 0;
   for (const IntensityPoint& p : seen.intensity)
     if (p.tip > 0.0) {
@@ -127,7 +127,7 @@ TEST(Instruments, GoByTheClockOfAMeasuredHistory) {
   const Instruments seen = read_instruments(
       folder.path() / "run", {}, [](double) { return true; }, [](const Grid&, const SeenField&) {});
   int on_the_way = 0;
-  for (const results::Sample& s : not_empty(seen.books)) {
+  for (const results::Sample& s : not_empty(seen.samples)) {
     if (s.tip_m <= 4e-3) continue;
     EXPECT_NEAR(s.time_s + seen.clock, 1e-4 + (s.tip_m - 4e-3) / 880.0, 1e-12);
     ++on_the_way;

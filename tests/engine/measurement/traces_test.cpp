@@ -15,7 +15,7 @@ Instruments some_instruments() {
   for (int k = 0; k < 5; ++k) {
     results::Sample row{.step = k, .time_s = 1e-6 * k};
     row.grip_force_n = 100.0 - 10.0 * k;
-    seen.books.push_back(row);
+    seen.samples.push_back(row);
     for (int g = 0; g < 2; ++g) {
       results::GaugeRow gauge{.step = k, .time_s = 1e-6 * k, .lane = 0, .gauge = g};
       gauge.strain_yy = 0.01 * (g + 1), gauge.vy_m_s = k;

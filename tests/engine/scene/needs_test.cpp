@@ -17,7 +17,7 @@ TEST(Needs, OfTheDefaultSceneAreTheDamageZoneAndFrames) {
   EXPECT_TRUE(needs.damage_zone);
   EXPECT_FALSE(needs.ramp);
   EXPECT_FALSE(needs.corotation);
-  EXPECT_FALSE(needs.step_books);
+  EXPECT_FALSE(needs.step_energies);
   EXPECT_TRUE(needs.frames);
 }
 
@@ -41,7 +41,7 @@ TEST(Needs, FollowTheScene) {
   EXPECT_TRUE(needs.corotation);
   EXPECT_TRUE(needs.contact);
   EXPECT_TRUE(needs.gauges);
-  EXPECT_TRUE(needs.step_books);
+  EXPECT_TRUE(needs.step_energies);
   Scene none = scene_with_everything();
   none.damping.region = DampingRegion::none;
   EXPECT_FALSE(needs_of(none).damping);
@@ -53,10 +53,10 @@ TEST(Needs, OfALoadCurveAreBooksOfTheMovingGrip) {
   Scene scene = default_scene();
   scene.loading.curve.row = {{0.0, 1e-3}, {1e-3, 2e-3}};
   EXPECT_TRUE(needs_of(scene).moving_grip);
-  EXPECT_TRUE(needs_of(scene).step_books);
+  EXPECT_TRUE(needs_of(scene).step_energies);
   scene.loading.curve.of = LoadCurve::Of::force;
   EXPECT_FALSE(needs_of(scene).moving_grip);
-  EXPECT_FALSE(needs_of(scene).step_books);
+  EXPECT_FALSE(needs_of(scene).step_energies);
 }
 
 TEST(LeftOut, SaysWhatAndWhy) {

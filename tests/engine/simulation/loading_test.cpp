@@ -76,11 +76,11 @@ TEST(LoadingCurve, MovesTheGripWhileTheCrackRunsAndTheBooksClose) {
               ledger_limit(p.preset.scene.solver.kinematics, ensemble::Precision::double_precision))
         << testing::PrintToString(more);
     // Of a crack that has not come far the force stays about what it is: the work is about F times the way.
-    const std::vector<results::Sample>& books = run.lane[0].books;
-    EXPECT_NEAR(books.back().work_external_j, books.front().grip_force_n * 2e-5,
-                0.3 * books.front().grip_force_n * 2e-5);
+    const std::vector<results::Sample>& samples = run.lane[0].samples;
+    EXPECT_NEAR(samples.back().work_external_j, samples.front().grip_force_n * 2e-5,
+                0.3 * samples.front().grip_force_n * 2e-5);
     int at_rest = 0;
-    for (const results::Sample& row : books)
+    for (const results::Sample& row : samples)
       if (row.time_s < 5e-6) {
         EXPECT_EQ(row.work_external_j, 0.0);
         ++at_rest;
@@ -108,7 +108,7 @@ TEST(LoadingCurve, WaitsForTheMeasuredCrack) {
   const RunResult run = march(p, {});
   // The grip stands until the history's clock shows 5 us, 3 us after its first row.
   int before = 0, after = 0;
-  for (const results::Sample& row : run.lane[0].books) {
+  for (const results::Sample& row : run.lane[0].samples) {
     const double clock = row.time_s - p.lane[0].lead + 2e-6;
     if (clock < 5e-6) {
       EXPECT_EQ(row.work_external_j, 0.0) << clock;

@@ -63,7 +63,7 @@ TEST(March, ReadsTheBooksAtEverySampleOfItsSchedule) {
   EXPECT_EQ(result.lane[0].steps, p.lane[0].schedule.total());
   ASSERT_GT(heard.samples.size(), 50U);
   ASSERT_EQ(heard.samples.size(), p.lane[0].schedule.samples.size());
-  ASSERT_EQ(result.lane[0].books.size(), p.lane[0].schedule.samples.size());
+  ASSERT_EQ(result.lane[0].samples.size(), p.lane[0].schedule.samples.size());
   for (std::size_t k = 0; k < heard.samples.size(); ++k) {
     const results::Sample& s = heard.samples[k];
     EXPECT_EQ(s.step, p.lane[0].schedule.samples[k]);
@@ -72,8 +72,8 @@ TEST(March, ReadsTheBooksAtEverySampleOfItsSchedule) {
     EXPECT_DOUBLE_EQ(s.tip_m, history::tip_at(p.lane[0].scenario.history, s.time_s));
     EXPECT_DOUBLE_EQ(s.velocity_m_s, 1100.0);
   }
-  EXPECT_NEAR(result.lane[0].books.front().elastic_j / p.static_energy, 1.0, 1e-12);
-  EXPECT_EQ(result.lane[0].energy_at_crack_start, result.lane[0].books.front().elastic_j);
+  EXPECT_NEAR(result.lane[0].samples.front().elastic_j / p.static_energy, 1.0, 1e-12);
+  EXPECT_EQ(result.lane[0].energy_at_crack_start, result.lane[0].samples.front().elastic_j);
   EXPECT_TRUE(rates_of(p, result).plateau.reached);
 }
 
@@ -147,7 +147,7 @@ TEST(March, ReportsEachReleasedBeamOnceWithItsFractureEnergy) {
     const Prepared p = small_plate({"crack.technique=" + technique, "crack.start=0.006"});
     Heard heard;
     const RunResult result = march(p, heard.observer());
-    const results::Sample& end = result.lane[0].books.back();
+    const results::Sample& end = result.lane[0].samples.back();
     std::map<int, double> to_break;
     for (const fracture::Crossing& c : fracture::crossings(p.path, p.lattice))
       if (c.position > 0.006 && c.position <= end.tip_m) to_break[c.beam] = c.position;
@@ -189,10 +189,10 @@ TEST(March, FillsARegisterWithLanesAndLetsTheOthersWait) {
   ::unsetenv("RIFT_SIMD");
   ASSERT_EQ(narrow.lane.size(), 5U);
   for (std::size_t k = 0; k < 5; ++k) {
-    ASSERT_EQ(narrow.lane[k].books.size(), wide.lane[k].books.size());
-    ASSERT_FALSE(narrow.lane[k].books.empty());
-    EXPECT_EQ(narrow.lane[k].books.back().fracture_j, wide.lane[k].books.back().fracture_j) << k;
-    EXPECT_EQ(narrow.lane[k].books.back().elastic_j, wide.lane[k].books.back().elastic_j) << k;
+    ASSERT_EQ(narrow.lane[k].samples.size(), wide.lane[k].samples.size());
+    ASSERT_FALSE(narrow.lane[k].samples.empty());
+    EXPECT_EQ(narrow.lane[k].samples.back().fracture_j, wide.lane[k].samples.back().fracture_j) << k;
+    EXPECT_EQ(narrow.lane[k].samples.back().elastic_j, wide.lane[k].samples.back().elastic_j) << k;
   }
 }
 
@@ -210,8 +210,8 @@ TEST(March, StopsWhenTheObserverSaysSoAndKeepsWhatItHas) {
   EXPECT_LT(result.lane[0].steps, p.lane[0].schedule.total());
   EXPECT_EQ(result.lane[0].where, "step " + std::to_string(result.lane[0].steps) + " of " +
                                       std::to_string(p.lane[0].schedule.total()));
-  EXPECT_EQ(result.lane[0].books.size(), heard.samples.size());
-  EXPECT_LE(result.lane[0].books.back().step, result.lane[0].steps);
+  EXPECT_EQ(result.lane[0].samples.size(), heard.samples.size());
+  EXPECT_LE(result.lane[0].samples.back().step, result.lane[0].steps);
   EXPECT_FALSE(rates_of(p, result).plateau.reached);
 }
 

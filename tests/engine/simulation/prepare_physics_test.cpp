@@ -20,7 +20,7 @@ TEST(PreStress, ByARampStoresWhatTheStaticSolveSaysOfTheGripsWork) {
   const double by_ramp = rates_of(ramp, pulled).plateau.mean.ratio,
                by_solve = rates_of(at_once, released).plateau.mean.ratio;
   EXPECT_NEAR(by_ramp, by_solve, 0.02);  // what still swings after the ramp: below 1 % of the energy
-  const results::Sample& end = pulled.lane[0].books.back();
+  const results::Sample& end = pulled.lane[0].samples.back();
   // Pulled slowly, the plate stores nearly all of the grip's work before it cracks.
   EXPECT_NEAR(pulled.lane[0].energy_at_crack_start / end.work_external_j, 1.0, 0.05);
   EXPECT_GE(end.numerical_damping_j, 0.0);
@@ -42,7 +42,7 @@ TEST(Scaling, BulkBeamsAreThoseOfALatticeOfTheirOwn) {
     const Prepared own = small_plate(own_keys), bulk = small_plate(bulk_keys);
     ASSERT_LT(bulk.micro.young_modulus, 0.95 * own.micro.young_modulus);
     const RunResult a = march(own, {}), b = march(bulk, {});
-    const std::vector<results::Sample>&rows = a.lane[0].books, &scaled = b.lane[0].books;
+    const std::vector<results::Sample>&rows = a.lane[0].samples, &scaled = b.lane[0].samples;
     ASSERT_EQ(rows.size(), scaled.size());
     EXPECT_NEAR(scaled.back().time_s / rows.back().time_s, 1.0, 1e-12);
     EXPECT_NEAR(scaled.back().velocity_m_s / rows.back().velocity_m_s, 1.0, 1e-12);

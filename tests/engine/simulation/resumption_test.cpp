@@ -17,7 +17,7 @@ Resumption stopped_at(const Prepared& p, std::int64_t steps, const MarchOptions&
     orders.stop = moment.progress.step >= steps;
     return orders;
   };
-  observer.sample = [&](const results::Sample& s) { from.books.push_back(s); };
+  observer.sample = [&](const results::Sample& s) { from.samples.push_back(s); };
   bool last = false;
   observer.checkpoint = [&](const std::function<results::Checkpoint()>& make, CheckpointMoment moment) {
     if (moment == CheckpointMoment::before_stop) from.checkpoint = make(), last = true;
@@ -38,16 +38,16 @@ void expect_same(const RunResult& a, const RunResult& b) {
     EXPECT_EQ(x.worst_residual, y.worst_residual);
     EXPECT_EQ(x.energy_at_crack_start, y.energy_at_crack_start);
     EXPECT_EQ(x.wake.kinetic_j, y.wake.kinetic_j);
-    ASSERT_FALSE(x.books.empty());
-    ASSERT_EQ(x.books.size(), y.books.size());
-    for (std::size_t n = 0; n < x.books.size(); ++n) {
-      EXPECT_EQ(x.books[n].step, y.books[n].step);
+    ASSERT_FALSE(x.samples.empty());
+    ASSERT_EQ(x.samples.size(), y.samples.size());
+    for (std::size_t n = 0; n < x.samples.size(); ++n) {
+      EXPECT_EQ(x.samples[n].step, y.samples[n].step);
       for (double results::Sample::*column :
            {&results::Sample::elastic_j, &results::Sample::kinetic_translation_j,
             &results::Sample::kinetic_rotation_j, &results::Sample::step_correction_j,
             &results::Sample::fracture_j, &results::Sample::damping_j, &results::Sample::numerical_damping_j,
             &results::Sample::work_external_j, &results::Sample::residual})
-        ASSERT_EQ(x.books[n].*column, y.books[n].*column) << "lane " << k << ", row " << n;
+        ASSERT_EQ(x.samples[n].*column, y.samples[n].*column) << "lane " << k << ", row " << n;
     }
   }
 }

@@ -39,13 +39,13 @@ Steered steered(const Prepared& p, std::vector<scene::Change> wishes) {
 }
 
 void expect_same_books(const RunResult& a, const RunResult& b) {
-  ASSERT_FALSE(a.lane[0].books.empty());
-  ASSERT_EQ(a.lane[0].books.size(), b.lane[0].books.size());
-  for (std::size_t k = 0; k < a.lane[0].books.size(); ++k) {
-    EXPECT_EQ(a.lane[0].books[k].step, b.lane[0].books[k].step);
-    EXPECT_EQ(a.lane[0].books[k].elastic_j, b.lane[0].books[k].elastic_j) << k;
-    EXPECT_EQ(a.lane[0].books[k].fracture_j, b.lane[0].books[k].fracture_j) << k;
-    EXPECT_EQ(a.lane[0].books[k].tip_m, b.lane[0].books[k].tip_m) << k;
+  ASSERT_FALSE(a.lane[0].samples.empty());
+  ASSERT_EQ(a.lane[0].samples.size(), b.lane[0].samples.size());
+  for (std::size_t k = 0; k < a.lane[0].samples.size(); ++k) {
+    EXPECT_EQ(a.lane[0].samples[k].step, b.lane[0].samples[k].step);
+    EXPECT_EQ(a.lane[0].samples[k].elastic_j, b.lane[0].samples[k].elastic_j) << k;
+    EXPECT_EQ(a.lane[0].samples[k].fracture_j, b.lane[0].samples[k].fracture_j) << k;
+    EXPECT_EQ(a.lane[0].samples[k].tip_m, b.lane[0].samples[k].tip_m) << k;
   }
 }
 
@@ -65,7 +65,7 @@ TEST(Steering, AnsweredChangesAreMadeAndTheBooksStillClose) {
     EXPECT_EQ(s.result.outcome, Outcome::finished) << axis;
     EXPECT_LT(s.result.lane[0].worst_residual, 1e-10) << axis;
     const RunResult plain = march(p, {}, {.threads = 1});
-    EXPECT_NE(plain.lane[0].books.back().elastic_j, s.result.lane[0].books.back().elastic_j) << axis;
+    EXPECT_NE(plain.lane[0].samples.back().elastic_j, s.result.lane[0].samples.back().elastic_j) << axis;
   }
 }
 
@@ -90,14 +90,14 @@ TEST(Steering, AChangeOfVelocityMovesTheTipFromThatStepOn) {
   const Prepared p = small_plate({"crack.velocity=0.4 c_r"});
   const std::int64_t half = p.lane[0].schedule.total() / 2;
   const Steered s = steered(p, {{0, half, "crack_velocity", "0.1 c_r"}});
-  const auto& books = s.result.lane[0].books;
-  EXPECT_NEAR(books.back().velocity_m_s / books.front().velocity_m_s, 0.25, 1e-12);
+  const auto& samples = s.result.lane[0].samples;
+  EXPECT_NEAR(samples.back().velocity_m_s / samples.front().velocity_m_s, 0.25, 1e-12);
   const LanePlan& lane = s.result.steered[0];
-  EXPECT_NEAR(books.back().tip_m, lane.crack_end, p.step.dt * books.back().velocity_m_s);
+  EXPECT_NEAR(samples.back().tip_m, lane.crack_end, p.step.dt * samples.back().velocity_m_s);
   EXPECT_GT(s.result.lane[0].steps, p.lane[0].schedule.total() * 2);
   ASSERT_EQ(lane.scene.crack.velocity.size(), 2U);
-  ASSERT_GT(books.size(), 1U);
-  for (std::size_t k = 1; k < books.size(); ++k) EXPECT_GT(books[k].step, books[k - 1].step);
+  ASSERT_GT(samples.size(), 1U);
+  for (std::size_t k = 1; k < samples.size(); ++k) EXPECT_GT(samples[k].step, samples[k - 1].step);
 }
 
 // Beams that the damage zone has reached keep their law, so that a longer zone damages nothing in one jump.

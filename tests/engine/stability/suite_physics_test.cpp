@@ -145,7 +145,7 @@ TEST(Divergence, IsCaughtBetweenTwoSamplesByStepElementBeamAndLane) {
         << r.where;
     EXPECT_NE(r.where.find(" element "), std::string::npos) << r.where;
     EXPECT_NE(r.where.find("of its beams "), std::string::npos) << r.where;
-    EXPECT_EQ(r.books.back().step, r.steps);  // the row that tells why is kept
+    EXPECT_EQ(r.samples.back().step, r.steps);  // the row that tells why is kept
   }
 }
 

@@ -119,7 +119,7 @@ void expect_as_run_alone(const scene::Preset& preset, const StudyResult& result,
     EXPECT_EQ(lasting(to_json(result.rows[k].value())), lasting(Json::parse(summary.dump()))) << k;
     const results::RateCurve curve{0, rates.curve};
     const fs::path csv = result_file(folder, result_key(scenes[k], build.version)).replace_extension(".csv");
-    EXPECT_EQ(read_text(csv), results::series_csv(run.lane[0].books, {&curve, 1})) << k;
+    EXPECT_EQ(read_text(csv), results::series_csv(run.lane[0].samples, {&curve, 1})) << k;
   }
 }
 

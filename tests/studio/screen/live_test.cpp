@@ -46,7 +46,7 @@ Live run_of(int lanes) {
       s.tip_m = 2e-4 * n;
       s.elastic_j = 10 - 0.1 * n;
       s.fracture_j = 0.1 * n;
-      lane.books.push_back(s);
+      lane.samples.push_back(s);
       lane.rates.push_back({.tip_m = s.tip_m, .ratio = 0.75});
     }
   }
@@ -143,7 +143,7 @@ TEST(LiveScreen, TheColoursAreOfTheVelocityWhereItIsWanted) {
 
 TEST(LiveScreen, BooksThatDoNotCloseTurnRed) {
   Live live = run_of(1);
-  live.lanes[0].books.back().residual = 1e-3;
+  live.lanes[0].samples.back().residual = 1e-3;
   Canvas canvas(100, 30);
   draw_live(canvas, live, {}, Glyphs::unicode);
   const Area budget = live_layout(100, 30, 1, false).budget;

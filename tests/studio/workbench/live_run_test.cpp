@@ -51,11 +51,11 @@ TEST(LiveRun, MarchesToItsEndAndGivesTheSameBooksAsAPlainRun) {
   ASSERT_TRUE(recorded);
   EXPECT_EQ(recorded->result.outcome, simulation::Outcome::finished);
   const simulation::RunResult plain = simulation::march(simulation::small_plate(), {});
-  ASSERT_EQ(recorded->result.lane[0].books.size(), plain.lane[0].books.size());
-  EXPECT_EQ(recorded->result.lane[0].books.back().elastic_j, plain.lane[0].books.back().elastic_j);
+  ASSERT_EQ(recorded->result.lane[0].samples.size(), plain.lane[0].samples.size());
+  EXPECT_EQ(recorded->result.lane[0].samples.back().elastic_j, plain.lane[0].samples.back().elastic_j);
   EXPECT_TRUE(slow.look_until("finished"));
   EXPECT_EQ(slow.live.done, 1);
-  EXPECT_EQ(slow.live.lanes.at(0).books.size(), plain.lane[0].books.size());
+  EXPECT_EQ(slow.live.lanes.at(0).samples.size(), plain.lane[0].samples.size());
   EXPECT_FALSE(slow.live.lanes[0].rates.empty());
 }
 
@@ -72,7 +72,7 @@ TEST(LiveRun, PauseHoldsItAndASingleStepIsOne) {
     EXPECT_EQ(slow.step(), k);
   }
   EXPECT_FALSE(slow.live.lanes[0].displacement.empty());
-  EXPECT_EQ(slow.live.lanes[0].books.back().step, 4);
+  EXPECT_EQ(slow.live.lanes[0].samples.back().step, 4);
   slow.run->pause(false);
   EXPECT_TRUE(slow.look_until("finished"));
 }
@@ -117,7 +117,7 @@ TEST(LiveRun, AChangeIsToldKeptAndRepeatable) {
   EXPECT_TRUE(again.issues.empty());
   ASSERT_EQ(again.steering.size(), 1U);
   const simulation::RunResult replayed = simulation::march(simulation::prepare(again, shared_cache()), {});
-  EXPECT_EQ(replayed.lane[0].books.back().elastic_j, recorded->result.lane[0].books.back().elastic_j);
+  EXPECT_EQ(replayed.lane[0].samples.back().elastic_j, recorded->result.lane[0].samples.back().elastic_j);
   EXPECT_EQ(recorded->summary.at("scenarios")[0].at("steering")[0].at("step"), 21);
 }
 

@@ -32,11 +32,11 @@ TEST(OwnWay, KeepsToTheVelocityAtWhichWhatIsReleasedIsWhatIsWithstood) {
   ASSERT_EQ(run.outcome, Outcome::finished);
   EXPECT_LT(run.lane[0].worst_residual, 1e-10);
   EXPECT_GT(run.lane[0].changes.size(), 5U);
-  const results::Sample& last = run.lane[0].books.back();
+  const results::Sample& last = run.lane[0].samples.back();
   EXPECT_GE(last.tip_m, scene::crack_end(p.preset.scene) - p.step.dt * last.velocity_m_s);
   double way = 0.0, released = 0.0, slow = 1e9, fast = 0.0;
-  for (std::size_t k = 1; k < run.lane[0].books.size(); ++k) {
-    const results::Sample &a = run.lane[0].books[k - 1], &b = run.lane[0].books[k];
+  for (std::size_t k = 1; k < run.lane[0].samples.size(); ++k) {
+    const results::Sample &a = run.lane[0].samples[k - 1], &b = run.lane[0].samples[k];
     if (a.tip_m < p.preset.scene.crack.start + 16.0 * p.lattice.mean_radius) continue;
     slow = std::min(slow, b.velocity_m_s), fast = std::max(fast, b.velocity_m_s);
     way += b.tip_m - a.tip_m, released += b.fracture_j - a.fracture_j;
@@ -57,8 +57,8 @@ TEST(OwnWay, IsArrestedWhereTheMaterialWithstandsMoreThanThereIs) {
   // As soon as the window of the release rate is full.
   EXPECT_NEAR(lane.arrested_m, p.preset.scene.crack.start + 8.0 * p.lattice.mean_radius,
               1.4 * p.lattice.mean_radius);
-  EXPECT_EQ(lane.books.back().tip_m, lane.arrested_m);
-  EXPECT_EQ(lane.steps, lane.books.back().step);
+  EXPECT_EQ(lane.samples.back().tip_m, lane.arrested_m);
+  EXPECT_EQ(lane.steps, lane.samples.back().step);
 }
 
 // 0.8 of what is stored: a steady crack is slow but runs on, and the estimate over one window dips below G_c.
@@ -74,7 +74,7 @@ TEST(OwnWay, IsNotArrestedByADipOfItsEstimate) {
         << "seed " << seed;
     EXPECT_TRUE(std::isnan(run.lane[0].arrested_m)) << "seed " << seed << ' ' << run.lane[0].arrested_m;
     EXPECT_LT(run.lane[0].worst_residual, 1e-10);
-    EXPECT_GT(run.lane[0].books.back().tip_m, 39e-3) << "seed " << seed;
+    EXPECT_GT(run.lane[0].samples.back().tip_m, 39e-3) << "seed " << seed;
   }
 }
 
@@ -92,13 +92,13 @@ TEST(OwnWay, IsArrestedInAToughStripAndItsTipRestsThere) {
   ASSERT_TRUE(std::isfinite(lane.arrested_m));
   EXPECT_GT(lane.arrested_m, 14e-3);
   EXPECT_LT(lane.arrested_m, 14e-3 + 8.0 * p.lattice.mean_radius);
-  EXPECT_EQ(lane.books.back().tip_m, lane.arrested_m);
-  EXPECT_EQ(lane.books.back().velocity_m_s, 0.0);
+  EXPECT_EQ(lane.samples.back().tip_m, lane.arrested_m);
+  EXPECT_EQ(lane.samples.back().velocity_m_s, 0.0);
   EXPECT_LT(lane.worst_residual, 1e-10);
   // Until the slowest waves have been to the far end and back.
-  const results::Sample& stopped = *(lane.books.end() - 2);
+  const results::Sample& stopped = *(lane.samples.end() - 2);
   EXPECT_EQ(stopped.tip_m, lane.arrested_m);
-  EXPECT_NEAR(lane.books.back().time_s - stopped.time_s, 2.0 * 48e-3 / p.rayleigh_speed, 2.0 * p.step.dt);
+  EXPECT_NEAR(lane.samples.back().time_s - stopped.time_s, 2.0 * 48e-3 / p.rayleigh_speed, 2.0 * p.step.dt);
 }
 
 /// The same under a grip that pulls on while the tip rests, to 2.5 times the displacement.
@@ -124,7 +124,7 @@ TEST(OwnWay, StartsAgainWhereTheLoadRises) {
   const double restart = static_cast<double>((stop + 1)->step) * p.step.dt;
   EXPECT_GT(restart, 89e-6);
   EXPECT_LT(restart, 137e-6 + 2.0 * 8.0 * p.lattice.mean_radius / p.rayleigh_speed);
-  EXPECT_GT(lane.books.back().tip_m, 20e-3);
+  EXPECT_GT(lane.samples.back().tip_m, 20e-3);
 }
 
 TEST(OwnWay, GoesOnFromACheckpointOfARestingTipToTheSameBits) {
@@ -142,22 +142,22 @@ TEST(OwnWay, GoesOnFromACheckpointOfARestingTipToTheSameBits) {
     orders.stop = moment.progress.step >= resting;
     return orders;
   };
-  observer.sample = [&](const results::Sample& s) { from.books.push_back(s); };
+  observer.sample = [&](const results::Sample& s) { from.samples.push_back(s); };
   observer.checkpoint = [&](const auto& make, CheckpointMoment moment) {
     if (moment == CheckpointMoment::before_stop) from.checkpoint = make();
   };
   ASSERT_EQ(march(p, observer, {.threads = 1}).outcome, Outcome::stopped);
   const RunResult again = march(p, {}, {.threads = 1}, &from);
-  ASSERT_EQ(again.lane[0].books.size(), whole.lane[0].books.size());
+  ASSERT_EQ(again.lane[0].samples.size(), whole.lane[0].samples.size());
   EXPECT_EQ(again.lane[0].changes, whole.lane[0].changes);
-  for (std::size_t k = 0; k < whole.lane[0].books.size(); ++k)
-    EXPECT_EQ(again.lane[0].books[k].fracture_j, whole.lane[0].books[k].fracture_j);
+  for (std::size_t k = 0; k < whole.lane[0].samples.size(); ++k)
+    EXPECT_EQ(again.lane[0].samples[k].fracture_j, whole.lane[0].samples[k].fracture_j);
 }
 
 TEST(OwnWay, RunsAtTheHighestVelocityWhereNothingHoldsIt) {
   const Prepared p = by_itself("[[\"0 c_r\", \"1 J/m2\"]]");
   const RunResult run = march(p, {}, {.threads = 1});
-  EXPECT_NEAR(run.lane[0].books.back().velocity_m_s, scene::fastest_by_itself * p.rayleigh_speed, 1e-6);
+  EXPECT_NEAR(run.lane[0].samples.back().velocity_m_s, scene::fastest_by_itself * p.rayleigh_speed, 1e-6);
 }
 
 TEST(OwnWay, GoesOnFromACheckpointToTheSameBits) {
@@ -173,18 +173,18 @@ TEST(OwnWay, GoesOnFromACheckpointToTheSameBits) {
     orders.stop = moment.progress.step >= whole.lane[0].steps * 2 / 3;
     return orders;
   };
-  observer.sample = [&](const results::Sample& s) { from.books.push_back(s); };
+  observer.sample = [&](const results::Sample& s) { from.samples.push_back(s); };
   observer.checkpoint = [&](const auto& make, CheckpointMoment moment) {
     if (moment == CheckpointMoment::before_stop) from.checkpoint = make();
   };
   ASSERT_EQ(march(p, observer, {.threads = 1}).outcome, Outcome::stopped);
   const RunResult again = march(p, {}, {.threads = 1}, &from);
-  ASSERT_EQ(again.lane[0].books.size(), whole.lane[0].books.size());
+  ASSERT_EQ(again.lane[0].samples.size(), whole.lane[0].samples.size());
   EXPECT_EQ(again.lane[0].changes, whole.lane[0].changes);
-  ASSERT_FALSE(whole.lane[0].books.empty());
-  for (std::size_t k = 0; k < whole.lane[0].books.size(); ++k) {
-    EXPECT_EQ(again.lane[0].books[k].step, whole.lane[0].books[k].step);
-    EXPECT_EQ(again.lane[0].books[k].fracture_j, whole.lane[0].books[k].fracture_j);
+  ASSERT_FALSE(whole.lane[0].samples.empty());
+  for (std::size_t k = 0; k < whole.lane[0].samples.size(); ++k) {
+    EXPECT_EQ(again.lane[0].samples[k].step, whole.lane[0].samples[k].step);
+    EXPECT_EQ(again.lane[0].samples[k].fracture_j, whole.lane[0].samples[k].fracture_j);
   }
 }
 
@@ -200,7 +200,7 @@ TEST(MeasuredRun, FollowsItsHistoryAndItsPathToTheEnd) {
   const RunResult run = march(p, {}, {.threads = 1});
   EXPECT_EQ(run.outcome, Outcome::finished);
   EXPECT_LT(run.lane[0].worst_residual, 1e-10);
-  EXPECT_NEAR(run.lane[0].books.back().tip_m, 13e-3, p.step.dt * 1300.0);
+  EXPECT_NEAR(run.lane[0].samples.back().tip_m, 13e-3, p.step.dt * 1300.0);
 }
 
 TEST(InclinedRun, ReleasesTheBeamsThatItsPathCrosses) {
