@@ -22,7 +22,7 @@ constexpr int few_samples = 25, most_samples = 1600;
 constexpr int fewest_elements = 100, fewest_quick = 1000, finer = 4;
 constexpr double affordable_s = 150.0, beam_steps_per_s = 1e8;
 
-// The paper's ramp: 20,000 + 10,000 steps of 2.35e-8 s on a plate 40 mm high with c_r = 2200 m/s [physics.md
+// The paper's ramp: 20,000 + 10,000 steps of 2.35e-8 s on a plate 40 mm high with c_r = 2200 m/s [model.md
 // §4]
 constexpr double paper_ramp_s = 0.47e-3, paper_height_m = 0.04, paper_rayleigh_speed = 2200.0;
 

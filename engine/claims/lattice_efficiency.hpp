@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Findings beyond the paper: the damage zone that agrees best, the energy that the lattice itself takes, and
-/// Broberg's own problem   [physics.md §9].
+/// Broberg's own problem   [model.md §9].
 namespace rift::claims {
 
 /// One relaxation and damage zone in the paper's plate, at several velocities.

@@ -7,7 +7,7 @@
 
 namespace rift::ensemble {
 
-/// The energy balances of all lanes, in the lattice's units   [physics.md §7]: every term is summed where the
+/// The energy balances of all lanes, in the lattice's units   [model.md §7]: every term is summed where the
 /// energy goes, in double whatever the state is.
 class Balances {
  public:

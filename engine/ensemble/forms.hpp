@@ -19,7 +19,7 @@ struct FaceGap {
   V stiffness;
 };
 
-/// Linear kinematics: axes fixed   [physics.md §2; paper eqs. (3)-(6)]. Written in the sum and the difference
+/// Linear kinematics: axes fixed   [model.md §2; paper eqs. (3)-(6)]. Written in the sum and the difference
 /// of the rotations, with d = u_j - u_i, across the axis:
 ///   S = 3/2 w (theta_i + theta_j - (2/l) n x d),   D = w/2 (theta_j - theta_i),   twist t = n.(theta_j -
 ///   theta_i) F_i = k_a (n.d) n - (2/l) S x n,   M_i = D - S + k_t t n,   M_j = - D - S - k_t t n
@@ -87,7 +87,7 @@ struct Linear {
 };
 
 /// Corotational kinematics in directors: t = R n_0 is the beam's initial axis carried along by an element of
-/// rotation R (a unit quaternion a, b), n the present axis, p = b a* the relative rotation   [physics.md §2]:
+/// rotation R (a unit quaternion a, b), n the present axis, p = b a* the relative rotation   [model.md §2]:
 ///   alpha = n x t,   twist = 2 n.p,   U = 1/2 k_a (|D| - l)^2 + 1/2 k_t twist^2 + w (a_i^2 + a_i.a_j +
 ///   a_j^2)
 /// and exact gradients of it: with g_i = w (2 alpha_i + alpha_j), g_j likewise,

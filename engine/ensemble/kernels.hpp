@@ -18,7 +18,7 @@ inline void add_extra(const PartView<Real>& p, int index, Pack<Real, Width> (&f)
   }
 }
 
-/// The energies that a step takes of one element or gives to it [J], in double   [physics.md §7]: viscous
+/// The energies that a step takes of one element or gives to it [J], in double   [model.md §7]: viscous
 /// damping and the faces' contact take - 1/2 (F_n + F_{n+1}) . dq, numerical damping takes 1/2 M (v^2 at beta
 /// = 1 - v^2 at beta), the moving grip gives - 1/2 F . dq.
 template <class Real, int Width>
@@ -90,7 +90,7 @@ void advance(const ViewOf<Form, Real>& p, const StepConstants& k) {
     Real* at_v = p.v + 6L * Width * i;
     load_row<F::numbers, Width>(at_q, q);
     load_row<6, Width>(at_v, v);
-    const V yield[2] = {splat<V>(p.per_mass[2L * i]), splat<V>(p.per_mass[2L * i + 1])};
+    const V per_mass[2] = {splat<V>(p.per_mass[2L * i]), splat<V>(p.per_mass[2L * i + 1])};
     if constexpr (Balanced) {
       StepEnergies<Real, Width> energies;
       energies.add(p, k, i, index, f, (k.grip_before + k.grip_after) * k.dt);
@@ -106,7 +106,7 @@ void advance(const ViewOf<Form, Real>& p, const StepConstants& k) {
       keep(p.damping, p.damping_before);
       keep(p.contact, p.contact_before);
       for (int c = 0; c < 6; ++c) {
-        const V a = yield[c / 3] * f[c];      // Newton's law
+        const V a = per_mass[c / 3] * f[c];   // Newton's law
         v[c] = fma(splat<V>(both), a, v[c]);  // eq. (2), its second half
         rate[c] = fma(splat<V>(kick), a, v[c]);
         v[c] = fma(splat<V>(begun), a, v[c]);  // eq. (2), the first half of the next step
@@ -114,7 +114,7 @@ void advance(const ViewOf<Form, Real>& p, const StepConstants& k) {
       if (p.rate) store_row<6, Width>(p.rate + 6L * Width * i, rate);
     } else {
       for (int c = 0; c < 6; ++c)
-        rate[c] = v[c] = fma(both * yield[c / 3], f[c], v[c]);  // both halves of eq. (2)
+        rate[c] = v[c] = fma(both * per_mass[c / 3], f[c], v[c]);  // both halves of eq. (2)
     }
     F::drift(q, rate, splat<V>(dt));  // eq. (1)
     store_row<F::numbers, Width>(at_q, q);

@@ -8,7 +8,7 @@ namespace rift::ensemble {
 // precision of the state; a `Beam` is what a form of the beam reads of one, LinearBeam or CorotationalBeam in
 // some precision.
 
-/// Stiffnesses of a beam   [physics.md §2].
+/// Stiffnesses of a beam   [model.md §2].
 template <class Real>
 struct BeamStiffness {
   Real axial;    // k_a [N/m]

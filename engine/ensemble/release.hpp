@@ -17,8 +17,8 @@ struct DamageIncrement {
 };
 
 /// Says in each step which beams lose stiffness. A rule that follows a criterion reads the strains of the
-/// state; whatever factors it chooses, the energy balance is exact in linear kinematics   [application.md
-/// §1].
+/// state; whatever factors it chooses, the energy balance is exact in linear kinematics   [docs/model.md
+/// §7].
 class ReleaseRule {
  public:
   virtual ~ReleaseRule() = default;

@@ -31,7 +31,7 @@ std::vector<std::vector<history::HistoryPoint>> resampled(const scene::Scene& sc
 
 namespace {
 
-/// Above 0.9 c_R what arrives within a plate's length is not yet what was stored   [physics.md §9.4].
+/// Above 0.9 c_R what arrives within a plate's length is not yet what was stored   [model.md §9.4].
 constexpr std::array velocities{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
 
 /// A plate of the same kind whose crack runs steadily along its middle.

@@ -31,7 +31,7 @@ struct CriticalPoint {
   double corrected = 0, corrected_uncertainty = 0;                      // as_paper / efficiency [J/m2]
 };
 
-/// The share of what arrives at the tip that the damage zone takes, at one velocity   [physics.md §9.5].
+/// The share of what arrives at the tip that the damage zone takes, at one velocity   [model.md §9.5].
 struct EfficiencyPoint {
   double over_cr = 0, efficiency = 0, scatter = 0;
 };

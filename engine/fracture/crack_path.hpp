@@ -42,7 +42,7 @@ struct Crossing {
   double position = 0;
 };
 
-/// The beams whose x-y segment the path crosses, in the order the crack meets them   [physics.md §6].
+/// The beams whose x-y segment the path crosses, in the order the crack meets them   [model.md §6].
 std::vector<Crossing> crossings(const CrackPath& path, const lattice::Lattice& lattice);
 
 /// A beam whose stiffness may fall while the lattice moves.

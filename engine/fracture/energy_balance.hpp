@@ -3,7 +3,7 @@
 namespace rift::fracture {
 
 /// The energy balance of one lane [J]: what its lattice holds, and what has gone where since the balance was
-/// opened, each term summed on its own, none as the remainder   [physics.md §7].
+/// opened, each term summed on its own, none as the remainder   [model.md §7].
 struct EnergyBalance {
   double elastic = 0;              // U, what the faces of the crack hold included
   double kinetic_translation = 0;  // of the elements not gripped

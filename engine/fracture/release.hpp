@@ -41,7 +41,7 @@ struct LaneScenario {
 
 /// Units of a lane: all stiffnesses of a lattice go with E_mu, so that another E_mu changes nothing but time
 /// and energy. One lattice serves scenarios of any E_mu; a factor turns what the lattice shows into what the
-/// scenario does [physics.md §5].
+/// scenario does [model.md §5].
 struct LaneUnits {
   double time = 1, energy = 1;
 };

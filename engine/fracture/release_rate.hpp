@@ -8,7 +8,7 @@
 namespace rift::fracture {
 
 /// What a release rate is measured against: G_I0(a) = g_i0 + g_i0_slope a at each tip, for tip positions
-/// a >= 0. A strip has no slope; a central crack has nothing else, and a is its half length   [physics.md
+/// a >= 0. A strip has no slope; a central crack has nothing else, and a is its half length   [model.md
 /// §7].
 struct RateScale {
   double thickness = 0;   // b [m]
@@ -21,7 +21,7 @@ struct RateScale {
 /// Mean of G_I0 over tip positions from one to another [J/m2].
 double mean_g_i0(const RateScale& scale, double from, double to);
 
-/// Release rates over G_I0 between two rows of the energy balance   [physics.md §7; paper eq. (7)]:
+/// Release rates over G_I0 between two rows of the energy balance   [model.md §7; paper eq. (7)]:
 ///   ratio = (dW_ext - dW_elas - dK + dC - dW_damping - dW_numerical - dW_contact) / (b da G_I0),
 ///     K with rotation
 ///   ratio_release = fracture energy / (b da G_I0);  with damping: ratio + damping;  translation only: K

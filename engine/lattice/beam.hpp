@@ -12,7 +12,7 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;  // element i, then element j
 enum class Kinematics { linear, corotational };
 
 /// An Euler-Bernoulli beam of circular section between elements i and j, clamped to both: since I_y = I_z it
-/// needs no local frame but its axis   [physics.md §2; paper eqs. (3)-(6)].
+/// needs no local frame but its axis   [model.md §2; paper eqs. (3)-(6)].
 struct Beam {
   Eigen::Vector3d axis;  // n, unit, from i to j
   double length;         // l [m], initial
@@ -37,7 +37,7 @@ struct BeamStrain {
 
 BeamStrain strain_of(const Beam& beam, const Vector6& q_i, const Vector6& q_j);
 
-/// 1/2 a^T k b: the energy where a = b   [physics.md §2, U]. Symmetric in a and b.
+/// 1/2 a^T k b: the energy where a = b   [model.md §2, U]. Symmetric in a and b.
 double bilinear_energy(const Beam& beam, const BeamStrain& a, const BeamStrain& b);
 
 inline double energy_of(const Beam& beam, const BeamStrain& e) { return bilinear_energy(beam, e, e); }
@@ -66,7 +66,7 @@ Vector6 motion_of(const Pose& pose);
 
 /// Deformation of a beam of any rotation, in directors: with t = R n_0 the initial axis carried along by an
 /// element and n the present axis, bend = n x t; twist = 2 n.p with p the vector of the relative rotation's
-/// quaternion   [physics.md §2]. Zero under any rigid motion; to first order strain_of(beam, q_i, q_j).
+/// quaternion   [model.md §2]. Zero under any rigid motion; to first order strain_of(beam, q_i, q_j).
 BeamStrain strain_of(const Beam& beam, const Pose& i, const Pose& j);
 
 /// Force and moments -dU/dq of U = energy_of(beam, strain_of(beam, i, j)), moments by rotations about the

@@ -10,7 +10,7 @@ struct EndLoads {
   double fx, fy, fz, mix, miy, miz, mjx, mjy, mjz;
 };
 
-/// Symbols as in physics.md §2: d = u_j - u_i, p = chord rotation psi = n x d / l, a, b = theta of i, j.
+/// Symbols as in model.md §2: d = u_j - u_i, p = chord rotation psi = n x d / l, a, b = theta of i, j.
 inline EndLoads end_loads(const BeamRow& beam, const double* qi, const double* qj) {
   const double nx = beam.nx, ny = beam.ny, nz = beam.nz;
   const double dx = qj[0] - qi[0], dy = qj[1] - qi[1], dz = qj[2] - qi[2];

@@ -21,7 +21,7 @@ static_assert(sizeof(BeamRow) == 64);
 
 BeamRow row_of(const Lattice& lattice, int beam);
 
-/// Force and moment which each beam exerts on its two elements   [physics.md §2; paper eqs. (3)-(6)], beam by
+/// Force and moment which each beam exerts on its two elements   [model.md §2; paper eqs. (3)-(6)], beam by
 /// beam: for Lanczos iteration, and what the ensemble's kernels are measured against.
 ///   F_i = k_a (n.du) n - (3w/l) s x n,   M = -w (s + alpha) + n [w n.(s + alpha) +- k_t n.(theta_j -
 ///   theta_i)]
@@ -31,7 +31,7 @@ BeamRow row_of(const Lattice& lattice, int beam);
 /// Cost O(beams); allocates nothing.
 void add_beam_forces(std::span<const BeamRow> beams, const double* q, double* f);
 
-/// Viscous damping of one beam at alpha = 1 (critical)   [paper eq. (8); physics.md §6]:
+/// Viscous damping of one beam at alpha = 1 (critical)   [paper eq. (8); model.md §6]:
 ///   f = 2 alpha sqrt(K M) delta n, with K its initial stiffness and M = m_i m_j / (m_i + m_j); rotations
 ///   likewise.
 /// Only rates that vanish in a rigid motion are damped (along the axis, and relative rotation), so that
@@ -60,7 +60,7 @@ struct ViscousDamping {
 };
 
 /// Adds the damping forces at rates (q_{n+1} - q_n) / dt, and adds their work of this step,
-///   1/2 (F_n + F_{n+1}) . (q_{n+1} - q_n)   [physics.md §7].
+///   1/2 (F_n + F_{n+1}) . (q_{n+1} - q_n)   [model.md §7].
 /// @param[in]     rate      [element][6], (q_{n+1} - q_n) / dt
 /// @param[in]     factor    [crossing beam]: a softening beam is damped in proportion
 /// @param[in,out] f         [element][6]

@@ -27,7 +27,7 @@ struct Lattice {
 };
 
 /// Masses so that their sum is density x box volume: m_i = rho V_i V_box / sum V_j, I_i = 2/5 m_i r_i^2
-/// [physics.md §1]; beams of circular section with radius r_mu (r_i + r_j) / 2   [paper, eqs. 3-6].
+/// [model.md §1]; beams of circular section with radius r_mu (r_i + r_j) / 2   [paper, eqs. 3-6].
 Lattice make_lattice(const packing::Specimen& specimen, const MicroMaterial& micro, double density);
 
 /// The paper's calibrated set (Table 2): in bulk these beams make a solid of E = 10.3 GPa and nu = 0.3.
@@ -52,7 +52,7 @@ double grip_force(const Lattice& lattice, const std::vector<char>& present, Kine
 double energy_per_length(const Lattice& lattice, Kinematics kinematics, const std::vector<Vector6>& q);
 
 /// Modulus of a clamped strip pulled by delta [Pa]: 2 (energy per length) H / (B delta^2), with the nominal
-/// height H; a continuum has E / (1 - nu^2)   [physics.md §5, in-situ]. Linear kinematics.
+/// height H; a continuum has E / (1 - nu^2)   [model.md §5, in-situ]. Linear kinematics.
 double strip_modulus(const Lattice& lattice, const std::vector<Vector6>& q, double displacement);
 
 }  // namespace rift::lattice

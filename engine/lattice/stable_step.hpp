@@ -12,13 +12,13 @@ struct StableStep {
       0;  // safe for certain: no lattice vibrates faster than its stiffest beam with its share of mass
 };
 
-/// 2 / omega_max of K x = omega^2 M x over the elements not gripped, all beams intact   [physics.md §3].
+/// 2 / omega_max of K x = omega^2 M x over the elements not gripped, all beams intact   [model.md §3].
 /// Lanczos approaches omega_max from below; it goes on until 50 more rounds change it by less than 1e-5, and
 /// the result keeps that margin. Cost about 200 force evaluations. Throws Interrupted.
 StableStep stable_step(const Lattice& lattice, const base::ProgressCallback& told = {});
 
 /// The largest stable step with viscous damping [s]: dt such that dt^2 lambda_max(M^-1 (K + (2/dt) C)) = 4,
-/// which is (2/omega)(sqrt(1 + zeta^2) - zeta) for a single mode   [physics.md §3].
+/// which is (2/omega)(sqrt(1 + zeta^2) - zeta) for a single mode   [model.md §3].
 /// Cost some ten times that of stable_step(). Throws Interrupted.
 /// @param[in] undamped  2 / omega_max [s]
 double damped_critical_step(const Lattice& lattice, const ViscousDamping& damping, double undamped,

@@ -84,7 +84,7 @@ struct Pull {
   double at(double over_length) const { return middle * (1.0 + tilt * (2.0 * over_length - 1.0)); }
 };
 
-/// Displacements of all elements at rest, K q = 0 on the free ones   [physics.md §4].
+/// Displacements of all elements at rest, K q = 0 on the free ones   [model.md §4].
 /// Bottom elements are clamped, top elements move without turning; elements that no
 /// path of present beams joins to a grip stay where they are.
 /// @param[in] present       B, 0 for a beam that a notch has cut

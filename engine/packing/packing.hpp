@@ -50,7 +50,7 @@ struct PackingError : std::runtime_error {
 /// (a wall counts as half a contact with the sphere's mirror image; walls half as stiff make a plate of the
 /// same coordination 7 % softer) is brought to a minimum by damped dynamics and, at the end, Newton's method,
 /// until the coordination number at a minimum converged to 1e-6 of the mean contact force reaches the request
-///   [physics.md §1]. Throws PackingError where that takes a mean overlap above
+///   [model.md §1]. Throws PackingError where that takes a mean overlap above
 ///   4 %, or the packing finds no rest.
 /// @param[in] threads  0 for one per core; the packing does not depend on it
 /// Cost O(N): about 2,000 passes over the contacts for a plate two elements thick, several times that for a

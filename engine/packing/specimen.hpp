@@ -9,7 +9,7 @@
 namespace rift::packing {
 
 /// Which grip holds an element: each takes a boundary's elements within `grip_depth` of their radius; what
-/// lies at both is the bottom's   [physics.md §4].
+/// lies at both is the bottom's   [model.md §4].
 enum class Grip : std::uint8_t { none, bottom, top };
 
 constexpr Boundary boundary_of(Grip grip) { return grip == Grip::bottom ? Boundary::bottom : Boundary::top; }

@@ -79,7 +79,7 @@ void PlainSimulation::move() {
 }
 
 /// Y1/Y2 of eqs. (9)-(11). A beam whose factor falls from s to s' loses (s - s') 1/2 q_n^T k q_{n+1}
-/// [physics.md §7].
+/// [model.md §7].
 void PlainSimulation::apply_damage() {
   for (const Damage& d : damage_) {
     fracture_energy[d.k] +=
@@ -106,7 +106,7 @@ void PlainSimulation::balance_forces() {
 }
 
 /// p'' = f / m, and the second half of p'(t + dt) = p' + beta dt/2 (p''(t) + p''(t + dt))   [eq. (2)]. What
-/// beta < 1 takes is 1/2 M (v^2 at beta = 1 less v^2 at beta)   [physics.md §7].
+/// beta < 1 takes is 1/2 M (v^2 at beta = 1 less v^2 at beta)   [model.md §7].
 void PlainSimulation::accelerate() {
   for (std::size_t k = 0; k < v.size(); ++k) {
     const double kick = 0.5 * dt * f[k] * per_mass[k];

@@ -23,10 +23,10 @@ packing::Box box_of(const Scene& scene);
 packing::PackingRequest request_of(const Scene& scene);
 
 /// Thickness of the plate [m]: as given, or B = 2 mm sqrt(20,000 L H / (N 200 mm 40 mm)) (layers/2)^(3/2)
-/// [physics.md §1], which keeps `layers` elements through the thickness for any N.
+/// [model.md §1], which keeps `layers` elements through the thickness for any N.
 double thickness_m(const Scene& scene);
 
-/// Mean radius [m] to be expected of the packing, from a solid fraction of 0.615 (measured, physics.md §1):
+/// Mean radius [m] to be expected of the packing, from a solid fraction of 0.615 (measured, model.md §1):
 /// (4/3) pi <r^3> N = 0.615 V, with <r^3> = R^3 (1 + s^2) for radii uniform in R (1 +- s), R^3 exp(3 s^2) for
 /// log-normal ones.
 double expected_mean_radius_m(const Scene& scene);
@@ -34,10 +34,10 @@ double expected_mean_radius_m(const Scene& scene);
 /// Length of the damage zone [m] to be expected, L_CZM = r_l R with that mean radius; 0 for simple release.
 double expected_zone_m(const Scene& scene);
 
-/// Density [kg/m3], as given or rho = G / c_s^2 with c_s from the Rayleigh speed   [physics.md §5]
+/// Density [kg/m3], as given or rho = G / c_s^2 with c_s from the Rayleigh speed   [model.md §5]
 double density(const Scene& scene);
 
-/// Rayleigh speed c_r [m/s], as given or from the density   [physics.md §5]
+/// Rayleigh speed c_r [m/s], as given or from the density   [model.md §5]
 double rayleigh_speed(const Scene& scene);
 
 /// A speed in m/s, c_r where it is relative being `rayleigh_speed` [m/s].
@@ -81,9 +81,9 @@ std::vector<std::array<double, 2>> path_points_m(const Scene& scene);
 double path_length_m(const Scene& scene);
 
 /// Window of the plateau in fractions of the length: as given, or 0.2 to 0.4, or 0.4 to 0.6 where the crack
-/// is faster than 0.8 c_r   [physics.md §7]. With two tips, where it is of half lengths: from five damage
+/// is faster than 0.8 c_r   [model.md §7]. With two tips, where it is of half lengths: from five damage
 /// zones (simple: five mean radii) past the start, where the zone no longer matters, to the first echo, up to
-/// which the plate is as good as infinite   [physics.md §9.5]; from the expected mean radius, so that it
+/// which the plate is as good as infinite   [model.md §9.5]; from the expected mean radius, so that it
 /// follows from the scene alone. NaN there where the crack changes its velocity on the way. A measured
 /// history and a crack that runs by itself have the whole of their way.
 std::array<double, 2> window_over_length(const Scene& scene);

@@ -18,7 +18,7 @@ constexpr Range above(double lower, double upper) { return {lower, upper, true, 
 constexpr Range below(double lower, double upper) { return {lower, upper, false, true}; }
 constexpr Range inside(double lower, double upper) { return {lower, upper, true, true}; }
 
-// A row reads: key, default, member, doc, dimension, range, choices. Sources of defaults: physics.md §1, 3-7.
+// A row reads: key, default, member, doc, dimension, range, choices. Sources of defaults: model.md §1, 3-7.
 
 std::vector<Parameter> specimen_rows() {
   return {

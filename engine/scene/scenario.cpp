@@ -110,8 +110,8 @@ std::vector<Setting> read_axis(ScenarioReading& reading, const Axis& axis, const
   return settings;
 }
 
-HandRow read_hand_row(ScenarioReading& reading, const TomlRow& row) {
-  HandRow out{{}, row.line};
+ListedScenario read_listed_scenario(ScenarioReading& reading, const TomlRow& row) {
+  ListedScenario out{{}, row.line};
   if (row.entries.empty()) {
     reading.say(
         {reading.file(), row.line, "", fmt::format("[[{}]] is empty: name an axis and its value", row.list)});
@@ -137,7 +137,7 @@ HandRow read_hand_row(ScenarioReading& reading, const TomlRow& row) {
 /// Adds the axes that a table is the first to name: before the next one that is known already, so that what
 /// an earlier table left out keeps its place (technique, relaxation, seed from a simple row and a progressive
 /// one), else at the end.
-void merge(std::vector<Mention>& mentions, const HandRow& row, const std::string& list) {
+void merge(std::vector<Mention>& mentions, const ListedScenario& row, const std::string& list) {
   for (auto setting = row.settings.begin(); setting != row.settings.end(); ++setting) {
     if (mentioned(mentions, setting->axis)) continue;
     const auto next = std::find_if(setting, row.settings.end(),
@@ -222,12 +222,12 @@ std::vector<std::vector<Setting>> read_grid(ScenarioReading& reading) {
   return lists;
 }
 
-std::vector<HandRow> read_hand_rows(ScenarioReading& reading, const std::string& list) {
-  std::vector<HandRow> rows;
+std::vector<ListedScenario> read_listed_scenarios(ScenarioReading& reading, const std::string& list) {
+  std::vector<ListedScenario> rows;
   std::vector<Mention> found;
   for (const TomlRow& row : reading.document.rows) {
     if (row.list != list) continue;
-    rows.push_back(read_hand_row(reading, row));
+    rows.push_back(read_listed_scenario(reading, row));
     merge(found, rows.back(), list);
   }
   for (Mention& mention : found) {

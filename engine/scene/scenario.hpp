@@ -54,7 +54,7 @@ struct Mention {
 };
 
 /// One table of [[study.rows]] or [[lanes]].
-struct HandRow {
+struct ListedScenario {
   std::vector<Setting> settings;
   int line = 0;
   bool valid = true;  // every name in it was understood
@@ -87,6 +87,6 @@ void check_shapes(ScenarioReading& reading);
 std::vector<std::vector<Setting>> read_grid(ScenarioReading& reading);
 
 /// The tables of `list`, "study.rows" or "lanes", in the order of the file.
-std::vector<HandRow> read_hand_rows(ScenarioReading& reading, const std::string& list);
+std::vector<ListedScenario> read_listed_scenarios(ScenarioReading& reading, const std::string& list);
 
 }  // namespace rift::scene

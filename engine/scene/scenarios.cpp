@@ -142,11 +142,11 @@ void take_grid(ScenarioReading& reading, const std::vector<std::vector<Setting>>
 }
 
 /// Adds the scenes that were written out one by one. One that is there already is a mistake, not a wish.
-void take_rows(ScenarioReading& reading, const std::vector<HandRow>& rows, std::map<std::string, int>& seen,
-               std::vector<Scene>& scenes) {
+void take_rows(ScenarioReading& reading, const std::vector<ListedScenario>& rows,
+               std::map<std::string, int>& seen, std::vector<Scene>& scenes) {
   if (!rows.empty() && too_many(reading, static_cast<double>(rows.size() + scenes.size()), rows.front().line))
     return;
-  for (const HandRow& row : rows) {
+  for (const ListedScenario& row : rows) {
     const Scenario scenario = scenario_of(reading.base, row.settings, Chosen::by_hand);
     check(reading, scenario);
     scenes.push_back(scenario.preset.scene);
@@ -231,7 +231,7 @@ std::vector<Scene> study_scenes(ScenarioReading& reading) {
   std::map<std::string, int> seen;  // the line of a scenario, 0 for the grid, by its fingerprint
   std::vector<Scene> scenes;
   const std::vector<std::vector<Setting>> lists = read_grid(reading);
-  const std::vector<HandRow> rows = read_hand_rows(reading, "study.rows");
+  const std::vector<ListedScenario> rows = read_listed_scenarios(reading, "study.rows");
   check_empty(reading);
   take_grid(reading, lists, seen, scenes);
   check_values(reading, lists, scenes);
@@ -243,7 +243,7 @@ std::vector<Scene> study_scenes(ScenarioReading& reading) {
 std::vector<Scene> lane_scenes(ScenarioReading& reading) {
   std::map<std::string, int> seen;
   std::vector<Scene> scenes;
-  take_rows(reading, read_hand_rows(reading, "lanes"), seen, scenes);
+  take_rows(reading, read_listed_scenarios(reading, "lanes"), seen, scenes);
   check_applies(reading, scenes);
   return scenes;
 }

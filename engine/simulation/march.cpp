@@ -14,7 +14,7 @@
 namespace rift::simulation {
 namespace {
 
-constexpr double largest_residual_inertia = 0.01;  // of the ramp: kinetic over total energy   [physics.md §4]
+constexpr double largest_residual_inertia = 0.01;  // of the ramp: kinetic over total energy   [model.md §4]
 /// Steps from one moment at which idle lanes may be filled to the next: lanes that begin a power of two of
 /// steps apart are looked at in the same steps, which costs one look.
 constexpr std::int64_t between_refills = 64;

@@ -109,7 +109,7 @@ struct MarchOptions {
   double checkpoint_s = 30;  // between two checkpoints of a recorded run
 };
 
-/// The energy balance is said not to close above this error   [physics.md §7].
+/// The energy balance is said not to close above this error   [model.md §7].
 double ledger_limit(lattice::Kinematics kinematics, ensemble::Precision precision);
 
 /// Throws InputError where the grip moves in the march's time and the lanes cannot share it: they are more

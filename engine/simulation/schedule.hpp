@@ -20,7 +20,7 @@ struct TimeStep {
 };
 
 /// The default: the smaller of 0.5 dt_c and, for P-NRT, L_CZM / (5 v), put on the ladder 0.5 dt_c 2^-k so
-/// that scenarios share steps   [physics.md §3].
+/// that scenarios share steps   [model.md §3].
 /// @param[in] zone_length  L_CZM [m], 0 for S-NRT;  @param[in] speed  highest of the crack [m/s]
 double default_step(double critical, double zone_length, double speed);
 

@@ -55,22 +55,22 @@ struct Releases {
 };
 
 /// What marching came to, of one lane.
-Seen seen_of(const simulation::Prepared& p, const simulation::RunResult& result, const Releases& releases,
-             int lane) {
+Observed seen_of(const simulation::Prepared& p, const simulation::RunResult& result, const Releases& releases,
+                 int lane) {
   const simulation::LaneResult& r = result.lane[lane];
   const scene::Scene& scene = p.lane[lane].scene;
-  Seen seen;
+  Observed seen;
   seen.residual = r.worst_residual;
   seen.limit = simulation::ledger_limit(scene.solver.kinematics, scene.solver.precision);
   seen.steps = r.steps;
   seen.wall_s = r.wall_s;
   if (r.outcome == simulation::Outcome::diverged) {
-    seen.ending = Ending::diverges;
+    seen.ending = CaseEnd::diverges;
     seen.caught_within = r.steps - std::max<std::int64_t>(r.last_good_step, 0);
     seen.said = r.where;
     return seen;
   }
-  seen.ending = seen.residual <= seen.limit ? Ending::closes : Ending::open;
+  seen.ending = seen.residual <= seen.limit ? CaseEnd::closes : CaseEnd::open;
   const results::Sample& last = r.samples.back();
   seen.stored = r.energy_at_crack_start;
   seen.damped = last.damping_j / r.energy_at_crack_start;
@@ -93,9 +93,9 @@ Seen seen_of(const simulation::Prepared& p, const simulation::RunResult& result,
   return seen;
 }
 
-Seen refused(std::string said) {
-  Seen seen;
-  seen.ending = Ending::refused;
+Observed refused(std::string said) {
+  Observed seen;
+  seen.ending = CaseEnd::refused;
   seen.said = std::move(said);
   return seen;
 }
@@ -112,8 +112,8 @@ scene::Preset plate_preset(const std::vector<std::string>& overrides) {
   return scene::read_preset_text(plate_text, "the suite's plate", overrides);
 }
 
-Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, const PlateChange& plate,
-           ensemble::Precision precision) try {
+Observed crack(const std::vector<std::string>& overrides, const SceneChange& scene, const PlateChange& plate,
+               ensemble::Precision precision) try {
   scene::Preset preset = plate_preset(overrides);
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   preset.scene = with(preset.scene, scene, precision);
@@ -126,8 +126,8 @@ Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, 
   return refused(error.what());
 }
 
-Seen SideBySide::of(int lane, ensemble::Precision precision) {
-  std::vector<Seen>& seen = seen_[precision == ensemble::Precision::single_precision];
+Observed LaneBatch::of(int lane, ensemble::Precision precision) {
+  std::vector<Observed>& seen = seen_[precision == ensemble::Precision::single_precision];
   if (seen.empty()) {
     scene::Preset preset = plate_preset();
     preset.scene.solver.precision = precision;

@@ -21,18 +21,18 @@ using PlateChange = std::function<void(simulation::Prepared&)>;
 
 /// Prepares and marches it; what refuses it is what was seen. Claims that every beam which the tip has passed
 /// was released, once.
-Seen crack(const std::vector<std::string>& overrides, const SceneChange& scene, const PlateChange& plate,
-           ensemble::Precision precision);
+Observed crack(const std::vector<std::string>& overrides, const SceneChange& scene, const PlateChange& plate,
+               ensemble::Precision precision);
 
 /// Scenarios that march side by side in one pass, in each precision once; asked for one by one.
-class SideBySide {
+class LaneBatch {
  public:
-  explicit SideBySide(std::vector<SceneChange> lanes) : lanes_(std::move(lanes)) {}
-  Seen of(int lane, ensemble::Precision precision);
+  explicit LaneBatch(std::vector<SceneChange> lanes) : lanes_(std::move(lanes)) {}
+  Observed of(int lane, ensemble::Precision precision);
 
  private:
   std::vector<SceneChange> lanes_;
-  std::vector<Seen> seen_[2];
+  std::vector<Observed> seen_[2];
 };
 
 /// The step of all lanes set to `dt` [s of the lattice], whatever the checks would say of it.

@@ -121,15 +121,15 @@ double largest_turn(const Eigen::Matrix2d& a) {
   return a.eigenvalues().unaryExpr([](std::complex<double> x) { return std::abs(std::arg(x)); }).maxCoeff();
 }
 
-Seen vibrate_in(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
-                std::int64_t steps, ensemble::Precision precision) {
+Observed vibrate_in(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
+                    std::int64_t steps, ensemble::Precision precision) {
   ensemble::Ensemble s =
       released(lattice, mode.shape * (1e-6 / mode.shape.cwiseAbs().maxCoeff()), dt, beta, precision);
   const ModalState modal{lattice, mode};
   Eigen::Vector2d before = modal.of(s);
   const double start = before.norm();
   Eigen::Matrix2d products = Eigen::Matrix2d::Zero(), squares = Eigen::Matrix2d::Zero();
-  Seen seen;
+  Observed seen;
   seen.residual = 0.0;
   for (; seen.steps < steps && before.norm() < far * start && before.norm() > start / far; ++seen.steps) {
     s.step();
@@ -178,27 +178,27 @@ double turn_of_mode(double omega_dt, double beta) {
   return half_trace < 0.0 ? std::numbers::pi : 0.0;
 }
 
-Seen vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
-             std::int64_t steps, ensemble::Precision precision) {
-  Seen seen = vibrate_in(lattice, mode, dt, beta, steps, precision);
+Observed vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
+                 std::int64_t steps, ensemble::Precision precision) {
+  Observed seen = vibrate_in(lattice, mode, dt, beta, steps, precision);
   seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
   const double rounding =
       growth_tolerance * (precision == ensemble::Precision::double_precision ? 1.0 : 10.0);
   if (seen.growth > rounding)
     seen.residual = std::numeric_limits<double>::quiet_NaN();  // of nothing that is kept
-  seen.ending = seen.growth > rounding        ? Ending::diverges
-                : seen.residual <= seen.limit ? Ending::closes
-                                              : Ending::open;
+  seen.ending = seen.growth > rounding        ? CaseEnd::diverges
+                : seen.residual <= seen.limit ? CaseEnd::closes
+                                              : CaseEnd::open;
   return seen;
 }
 
-Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
-                    ensemble::Precision precision) {
+Observed vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
+                        ensemble::Precision precision) {
   std::mt19937_64 random(7);
   VectorXd q = root_mobility(lattice);
   for (double& x : q) x *= static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5;
   q *= 1e-6 / q.cwiseAbs().maxCoeff();
-  Seen seen;
+  Observed seen;
   seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
   ensemble::Ensemble s = released(lattice, q, dt, 1.0, precision);
   seen.residual = 0.0;
@@ -214,7 +214,7 @@ Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t ste
   }
   // A hundred looks at cos^2 of one mode's phase, the fewest there can be, are known to 0.035.
   seen.claims.push_back(claim_near("kinetic share of K + U - C in the mean", kinetic / looks, 0.5, 0.1));
-  seen.ending = seen.residual <= seen.limit ? Ending::closes : Ending::open;
+  seen.ending = seen.residual <= seen.limit ? CaseEnd::closes : CaseEnd::open;
   return seen;
 }
 

@@ -27,7 +27,7 @@ HighestMode highest_mode(const lattice::Lattice& lattice);
 
 /// ln of what one step of velocity Verlet does to the amplitude of a mode, at best 0 for beta = 1: the
 /// spectral radius of the matrix with determinant 1 + (beta - 1) h / 2 and trace 2 - (1 + beta) h / 2, h =
-/// (omega dt)^2 [physics.md §3; paper eqs. (1), (2)]
+/// (omega dt)^2 [model.md §3; paper eqs. (1), (2)]
 double growth_of_mode(double omega_dt, double beta);
 
 /// By what angle one step turns the mode in the plane of its position and its speed [rad]: that of the same
@@ -38,12 +38,12 @@ double turn_of_mode(double omega_dt, double beta);
 /// the spectral radius of the matrix that fits all steps best. It diverges where that is above 1; where it is
 /// not the energy balance must close, and the mode must turn as turn_of_mode() says.
 /// @param[in] steps  at most; it ends earlier where the amplitude has grown or shrunk 1e6-fold
-Seen vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
-             std::int64_t steps, ensemble::Precision precision);
+Observed vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
+                 std::int64_t steps, ensemble::Precision precision);
 
-/// Marches the lattice from rest in a mixture of all motions and looks at the energies a hundred times: half of
-/// K + U - C is kinetic in the mean (the virial theorem, as velocity Verlet keeps it).
-Seen vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
-                    ensemble::Precision precision);
+/// Marches the lattice from rest in a mixture of all motions and looks at the energies a hundred times: half
+/// of K + U - C is kinetic in the mean (the virial theorem, as velocity Verlet keeps it).
+Observed vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
+                        ensemble::Precision precision);
 
 }  // namespace rift::stability

@@ -26,8 +26,8 @@ constexpr std::int64_t growing_steps = 4000;
 
 /// A crack at 0.5 of the speed of a bar's waves along any path of a lattice that is pulled by 1 %.
 /// @param[in] least, most  beams that the path crosses
-Seen crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& path, double until, int least,
-                 int most, ensemble::Precision precision) {
+Observed crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& path, double until,
+                     int least, int most, ensemble::Precision precision) {
   const lattice::StableStep stable = lattice::stable_step(lattice);
   const double speed = 500.0, dt = 0.3 * stable.critical;
   const std::vector<char> present(lattice.beam.size(), 1);
@@ -36,7 +36,7 @@ Seen crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& pat
   fracture::LaneScenario scenario;
   scenario.law = {fracture::Technique::progressive, 1.0, lattice.mean_radius};
   scenario.history = history::history_of(-scenario.law.zone_length, {{speed, until}});
-  Seen seen;
+  Observed seen;
   seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
   const std::vector<fracture::DamageableBeam> beams = fracture::damageable_beams(path, lattice, 0.0);
   ensemble::Ensemble s(lattice, beams, dt, {scenario}, {.precision = precision},
@@ -59,7 +59,7 @@ Seen crack_along(const lattice::Lattice& lattice, const fracture::CrackPath& pat
                                    released / static_cast<double>(beams.size()), 1.0, 0.0));
   seen.claims.push_back(
       claim_near("energy that they took over that of the books", taken / s.balance(0).fracture, 1.0, 1e-9));
-  seen.ending = seen.residual <= seen.limit ? Ending::closes : Ending::open;
+  seen.ending = seen.residual <= seen.limit ? CaseEnd::closes : CaseEnd::open;
   return seen;
 }
 
@@ -71,25 +71,25 @@ double energy_pulled(const lattice::Lattice& lattice) {
 }
 
 /// Two halves that nothing joins: the upper one is lifted as a whole and nothing is strained.
-Seen halves_apart(ensemble::Precision precision) {
+Observed halves_apart(ensemble::Precision precision) {
   const lattice::Lattice lattice = small_block(4, 6, 2, true), whole = small_block(4, 6, 2);
-  Seen seen = vibrate_freely(lattice, 0.9 * lattice::stable_step(lattice).critical, 2000, precision);
+  Observed seen = vibrate_freely(lattice, 0.9 * lattice::stable_step(lattice).critical, 2000, precision);
   seen.claims.push_back(claim_near("energy when pulled over that of the block in one piece",
                                    energy_pulled(lattice) / energy_pulled(whole), 0.0, 1e-15));
   return seen;
 }
 
-Seen rattlers_only(ensemble::Precision) {
+Observed rattlers_only(ensemble::Precision) {
   packing::Packing packing;
   for (const double x : {1e-3, 4e-3})
     for (const double y : {1e-3, 4e-3})
       for (const double z : {1e-3, 4e-3}) packing.centre.emplace_back(x, y, z);
   packing.radius.assign(8, 1e-3);
-  Seen seen;
+  Observed seen;
   try {
     (void)packing::make_plate(packing, {.length = 5e-3, .height = 5e-3, .thickness = 5e-3}, 1.0);
   } catch (const packing::PackingError& error) {
-    seen.ending = Ending::refused;
+    seen.ending = CaseEnd::refused;
     seen.said = error.what();
   }
   return seen;
@@ -104,25 +104,25 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
     const double dt = fraction * block->stable.critical;
     const double growth = growth_of_mode(block->mode.omega * dt, 1.0);
     cases.push_back({"time step", fmt::format("{:g} of critical", fraction),
-                     growth > 0.0 ? Ending::diverges : Ending::closes, growth, "",
+                     growth > 0.0 ? CaseEnd::diverges : CaseEnd::closes, growth, "",
                      [block, dt](ensemble::Precision p) {
                        return vibrate(block->lattice, block->mode, dt, 1.0, growing_steps, p);
                      }});
   }
   // At the limit itself K + U - C is some 1e-5 of K + U: single precision cannot balance it.
-  cases[4].expected_in_single = Ending::open;
+  cases[4].expected_in_single = CaseEnd::open;
   for (const double beta : {0.9, 0.99, 1.0, 1.01, 1.1, 1.5}) {
     const double dt = 0.5 * block->stable.critical;
     const double growth = growth_of_mode(block->mode.omega * dt, beta);
     cases.push_back({"beta", fmt::format("{:g} at half the critical step", beta),
-                     growth > 0.0 ? Ending::diverges : Ending::closes, growth, "",
+                     growth > 0.0 ? CaseEnd::diverges : CaseEnd::closes, growth, "",
                      [block, dt, beta](ensemble::Precision p) {
                        return vibrate(block->lattice, block->mode, dt, beta, growing_steps, p);
                      }});
   }
   const std::int64_t steps = options.quick ? 10'000 : 1'000'000;
   cases.push_back({"drift", fmt::format("{} steps of free vibration at 0.9 of critical", steps),
-                   Ending::closes, std::nan(""), "", [block, steps](ensemble::Precision p) {
+                   CaseEnd::closes, std::nan(""), "", [block, steps](ensemble::Precision p) {
                      return vibrate_freely(block->lattice, 0.9 * block->stable.critical, steps, p);
                    }});
 }
@@ -130,19 +130,19 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
 void add_small_lattices(Cases& cases) {
   for (const int elements : {2, 20})
     cases.push_back({"small lattices", elements == 2 ? "two elements, one beam" : "a chain of 20 elements",
-                     Ending::closes, std::nan(""), "", [elements](ensemble::Precision p) {
+                     CaseEnd::closes, std::nan(""), "", [elements](ensemble::Precision p) {
                        const lattice::Lattice chain = small_chain(elements);
                        return vibrate_freely(chain, 0.9 * lattice::stable_step(chain).critical, 5000, p);
                      }});
-  cases.push_back({"small lattices", "cut in two", Ending::closes, std::nan(""), "", halves_apart});
-  cases.push_back({"small lattices", "rattlers only", Ending::refused, std::nan(""), "grip", rattlers_only});
+  cases.push_back({"small lattices", "cut in two", CaseEnd::closes, std::nan(""), "", halves_apart});
+  cases.push_back({"small lattices", "rattlers only", CaseEnd::refused, std::nan(""), "grip", rattlers_only});
 }
 
 void add_paths(Cases& cases) {
   const auto block = std::make_shared<lattice::Lattice>(small_block(12, 8, 2));
   const double r = small_spacing;
   const auto add = [&](const char* name, const fracture::CrackPath& path, double until, int least, int most) {
-    cases.push_back({"crack path", name, Ending::closes, std::nan(""), "", [=](ensemble::Precision p) {
+    cases.push_back({"crack path", name, CaseEnd::closes, std::nan(""), "", [=](ensemble::Precision p) {
                        return crack_along(*block, path, until, least, most, p);
                      }});
   };

@@ -20,8 +20,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 using Claims = std::vector<Claim>;
-using Expectation = std::function<Claims(const Seen&, ensemble::Precision)>;
-using Memory = std::shared_ptr<Remembered>;
+using Expectation = std::function<Claims(const Observed&, ensemble::Precision)>;
+using Memory = std::shared_ptr<CachedRun>;
 
 constexpr double without_bound = std::numeric_limits<double>::infinity();
 
@@ -32,8 +32,8 @@ double rounding(ensemble::Precision precision) {
 
 /// A crack of the suite's plate that others are compared with, too.
 Memory plate(Words overrides, SceneChange scene = {}, PlateChange change = {}) {
-  return std::make_shared<Remembered>([overrides = std::move(overrides), scene = std::move(scene),
-                                       change = std::move(change)](ensemble::Precision precision) {
+  return std::make_shared<CachedRun>([overrides = std::move(overrides), scene = std::move(scene),
+                                      change = std::move(change)](ensemble::Precision precision) {
     return crack(overrides, scene, change, precision);
   });
 }
@@ -46,7 +46,7 @@ void add(Cases& cases, const char* family, std::string name, Memory seen, Expect
        .claims = std::move(claims)});
 }
 
-void add(Cases& cases, const char* family, std::string name, Ending expected, std::string names,
+void add(Cases& cases, const char* family, std::string name, CaseEnd expected, std::string names,
          Words overrides, SceneChange scene = {}, PlateChange plate = {}) {
   cases.push_back(
       {.family = family,
@@ -76,7 +76,7 @@ const Words slow{"crack.velocity=0.1 c_r", "crack.end=22 mm"};
 constexpr double young = 356e9, poisson = 0.3, ratio = 0.3;
 
 /// The same crack on another clock: its ratio is that of the one it is compared with, step by step.
-Claims same_on_another_clock(const Seen& seen, const Seen& reference, double time,
+Claims same_on_another_clock(const Observed& seen, const Observed& reference, double time,
                              ensemble::Precision precision) {
   return {
       claim_near("ratio over that of x 1", seen.ratio / reference.ratio, 1.0, rounding(precision)),
@@ -93,14 +93,14 @@ void add_scaled(Cases& cases, const char* family, const char* name,
   const Memory reference = plate({}, scene(1.0), [dt](simulation::Prepared& p) { *dt = p.step.dt; });
   for (const double factor : factors) {
     const double time = std::pow(factor, power);
-    const Memory scaled = std::make_shared<Remembered>([=](ensemble::Precision precision) {
+    const Memory scaled = std::make_shared<CachedRun>([=](ensemble::Precision precision) {
       (void)reference->of(precision);
       return crack(
           {}, scene(factor), [=](simulation::Prepared& p) { force_step(p, *dt * time); }, precision);
     });
     add(cases, family, fmt::format("{}x {:g}", name, factor), factor == 1.0 ? reference : scaled,
-        [=](const Seen& seen, ensemble::Precision precision) {
-          const Seen& of_one = reference->of(precision);
+        [=](const Observed& seen, ensemble::Precision precision) {
+          const Observed& of_one = reference->of(precision);
           Claims claims = same_on_another_clock(seen, of_one, time, precision);
           const double stored = std::pow(factor, stored_power);
           claims.push_back(claim_near("stored energy over that of x 1", seen.stored / of_one.stored, stored,
@@ -112,7 +112,7 @@ void add_scaled(Cases& cases, const char* family, const char* name,
 
 /// The energy that a displacement stores grows with every stiffness, and by no larger a factor than the
 /// stiffness that grows most (the static solution is a minimum of the energy).
-Claim stored_between(double seen, const Seen& reference, double one, double other, std::string of) {
+Claim stored_between(double seen, const Observed& reference, double one, double other, std::string of) {
   constexpr double strictly = 1e-6;
   const auto [low, high] = std::minmax(one, other);
   return {"stored energy over that of " + std::move(of), low * (1.0 + strictly), high * (1.0 - strictly),
@@ -183,8 +183,8 @@ void add_forced_steps(Cases& cases) {
   const Memory reference = at(0.1);
   for (const double fraction : {0.1, 0.5, 0.9, 0.99})
     add(cases, family, fmt::format("{} of critical", fraction), fraction == 0.1 ? reference : at(fraction),
-        [=](const Seen& seen, ensemble::Precision precision) {
-          const Seen& fine = reference->of(precision);
+        [=](const Observed& seen, ensemble::Precision precision) {
+          const Observed& fine = reference->of(precision);
           // Measured at 5,000 elements: +0.004 at 0.5 and +0.015 at 0.9; this plate is smaller.
           return Claims{
               claim_near("ratio less that at 0.1 of critical", seen.ratio - fine.ratio, 0.0, 0.03),
@@ -193,15 +193,15 @@ void add_forced_steps(Cases& cases) {
                          1.0, 2.0 / static_cast<double>(seen.steps))};
         });
   for (const char* fraction : {"1", "1.01", "2"})
-    add(cases, family, fmt::format("dt_fraction = {}", fraction), Ending::refused, "must lie in (0, 1)",
+    add(cases, family, fmt::format("dt_fraction = {}", fraction), CaseEnd::refused, "must lie in (0, 1)",
         {fmt::format("solver.dt_fraction={}", fraction)});
-  add(cases, family, "dt = 1 us", Ending::refused, "the critical step of this lattice is",
+  add(cases, family, "dt = 1 us", CaseEnd::refused, "the critical step of this lattice is",
       {"solver.dt=1 us"});
-  add(cases, family, "beta = 1.1", Ending::refused, "must lie in (0, 1]", {"solver.beta=1.1"});
+  add(cases, family, "beta = 1.1", CaseEnd::refused, "must lie in (0, 1]", {"solver.beta=1.1"});
   for (const double fraction : {1.01, 1.1, 2.0})
-    add(cases, family, fmt::format("{:g} of critical, the check overruled", fraction), Ending::diverges, "",
+    add(cases, family, fmt::format("{:g} of critical, the check overruled", fraction), CaseEnd::diverges, "",
         slow, {}, [fraction](simulation::Prepared& p) { force_step(p, fraction * p.stable.critical); });
-  add(cases, family, "beta = 1.5, the check overruled", Ending::diverges, "", slow,
+  add(cases, family, "beta = 1.5, the check overruled", CaseEnd::diverges, "", slow,
       [](scene::Scene& s) { s.solver.beta = 1.5; });
 }
 
@@ -217,14 +217,14 @@ void add_beams(Cases& cases) {
   const Memory reference = plate({}, beams(young, poisson, ratio));
   for (const double nu : {-0.9, -0.5, 0.0, 0.499})
     add(cases, "Poisson's ratio of the beams", fmt::format("nu_mu = {:g}", nu),
-        plate({}, beams(young, nu, ratio)), [=](const Seen& seen, ensemble::Precision precision) {
+        plate({}, beams(young, nu, ratio)), [=](const Observed& seen, ensemble::Precision precision) {
           // Only the twist stiffness changes, as G_mu = E_mu / (2 (1 + nu_mu)) does.
           return Claims{stored_between(seen.stored, reference->of(precision), 1.0,
                                        (1.0 + poisson) / (1.0 + nu), "nu_mu = 0.3")};
         });
   for (const double r : {0.02, 0.1, 0.6, 1.0})
     add(cases, "radius of the beams", fmt::format("r_mu = {:g}", r), plate({}, beams(young, poisson, r)),
-        [=](const Seen& seen, ensemble::Precision precision) {
+        [=](const Observed& seen, ensemble::Precision precision) {
           // S grows with the square of the radius, I and I_0 with its fourth power.
           return Claims{stored_between(seen.stored, reference->of(precision), std::pow(r / ratio, 2.0),
                                        std::pow(r / ratio, 4.0), "r_mu = 0.3")};
@@ -241,7 +241,7 @@ void add_beams(Cases& cases) {
     const auto before = std::make_shared<WithoutInclusion>();
     add(cases, "inclusion", fmt::format("{:g} as stiff", contrast),
         plate({}, {}, [=](simulation::Prepared& p) { *before = stiffen_inclusion(p, contrast); }),
-        [=](const Seen& seen, ensemble::Precision) {
+        [=](const Observed& seen, ensemble::Precision) {
           return Claims{stored_with_inclusion(seen.stored, *before, contrast)};
         });
   }
@@ -262,7 +262,7 @@ void add_packings(Cases& cases) {
         plate(
             {"specimen.layers=5", "specimen.elements=600", "specimen.coordination=5"},
             [=](scene::Scene& s) { s.specimen.radius_spread = spread; }, look),
-        [=](const Seen&, ensemble::Precision) {
+        [=](const Observed&, ensemble::Precision) {
           // Uniform within 1 -+ spread: of 600 the mean is known to 2.4 % of the spread, and the largest is a
           // hundredth off its bound. The smallest are rattlers.
           const double slack = 0.06 * spread + 1e-12;
@@ -281,7 +281,7 @@ void add_damping(Cases& cases) {
     const auto limit = std::make_shared<double>(std::nan(""));
     const Memory seen = plate({}, damped(alpha), damped_step(0.95, limit));
     add(cases, family, fmt::format("alpha = {:g} at 0.95 of its limit", alpha), seen,
-        [=](const Seen& here, ensemble::Precision precision) {
+        [=](const Observed& here, ensemble::Precision precision) {
           // One mode alone would have sqrt(1 + alpha^2) - alpha; an element feels the dampers of all its
           // beams.
           return Claims{{"limit of the step over the undamped one", 0.0,
@@ -292,9 +292,9 @@ void add_damping(Cases& cases) {
         });
     weaker = seen, wider = limit;
     add(cases, family, fmt::format("alpha = {:g} at 1.05 of it, the check overruled", alpha),
-        Ending::diverges, "", slow, damped(alpha), damped_step(1.05));
+        CaseEnd::diverges, "", slow, damped(alpha), damped_step(1.05));
   }
-  add(cases, family, "alpha = 1 at 0.9 of the undamped limit", Ending::refused,
+  add(cases, family, "alpha = 1 at 0.9 of the undamped limit", CaseEnd::refused,
       "the critical step of this lattice with this damping is",
       {"damping.alpha=1", "damping.region=all", "solver.dt_fraction=0.9"});
 }
@@ -302,7 +302,7 @@ void add_damping(Cases& cases) {
 namespace {
 
 /// G_ID / G_I0 of progressive release with r_l = 1 and of simple release over v / c_R, and with r_l = 8 at
-/// 0.5 [physics.md sections 9, 10: 5,000 and 20,000 elements].
+/// 0.5 [model.md sections 9, 10: 5,000 and 20,000 elements].
 struct KnownRatio {
   double over_cr, progressive, simple;
 };
@@ -327,13 +327,13 @@ void add_damage_zones(Cases& cases) {
     return plate({}, [r_l](scene::Scene& s) { s.crack.damage_zone_ratio = r_l; });
   };
   const auto close = [](const char* what, double expected, double slack) -> Expectation {
-    return [=](const Seen& seen, ensemble::Precision) {
+    return [=](const Observed& seen, ensemble::Precision) {
       return Claims{claim_near(what, seen.ratio, expected, slack)};
     };
   };
   /// Beside the case that it is compared with.
   const auto against = [](const char* what, Memory other, double low, double high) -> Expectation {
-    return [=](const Seen& seen, ensemble::Precision precision) {
+    return [=](const Observed& seen, ensemble::Precision precision) {
       return Claims{{what, low, high, seen.ratio - other->of(precision).ratio}};
     };
   };
@@ -343,12 +343,12 @@ void add_damage_zones(Cases& cases) {
   add(cases, family, "r_l = 0.01", zone(0.01),
       against("ratio less that of simple release", simple, -0.03, 0.03));
   add(cases, family, "r_l = 0.1", tenth, against("ratio less that of simple release", simple, 0.0, 0.2));
-  add(cases, family, "r_l = 1", one, [=](const Seen& seen, ensemble::Precision precision) {
+  add(cases, family, "r_l = 1", one, [=](const Observed& seen, ensemble::Precision precision) {
     Claims claims = close("ratio", known_ratio(0.5), scatter_of_window)(seen, precision);
     claims.push_back({"ratio less that of r_l = 0.1", 0.02, 1.0, seen.ratio - tenth->of(precision).ratio});
     return claims;
   });
-  add(cases, family, "r_l = 10", ten, [=](const Seen& seen, ensemble::Precision precision) {
+  add(cases, family, "r_l = 10", ten, [=](const Observed& seen, ensemble::Precision precision) {
     Claims claims = close("ratio", known_with_long_zone, scatter_of_window)(seen, precision);
     claims.push_back({"ratio less that of r_l = 1", 0.05, 1.0, seen.ratio - one->of(precision).ratio});
     return claims;
@@ -372,10 +372,10 @@ void add_velocities(Cases& cases, const SuiteOptions& options) {
   const std::vector<double> all{slowest, 0.1, 0.5, 0.9, 1.0, 1.5, 2.0};
   std::vector<SceneChange> lanes;
   for (const double v : all) lanes.push_back(at_velocity(v));
-  const auto pass = std::make_shared<SideBySide>(std::move(lanes));
+  const auto pass = std::make_shared<LaneBatch>(std::move(lanes));
   for (int k = 0; k < static_cast<int>(all.size()); ++k) {
     const double v = all[static_cast<std::size_t>(k)];
-    const Expectation expected = [=](const Seen& seen, ensemble::Precision precision) {
+    const Expectation expected = [=](const Observed& seen, ensemble::Precision precision) {
       if (v == slowest)
         return Claims{claim_near("ratio less that of two static solutions", seen.ratio - *at_no_velocity({}),
                                  0.0, 0.05)};
@@ -393,11 +393,11 @@ void add_velocities(Cases& cases, const SuiteOptions& options) {
   if (!options.quick)
     for (const double v : {1e-4, 1e-3})
       add(cases, family, fmt::format("{:g} c_r, to 3 mm", v), plate(short_way, at_velocity(v)),
-          [=](const Seen& seen, ensemble::Precision) {
+          [=](const Observed& seen, ensemble::Precision) {
             return Claims{claim_near("ratio less that of two static solutions",
                                      seen.ratio - *at_no_velocity(short_way), 0.0, 0.02)};
           });
-  add(cases, family, "2.5 c_r", Ending::refused, "must lie in (0, 2] c_r", {"crack.velocity=2.5 c_r"});
+  add(cases, family, "2.5 c_r", CaseEnd::refused, "must lie in (0, 2] c_r", {"crack.velocity=2.5 c_r"});
 }
 
 /// Linear kinematics knows no strain: the ratio is that of every other. Turning beams come to it as the
@@ -415,8 +415,8 @@ void add_strains(Cases& cases) {
   for (const double strain : {1e-9, 1e-6, 1e-3, usual, 0.5})
     add(cases, family, fmt::format("{:g}, linear", strain),
         strain == usual ? linear : strained(strain, "linear", 0.5),
-        [=](const Seen& seen, ensemble::Precision precision) {
-          const Seen& at_usual = linear->of(precision);
+        [=](const Observed& seen, ensemble::Precision precision) {
+          const Observed& at_usual = linear->of(precision);
           return Claims{
               claim_near("ratio over that of 0.05", seen.ratio / at_usual.ratio, 1.0, rounding(precision)),
               claim_near("stored energy over strain squared, over that of 0.05",
@@ -425,7 +425,7 @@ void add_strains(Cases& cases) {
         });
   for (const double strain : {1e-9, 1e-6, 1e-3, usual, 0.5})
     add(cases, family, fmt::format("{:g}, corotational", strain), strained(strain, "corotational", 0.1),
-        [=](const Seen& seen, ensemble::Precision precision) {
+        [=](const Observed& seen, ensemble::Precision precision) {
           const double more = seen.ratio - fine->of(precision).ratio;
           if (strain < usual)
             return Claims{claim_near("ratio less the linear one", more, 0.0, 2.0 * grows * strain + 1e-3)};

@@ -16,10 +16,10 @@ namespace rift::stability {
 
 // The suite of stiff and extreme cases: what each must come to, and what it came to.
 
-/// What a case comes to: its energy balance closes; it does not, though nothing blew up; it is refused before its first
-/// step; it diverges and is caught.
-enum class Ending { closes, open, refused, diverges };
-const char* name_of(Ending ending);
+/// What a case comes to: its energy balance closes; it does not, though nothing blew up; it is refused before
+/// its first step; it diverges and is caught.
+enum class CaseEnd { closes, open, refused, diverges };
+const char* name_of(CaseEnd ending);
 
 /// What a case must show beside its ending: a number that physics bounds, and what it was.
 struct Claim {
@@ -33,8 +33,8 @@ struct Claim {
 Claim claim_near(std::string what, double seen, double expected, double tolerance);
 
 /// What was seen of a case in one precision.
-struct Seen {
-  Ending ending = Ending::open;
+struct Observed {
+  CaseEnd ending = CaseEnd::open;
   double residual = std::numeric_limits<double>::quiet_NaN();  // largest, relative
   double limit = 0;                                            // of the residual
   double growth = std::numeric_limits<double>::quiet_NaN();    // of an amplitude: ln of its factor per step
@@ -51,33 +51,33 @@ struct Seen {
 };
 
 /// A case that is computed once in each precision, so that others can be compared with it.
-class Remembered {
+class CachedRun {
  public:
-  explicit Remembered(std::function<Seen(ensemble::Precision)> run) : run_(std::move(run)) {}
-  const Seen& of(ensemble::Precision precision);
+  explicit CachedRun(std::function<Observed(ensemble::Precision)> run) : run_(std::move(run)) {}
+  const Observed& of(ensemble::Precision precision);
 
  private:
-  std::function<Seen(ensemble::Precision)> run_;
-  std::optional<Seen> seen_[2];
+  std::function<Observed(ensemble::Precision)> run_;
+  std::optional<Observed> seen_[2];
 };
 
 struct StabilityCase {
   std::string family, name;
-  Ending expected = Ending::closes;
+  CaseEnd expected = CaseEnd::closes;
   double growth =
       std::numeric_limits<double>::quiet_NaN();  // that theory expects; NaN where it is not measured
   std::string names = {};                        // what a refusal must say
-  std::function<Seen(ensemble::Precision)> run;
-  std::optional<Ending> expected_in_single = {};  // where it is another
+  std::function<Observed(ensemble::Precision)> run;
+  std::optional<CaseEnd> expected_in_single = {};  // where it is another
   /// What it must show beside: of what was seen of it in a precision.
-  std::function<std::vector<Claim>(const Seen&, ensemble::Precision)> claims = {};
+  std::function<std::vector<Claim>(const Observed&, ensemble::Precision)> claims = {};
 };
 
 struct StabilityRow {
   std::string family, name;
-  Ending expected = Ending::closes;
+  CaseEnd expected = CaseEnd::closes;
   double growth = std::numeric_limits<double>::quiet_NaN();
-  Seen in_double, in_single;
+  Observed in_double, in_single;
   bool as_expected = false;
 };
 
@@ -92,7 +92,7 @@ inline constexpr double growth_tolerance = 1e-4;
 inline constexpr double single_ratio_tolerance = 1e-3;
 
 /// Whether what was seen is what the case expects of this precision, and all its claims hold.
-bool is_as_expected(const StabilityCase& expected, const Seen& seen, ensemble::Precision precision);
+bool is_as_expected(const StabilityCase& expected, const Observed& seen, ensemble::Precision precision);
 
 /// Runs it in both precisions.
 StabilityRow try_case(const StabilityCase& one);

@@ -13,7 +13,7 @@ struct Factor {
 };
 
 /// Self-similar crack expanding from zero in an infinite plate (Broberg 1960).
-///   k = D / (alpha_d (v/c_s)^2) mu A / sigma,   g = A_I k^2   [physics.md §8]
+///   k = D / (alpha_d (v/c_s)^2) mu A / sigma,   g = A_I k^2   [model.md §8]
 /// @param v_over_cr      [-] in [0, 1]: 1 at rest, 0 at c_R (both limits); NaN outside, where no such
 /// solution exists
 /// @param poisson_ratio  of the material in (-1, 0.5], in plane strain below 0.5, where c_d is finite
@@ -31,20 +31,20 @@ Factor strip(double v_over_cr, double poisson_ratio, Plane plane);
 
 /// A_I, which turns a stress intensity factor into a release rate: G = (1 - nu) / (2 mu) A_I K^2 (nu of plane
 /// strain).
-///   A_I = v^2 alpha_d / ((1 - nu) c_s^2 D)   [physics.md §8]
+///   A_I = v^2 alpha_d / ((1 - nu) c_s^2 D)   [model.md §8]
 /// @param v_over_cr  [-] in [-1, 1]; even in it, 1 at rest, infinite at c_R
 double release_rate_function(double v_over_cr, double poisson_ratio, Plane plane);
 
 /// Freund's universal function of the crack velocity, by which a static K becomes a dynamic one.
 ///   k(v) = (1 - v/c_R) / sqrt(1 - v/c_d) exp(1/pi int_a^b arctan[4 eta^2 sqrt((eta^2 - a^2)(b^2 - eta^2))
-///          / (b^2 - 2 eta^2)^2] d eta / (1/v - eta)),   A_I(v) k(v) k(-v) = 1   [physics.md §8]
+///          / (b^2 - 2 eta^2)^2] d eta / (1/v - eta)),   A_I(v) k(v) k(-v) = 1   [model.md §8]
 /// @param v_over_cr  [-] in [-1, 1]; negative ones serve the identity
 double freund_k(double v_over_cr, double poisson_ratio, Plane plane);
 
 /// Static release rate of a central crack in a pulled plate over its half length, G_I0(a) / a = pi sigma^2 /
 /// E' [J/m3], from the energy per area G_strip [J/m2] that the plate stores as a clamped strip of height H
 /// [m]:
-///   G_I0(a) / a = 2 pi G_strip / (H (1 - nu'^2))   [Griffith 1921; physics.md §7]
+///   G_I0(a) / a = 2 pi G_strip / (H (1 - nu'^2))   [Griffith 1921; model.md §7]
 /// The strip has no strain along the crack, so that its modulus M = E' / (1 - nu'^2) and, pulled by delta, it
 /// has sigma = M delta / H and G_strip = M delta^2 / (2 H). nu' is Poisson's ratio in the plane: nu in plane
 /// stress, nu / (1 - nu) in plane strain, where E' = E / (1 - nu^2). M itself does not appear: the formula
@@ -56,7 +56,7 @@ double griffith_slope(double strip_energy, double height, double poisson_ratio, 
 /// How far a tip of constant velocity advances before the first echo of its start is back [m]. The
 /// dilatational wave that it sent out when it started returns
 ///   from the grips after t = H / sqrt(c_d^2 - v^2):  (c_d t)^2 = H^2 + (v t)^2, mirrored at half of H
-///   from an end ahead after t = 2 W / (c_d + v):     c_d t = W + (W - v t)   [physics.md §9.4-9.5]
+///   from an end ahead after t = 2 W / (c_d + v):     c_d t = W + (W - v t)   [model.md §9.4-9.5]
 /// @param[in] v       of the tip [m/s]; infinity from c_d on, where no wave catches up with it
 /// @param[in] height  H [m], twice the distance from the path to the nearer grip
 /// @param[in] ahead   W [m], from the start to the end of the plate

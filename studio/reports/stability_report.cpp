@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string seen_text(const stability::Seen& seen) {
-  if (seen.ending == stability::Ending::diverges && seen.caught_within >= 0)
+std::string seen_text(const stability::Observed& seen) {
+  if (seen.ending == stability::CaseEnd::diverges && seen.caught_within >= 0)
     return fmt::format("diverges, caught in {}", seen.caught_within);
   return stability::name_of(seen.ending);
 }
@@ -73,12 +73,12 @@ std::vector<SeenClaim> claims_of(const stability::StabilityRow& row) {
 /// How many of a row's claims hold.
 std::string claims_text(const stability::StabilityRow& row) {
   std::size_t held = 0, all = 0;
-  for (const stability::Seen* seen : {&row.in_double, &row.in_single})
+  for (const stability::Observed* seen : {&row.in_double, &row.in_single})
     for (const stability::Claim& claim : seen->claims) ++all, held += claim.holds() ? 1 : 0;
   return all == 0 ? "" : fmt::format("{} of {}", held, all);
 }
 
-Json json_of(const stability::Seen& seen) {
+Json json_of(const stability::Observed& seen) {
   Json claims = Json::array();
   for (const stability::Claim& claim : seen.claims)
     claims.push_back({{"claim", claim.what},
@@ -104,7 +104,7 @@ std::string csv_of(const std::vector<stability::StabilityRow>& rows) {
       "damping,steps,caught_within,wall_s,said\n";
   for (const stability::StabilityRow& row : rows)
     for (const bool single : {false, true}) {
-      const stability::Seen& s = single ? row.in_single : row.in_double;
+      const stability::Observed& s = single ? row.in_single : row.in_double;
       csv += base::csv_row(row.family, row.name, stability::name_of(row.expected), row.growth,
                            single ? "single" : "double", stability::name_of(s.ending), s.residual, s.limit,
                            s.growth, s.ratio, s.steps,
@@ -140,7 +140,7 @@ Table stability_table(const std::vector<stability::StabilityRow>& rows) {
               {}};
   std::string family;
   for (const stability::StabilityRow& row : rows) {
-    const stability::Seen &a = row.in_double, &b = row.in_single;
+    const stability::Observed &a = row.in_double, &b = row.in_single;
     const std::string first = seen_text(a), second = seen_text(b);
     table.rows.push_back({row.family == family ? "" : row.family, row.name, stability::name_of(row.expected),
                           first == second ? first : first + " / " + second, number_cell(a.residual, "{:.0e}"),
@@ -228,11 +228,11 @@ NamedChart growth_chart(const stability::GrowthCurve& curve) {
 
 /// Case by case, in the order of the table; zero residuals cannot be drawn.
 ChartSeries residuals(const std::vector<stability::StabilityRow>& rows, const char* label, int colour,
-                      stability::Seen stability::StabilityRow::*seen) {
+                      stability::Observed stability::StabilityRow::*seen) {
   ChartSeries series{.label = label, .style = ChartSeries::Style::points, .colour = colour};
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const stability::Seen& s = rows[k].*seen;
-    const bool kept = s.ending == stability::Ending::closes || s.ending == stability::Ending::open;
+    const stability::Observed& s = rows[k].*seen;
+    const bool kept = s.ending == stability::CaseEnd::closes || s.ending == stability::CaseEnd::open;
     if (kept && s.residual > 0.0 && std::isfinite(s.residual))
       series.add(static_cast<double>(k + 1), s.residual);
   }

@@ -23,7 +23,7 @@ LaneReader::LaneReader(const Pane& pane, const Look& look)
       field_(*find_field(look.field)),
       moves_(look.magnification != 0) {}
 
-std::vector<results::Sample> LaneReader::books_until(double since_start_s) const {
+std::vector<results::Sample> LaneReader::samples_until(double since_start_s) const {
   const auto& samples = index_.samples(lane_);
   const auto start = std::find_if(samples.begin(), samples.end(), [](const results::Sample& s) {
     return s.phase == results::Phase::fracture;

@@ -30,7 +30,7 @@ class LaneReader {
   [[nodiscard]] const results::Geometry& geometry() const { return index_.geometry(); }
   [[nodiscard]] const nlohmann::ordered_json& header() const { return header_; }
   /// The samples of the crack up to a time since its start [s].
-  [[nodiscard]] std::vector<results::Sample> books_until(double since_start_s) const;
+  [[nodiscard]] std::vector<results::Sample> samples_until(double since_start_s) const;
   /// When the crack starts [s], and how long it lasts as far as is known.
   [[nodiscard]] double start_s() const;
   [[nodiscard]] double lasts_s() const;

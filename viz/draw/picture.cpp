@@ -23,7 +23,7 @@ Extent extent_of(const std::vector<std::unique_ptr<LaneReader>>& readers, const 
 
 double most_energy(LaneReader& reader) {
   double most = 0;
-  for (const results::Sample& s : reader.books_until(1e300))
+  for (const results::Sample& s : reader.samples_until(1e300))
     most = std::max({most, s.elastic_j, s.fracture_j, s.damping_j, s.contact_j});
   return most;
 }
@@ -80,7 +80,7 @@ void Picture::add_charts() {
   for (const auto& reader : reader_) {
     lasts = std::max(lasts, reader->lasts_s());
     most = std::max(most, most_energy(*reader));
-    const BudgetLines own = budget_lines(reader->books_until(1e300));
+    const BudgetLines own = budget_lines(reader->samples_until(1e300));
     lines.damping = lines.damping || own.damping, lines.contact = lines.contact || own.contact;
   }
   add_key(*overlay_, layout_.key, layout_.text_px, budget_key(lines));
@@ -97,7 +97,7 @@ void Picture::add_charts() {
 void Picture::draw(double since_start_s, std::span<std::uint8_t> rgb) {
   for (std::size_t k = 0; k < pane_.size(); ++k) {
     pane_[k]->show(reader_[k]->at(since_start_s));
-    if (!chart_.empty()) chart_[k]->show(reader_[k]->books_until(since_start_s), reader_[k]->start_s());
+    if (!chart_.empty()) chart_[k]->show(reader_[k]->samples_until(since_start_s), reader_[k]->start_s());
   }
   window_->Render();
   read(rgb);

@@ -112,7 +112,7 @@ Eigen::Matrix2d amplification(const Vibration& v, int mode, double beta, double 
 }
 
 // Eqs. (1) and (2) of the paper for q'' = -omega^2 q with h = (omega dt)^2:
-//   determinant 1 + (beta - 1) h / 2, trace 2 - (1 + beta) h / 2   [physics.md §3]
+//   determinant 1 + (beta - 1) h / 2, trace 2 - (1 + beta) h / 2   [model.md §3]
 // 1e-8: rounding of the force, 1e-16 of the stiffest mode, seen from the softest, some 1e5 softer.
 TEST(Integrator, AmplifiesAModeAsTheTheorySays) {
   const Vibration v;

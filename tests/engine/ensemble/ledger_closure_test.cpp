@@ -38,7 +38,7 @@ void expect_closed_books(const Extras& extras) {
     for (int lane = 0; lane < 4; ++lane) {
       SCOPED_TRACE(testing::Message() << extras.name << ", " << fraction << " of critical, law " << lane);
       // Issue: 1e-10. What is left is rounding, some 1e-16 a step; 1e-13 would still show a term of the wrong
-      // kind, which misses by 5e-4 and more   [physics.md §7].
+      // kind, which misses by 5e-4 and more   [model.md §7].
       EXPECT_LT(worst[lane], 1e-13);
       const fracture::EnergyBalance end = s.balance(lane);
       EXPECT_GT(end.fracture, 0.05 * s.balance(lane).largest);

@@ -30,7 +30,7 @@ double residual_of_a_long_run(Precision precision, lattice::Kinematics kinematic
   return worst;
 }
 
-// The bounds of physics.md §7.
+// The bounds of model.md §7.
 TEST(LongRun, KeepsTheBooksClosedOverAHundredThousandSteps) {
   for (const std::string technique : {"simple", "progressive"}) {
     EXPECT_LT(residual_of_a_long_run(Precision::double_precision, lattice::Kinematics::linear, technique),

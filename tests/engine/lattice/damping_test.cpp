@@ -154,7 +154,7 @@ TEST(Damping, BooksTheEnergyThatTheLatticeLoses) {
   const double at_first = march.evaluate_balance().total();
   for (int step = 0; step < 500; ++step) {
     march.step();
-    // The books of physics.md §7 close to rounding in every single step, at half of the critical one, too.
+    // The books of model.md §7 close to rounding in every single step, at half of the critical one, too.
     ASSERT_NEAR(march.evaluate_balance().total() + march.viscous_work, at_first, 1e-12 * at_first)
         << "step " << step;
   }

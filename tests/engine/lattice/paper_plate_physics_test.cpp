@@ -11,7 +11,7 @@ namespace rift::lattice {
 namespace {
 
 // One test, since the packing takes most of its time. The figures are those measured with the prototype of
-// this model [physics.md §§1, 3, 5] for its own seed; over seeds they spread by what stands beside each.
+// this model [model.md §§1, 3, 5] for its own seed; over seeds they spread by what stands beside each.
 TEST(PaperPlate, ShowsTheFiguresMeasured) {
   const packing::Box box{.length = 0.2, .height = 0.04, .thickness = 0.002};
   const packing::Packing packing = packing::packed_once(
@@ -42,7 +42,7 @@ TEST(PaperPlate, ShowsTheFiguresMeasured) {
   const StableStep step = stable_step(lattice);
   EXPECT_NEAR(step.critical, 1.40e-7, 0.05 * 1.40e-7);
   EXPECT_LE(step.element_bound, step.critical);
-  // With E_mu of the bulk every frequency is higher by the root of the moduli   [physics.md §3: 1.10e-7 s].
+  // With E_mu of the bulk every frequency is higher by the root of the moduli   [model.md §3: 1.10e-7 s].
   EXPECT_NEAR(stable_step(bulk).critical, 1.10e-7, 0.05 * 1.10e-7);
 }
 

@@ -34,11 +34,11 @@ TEST(Thickness, GrowsWithLayersToThreeHalves) {
 }
 
 TEST(MeanRadius, IsTheMeasuredOneOfThePaperPlate) {
-  EXPECT_NEAR(expected_mean_radius_m(scene_of({})), 0.487e-3, 0.0005e-3);  // physics.md §1 gives three digits
+  EXPECT_NEAR(expected_mean_radius_m(scene_of({})), 0.487e-3, 0.0005e-3);  // model.md §1 gives three digits
 }
 
 TEST(Density, FollowsFromTheRayleighSpeedInEitherPlane) {
-  EXPECT_NEAR(density(scene_of({})), 667, 0.5);  // physics.md §5 gives three digits
+  EXPECT_NEAR(density(scene_of({})), 667, 0.5);  // model.md §5 gives three digits
   EXPECT_NEAR(density(scene_of({"material.plane=strain"})), 683, 0.5);
   EXPECT_EQ(density(scene_of({"material.density=700"})), 700.0);
 }
@@ -88,7 +88,7 @@ TEST(Window, OfTwoTipsReachesFromFiveDamageZonesToTheFirstEcho) {
     const Scene scene = scene_of(two_tips({"crack.damage_zone_ratio=" + std::to_string(zones)}));
     const auto [from, to] = window_over_length(scene);
     EXPECT_NEAR(from * 0.3, 5.0 * zones * expected_mean_radius_m(scene), 1e-15);
-    EXPECT_NEAR(to * 0.3, 5.0 * 11.3e-3, 5.0 * 0.05e-3);  // physics.md §9.4, H = 200 mm instead of 40
+    EXPECT_NEAR(to * 0.3, 5.0 * 11.3e-3, 5.0 * 0.05e-3);  // model.md §9.4, H = 200 mm instead of 40
     EXPECT_NEAR(crack_end(scene), to * 0.3, 1e-15);
   }
 }
@@ -124,7 +124,7 @@ TEST(CrackEnd, IsTheEndOfTheWindowUnlessGiven) {
 }
 
 TEST(EchoFreeTip, IsTheAdvanceFromTheStart) {
-  EXPECT_NEAR(echo_free_tip_m(scene_of({})), 11.3e-3, 0.05e-3);  // physics.md §9.4 gives three digits
+  EXPECT_NEAR(echo_free_tip_m(scene_of({})), 11.3e-3, 0.05e-3);  // model.md §9.4 gives three digits
   EXPECT_NEAR(echo_free_tip_m(scene_of({"crack.velocity=1 c_r"})), 25.8e-3, 0.05e-3);
   const double advance = echo_free_tip_m(scene_of({}));
   EXPECT_NEAR(echo_free_tip_m(scene_of({"crack.velocity=1100 m/s"})), advance, 1e-12);

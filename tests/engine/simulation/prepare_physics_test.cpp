@@ -15,7 +15,7 @@ TEST(PreStress, ByARampStoresWhatTheStaticSolveSaysOfTheGripsWork) {
   const Prepared at_once = small_plate();
   const RunResult pulled = march(ramp, {}), released = march(at_once, {});
   ASSERT_EQ(pulled.outcome, Outcome::finished) << pulled.lane[0].where;
-  EXPECT_NEAR(pulled.lane[0].energy_at_crack_start / at_once.static_energy, 1.0, 0.01);  // physics.md §4
+  EXPECT_NEAR(pulled.lane[0].energy_at_crack_start / at_once.static_energy, 1.0, 0.01);  // model.md §4
   EXPECT_LT(pulled.lane[0].prestress_kinetic, 0.01);
   const double by_ramp = rates_of(ramp, pulled).plateau.mean.ratio,
                by_solve = rates_of(at_once, released).plateau.mean.ratio;
@@ -56,7 +56,7 @@ TEST(Scaling, BulkBeamsAreThoseOfALatticeOfTheirOwn) {
   }
 }
 
-// physics.md §5: in linear kinematics the ratio at v with E_mu is that at v sqrt(E_mu'/E_mu) with E_mu' over
+// model.md §5: in linear kinematics the ratio at v with E_mu is that at v sqrt(E_mu'/E_mu) with E_mu' over
 // the same window: time scales, nothing else does.
 TEST(Scaling, BulkBeamsAtAVelocityAreInSituBeamsAtALowerOne) {
   const auto plateau = [](const std::vector<std::string>& overrides, double& micro) {
@@ -87,7 +87,7 @@ TEST(Scaling, BulkBeamsAtAVelocityAreInSituBeamsAtALowerOne) {
     }
 }
 
-// What the lattice does whatever its size   [physics.md §9]: a faster crack is paid less, a progressive
+// What the lattice does whatever its size   [model.md §9]: a faster crack is paid less, a progressive
 // release more than a simple one, and rates by the two ways agree to the residual of the books.
 TEST(Rates, FallWithVelocityAndRiseWithAProgressiveRelease) {
   const auto plateau = [](const std::string& technique, const std::string& velocity) {

@@ -50,7 +50,7 @@ TEST(TwoTips, CloseTheirBooksAndTakeWhatALatticeTakesOfBroberg) {
   EXPECT_LE(o.result.lane[0].worst_residual, 1e-10);
   ASSERT_TRUE(o.plateau.reached);
   EXPECT_NEAR(o.plateau.mean.ratio, o.plateau.mean.ratio_release, 1e-9);
-  // physics.md §9.5: efficiency x Broberg, 0.7 to 0.9 of 0.52 at r_l = 2; a zone of finite length ahead of
+  // model.md §9.5: efficiency x Broberg, 0.7 to 0.9 of 0.52 at r_l = 2; a zone of finite length ahead of
   // the tip adds some per cent to what a crack of half length a takes.
   EXPECT_GT(o.plateau.mean.ratio, 0.7 * 0.52);
   EXPECT_LT(o.plateau.mean.ratio, 1.0 * 0.52);

@@ -58,27 +58,27 @@ TEST(HighestMode, IsWhatLanczosFindsAndNothingTheElementBoundForbids) {
 }
 
 TEST(Suite, SeesThatACaseIsNotAsExpected) {
-  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](ensemble::Precision) {
-                      Seen seen;
-                      seen.ending = Ending::diverges;
+  StabilityCase one{"f", "c", CaseEnd::closes, std::nan(""), "", [](ensemble::Precision) {
+                      Observed seen;
+                      seen.ending = CaseEnd::diverges;
                       return seen;
                     }};
   EXPECT_FALSE(try_case(one).as_expected);
-  one.expected = Ending::diverges;
+  one.expected = CaseEnd::diverges;
   EXPECT_TRUE(try_case(one).as_expected);
   one.growth = 0.1;  // and none was seen
   EXPECT_FALSE(try_case(one).as_expected);
 }
 
 TEST(Suite, ACaseThatClosesButShowsAnotherNumberIsNotAsExpected) {
-  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](ensemble::Precision) {
-                      Seen seen;
-                      seen.ending = Ending::closes;
+  StabilityCase one{"f", "c", CaseEnd::closes, std::nan(""), "", [](ensemble::Precision) {
+                      Observed seen;
+                      seen.ending = CaseEnd::closes;
                       seen.ratio = 0.5;
                       return seen;
                     }};
   const auto expect = [&](double low, double high, double factor) {
-    one.claims = [=](const Seen& seen, ensemble::Precision) {
+    one.claims = [=](const Observed& seen, ensemble::Precision) {
       return std::vector<Claim>{{"ratio", low, high, factor * seen.ratio}};
     };
     return try_case(one).as_expected;
@@ -89,9 +89,9 @@ TEST(Suite, ACaseThatClosesButShowsAnotherNumberIsNotAsExpected) {
 }
 
 TEST(Suite, ARatioThatSinglePrecisionChangesIsNotAsExpected) {
-  StabilityCase one{"f", "c", Ending::closes, std::nan(""), "", [](ensemble::Precision precision) {
-                      Seen seen;
-                      seen.ending = Ending::closes;
+  StabilityCase one{"f", "c", CaseEnd::closes, std::nan(""), "", [](ensemble::Precision precision) {
+                      Observed seen;
+                      seen.ending = CaseEnd::closes;
                       seen.ratio = precision == ensemble::Precision::double_precision ? 0.5 : 0.502;
                       return seen;
                     }};
@@ -99,7 +99,7 @@ TEST(Suite, ARatioThatSinglePrecisionChangesIsNotAsExpected) {
 }
 
 TEST(Suite, CountsTheBeamsThatTheTipOfAPlateHasPassed) {
-  const Seen seen = crack({}, {}, {}, ensemble::Precision::double_precision);
+  const Observed seen = crack({}, {}, {}, ensemble::Precision::double_precision);
   ASSERT_EQ(seen.claims.size(), 1U);
   EXPECT_EQ(seen.claims[0].what, "beams released");
   EXPECT_GT(seen.claims[0].low, 20.0);
@@ -108,9 +108,9 @@ TEST(Suite, CountsTheBeamsThatTheTipOfAPlateHasPassed) {
 }
 
 TEST(Suite, ARefusalMustSayWhy) {
-  StabilityCase one{"f", "c", Ending::refused, std::nan(""), "the limit is", [](ensemble::Precision) {
-                      Seen seen;
-                      seen.ending = Ending::refused;
+  StabilityCase one{"f", "c", CaseEnd::refused, std::nan(""), "the limit is", [](ensemble::Precision) {
+                      Observed seen;
+                      seen.ending = CaseEnd::refused;
                       seen.said = "no";
                       return seen;
                     }};
@@ -118,9 +118,9 @@ TEST(Suite, ARefusalMustSayWhy) {
 }
 
 TEST(Suite, ADivergenceMustBeCaughtInTime) {
-  StabilityCase one{"f", "c", Ending::diverges, std::nan(""), "", [](ensemble::Precision) {
-                      Seen seen;
-                      seen.ending = Ending::diverges;
+  StabilityCase one{"f", "c", CaseEnd::diverges, std::nan(""), "", [](ensemble::Precision) {
+                      Observed seen;
+                      seen.ending = CaseEnd::diverges;
                       seen.caught_within = caught_at_most + 1;
                       return seen;
                     }};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double far = 1e3;  // [m], of an end that does not matter
 
-// physics.md §9.4, on the paper's plate: H = 40 mm, nu = 0.3, plane stress; three digits are printed.
+// model.md §9.4, on the paper's plate: H = 40 mm, nu = 0.3, plane stress; three digits are printed.
 TEST(Echo, OfTheGripsIsBackAfterTheAdvanceOfThePapersPlate) {
   const WaveSpeeds c = wave_speeds(10e9, 0.3, 667.0, Plane::stress);
   const auto advance = [&](double x) { return echo_free_advance(x * c.rayleigh, 0.04, far, c.dilatational); };

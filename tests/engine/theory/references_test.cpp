@@ -52,7 +52,7 @@ TEST(References, MatchEveryRowOfTheTable) {
   }
 }
 
-// The formulas of physics.md §8 as they stand there, in 40 digits and more by mpmath 1.3 (Gauss-Legendre and
+// The formulas of model.md §8 as they stand there, in 40 digits and more by mpmath 1.3 (Gauss-Legendre and
 // its own tanh-sinh, no algebra in common with ours), from decimal arguments.
 const Given mpmath_rows[] = {
     {0.3, Plane::stress, 0.0001, 0.916214261904077593, 1.69030850945703316, 0.999999929730017787,
@@ -107,7 +107,7 @@ TEST(ReleaseRateFunction, IsItsDefinition) {
 }
 
 TEST(Freund, ForwardTimesBackwardUndoesTheReleaseRate) {
-  // A_I(v) k(v) k(-v) = 1 exactly; at nu = 0 and near it the arctangent has its layer.   [physics.md §8]
+  // A_I(v) k(v) k(-v) = 1 exactly; at nu = 0 and near it the arctangent has its layer.   [model.md §8]
   for (const Plane plane : {Plane::stress, Plane::strain})
     for (const double nu : {-0.9, -0.3, -1e-6, 0.0, 1e-3, 0.02, 0.25, 0.3, 0.45, 0.4999})
       for (const double v : {1e-4, 0.1, 0.5, 0.9, 0.99, 0.9999})

@@ -44,7 +44,7 @@ TEST(DilatationalSpeed, FollowsThePlane) {
 }
 
 TEST(WaveSpeeds, GiveTheDensityOfThePaper) {
-  // E = 10 GPa, nu = 0.3 and 667 kg/m3 make c_R = 2200 m/s in plane stress, 683 in plane strain. [physics.md
+  // E = 10 GPa, nu = 0.3 and 667 kg/m3 make c_R = 2200 m/s in plane stress, 683 in plane strain. [model.md
   // §5]
   EXPECT_NEAR(wave_speeds(10e9, 0.3, 667.0, Plane::stress).rayleigh, 2200.0, 1.0);
   EXPECT_NEAR(wave_speeds(10e9, 0.3, 683.0, Plane::strain).rayleigh, 2200.0, 1.0);

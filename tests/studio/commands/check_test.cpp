@@ -42,7 +42,7 @@ TEST(Check, SaysWhatIsLeftOutAndWhy) {
 
 TEST(Check, TellsWindowAndFirstEchoOfOneTipAndOfTwo) {
   const TinyPlate plate;
-  // H = 12 mm: 0.3 of the paper's 11.26 mm at 0.5 c_r   [physics.md §9.4]
+  // H = 12 mm: 0.3 of the paper's 11.26 mm at 0.5 c_r   [model.md §9.4]
   EXPECT_TRUE(contains(plate.check().out, "measured from 12 to 24 mm; the first echo is back at 3.379 mm"));
   EXPECT_TRUE(contains(plate.check("--set 'crack.velocity=0.2 c_r until 20 mm, 0.7 c_r'").out,
                        "when the first echo is back is not known"));
