@@ -44,7 +44,8 @@ list_needs() {
 
 is_installed() { [ "$(dpkg-query -W -f='${Status}' "$1" 2>/dev/null)" = 'install ok installed' ]; }
 
-is_offered() { apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'; }
+# The answer is read whole: with pipefail, a grep that stops at its match would make the writer's SIGPIPE a "no".
+is_offered() { [[ $(apt-cache policy "$1" 2>/dev/null) =~ 'Candidate: '[^\(] ]]; }
 
 # Prints the packages that are missing and can be had; one of OSMesa and EGL suffices.
 obtainable() { # MISSING...
@@ -89,7 +90,9 @@ install_missing() {
   say "installing" $wanted "and what they need (up to 1.5 GB and a few minutes for the renderer)"
   # shellcheck disable=SC2086  # names without spaces
   "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $wanted |
-    awk '/^Setting up/ { printf "\r   %d packages set up", ++n > "/dev/stderr" } END { if (n) print "" > "/dev/stderr" }'
+    awk -v live="$([ -t 2 ] && echo 1)" '
+      /^Setting up/ { ++n; if (live) printf "\r   %d packages set up", n > "/dev/stderr" }
+      END { if (n) printf "%s   %d packages set up\n", live ? "\r" : "", n > "/dev/stderr" }'
 }
 
 build() { # TARGET...
