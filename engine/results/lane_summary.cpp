@@ -143,7 +143,7 @@ namespace {
 std::string technique(const LaneSummary& s) { return s.technique.empty() ? "" : s.technique + " release"; }
 
 std::string velocity(const LaneSummary& s) {
-  return std::isnan(s.crack_velocity_over_cr) ? "" : fmt::format("{:.3g} c_r", s.crack_velocity_over_cr);
+  return std::isnan(s.crack_velocity_over_cr) ? "" : fmt::format("{:.3g} c_R", s.crack_velocity_over_cr);
 }
 
 std::string damping(const LaneSummary& s) {
