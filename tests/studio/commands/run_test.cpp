@@ -86,9 +86,9 @@ TEST(Run, SaysOfTwoTipsThatTheyAreTwo) {
   const Ran ran =
       plate.run("--set crack.tips=2 --set output.g_i0_reference=griffith --set 'output.window=[0.1, 0.5]'");
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_TRUE(contains(ran.out, "0.5 c_r, two tips, progressive release"));
+  EXPECT_TRUE(contains(ran.out, "0.5 c_R, two tips, progressive release"));
   EXPECT_TRUE(contains(ran.out, "half length 0.1 to 0.5 of the length"));
-  EXPECT_TRUE(contains(ran.out, "first echo back at 0.056 of the length"));
+  EXPECT_TRUE(contains(ran.out, "first boundary reflection reaches the tip at 0.056 of the length"));
   EXPECT_TRUE(contains(ran.out, "kJ/m² (griffith, mean)"));
 }
 
@@ -127,7 +127,7 @@ TEST(Run, NotesADamagedCacheFileAndRebuildsIt) {
   const Ran ran = plate.run("--force");
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_TRUE(contains(ran.err, "cache: " + (plate.path() / "cache" / "rift" / "packing-").string()));
-  EXPECT_TRUE(contains(ran.err, "damaged, built anew"));
+  EXPECT_TRUE(contains(ran.err, "is damaged: its contents are computed again"));
   EXPECT_EQ(plate.run("--force").err, "");
 }
 
@@ -158,9 +158,8 @@ TEST(RunOut, OfAKilledRunOffersToGoOn) {
   plate.run_and_kill("checkpoint.h5", slow);
   const Ran ran = plate.run(slow);
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_EQ(ran.err, "rift: " + plate.out().string() +
-                         " holds a run that has not come to its end: 'rift resume " + plate.out().string() +
-                         "' goes on with it, --force replaces it\n");
+  EXPECT_EQ(ran.err, "rift: " + plate.out().string() + " holds an unfinished run: 'rift resume " +
+                         plate.out().string() + "' continues it, --force replaces it\n");
 }
 
 TEST(RunOut, OfARunThatGoesOnIsNotReplaced) {
@@ -389,8 +388,9 @@ TEST(RunStopped, WhilePackingLeavesNoFolder) {
                       "--set specimen.length=0.2 --set specimen.height=0.04 --set crack.end=0.08");
   EXPECT_EQ(ran.exit_code, 130) << ran.err;
   EXPECT_EQ(ran.out, "");
-  EXPECT_EQ(ran.err,
-            "rift run: stopped while packing: nothing was written, and the same command starts anew\n");
+  EXPECT_EQ(
+      ran.err,
+      "rift run: stopped while packing: nothing was written; the same command starts from the beginning\n");
   EXPECT_FALSE(fs::exists(plate.out()));
   EXPECT_FALSE(fs::exists(plate.path() / "cache" / "rift"));
 }
