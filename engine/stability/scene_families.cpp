@@ -216,18 +216,18 @@ void add_beams(Cases& cases) {
              -0.5, 1.0, {1e-6, 1e-3, 1.0, 1e3, 1e6});
   const Memory reference = plate({}, beams(young, poisson, ratio));
   for (const double nu : {-0.9, -0.5, 0.0, 0.499})
-    add(cases, "Poisson's ratio of the beams", fmt::format("nu_mu = {:g}", nu),
+    add(cases, "Poisson's ratio of the beams", fmt::format("ν_µ = {:g}", nu),
         plate({}, beams(young, nu, ratio)), [=](const Observed& seen, ensemble::Precision precision) {
           // Only the twist stiffness changes, as G_mu = E_mu / (2 (1 + nu_mu)) does.
           return Claims{stored_between(seen.stored, reference->of(precision), 1.0,
-                                       (1.0 + poisson) / (1.0 + nu), "nu_mu = 0.3")};
+                                       (1.0 + poisson) / (1.0 + nu), "ν_µ = 0.3")};
         });
   for (const double r : {0.02, 0.1, 0.6, 1.0})
-    add(cases, "radius of the beams", fmt::format("r_mu = {:g}", r), plate({}, beams(young, poisson, r)),
+    add(cases, "radius of the beams", fmt::format("r_µ = {:g}", r), plate({}, beams(young, poisson, r)),
         [=](const Observed& seen, ensemble::Precision precision) {
           // S grows with the square of the radius, I and I_0 with its fourth power.
           return Claims{stored_between(seen.stored, reference->of(precision), std::pow(r / ratio, 2.0),
-                                       std::pow(r / ratio, 4.0), "r_mu = 0.3")};
+                                       std::pow(r / ratio, 4.0), "r_µ = 0.3")};
         });
   add_scaled(cases, "density", "",
              [](double factor) {
@@ -286,8 +286,8 @@ void add_damping(Cases& cases) {
           // beams.
           return Claims{{"limit of the step over the undamped one", 0.0,
                          wider ? *wider * (1.0 - 1e-3) : std::sqrt(1.0 + alpha * alpha) - alpha, *limit},
-                        {"share of the energy that damping takes", 1e-6, 1.0, here.damped},
-                        {"that share over the one of the weaker damping", weaker ? 1.0 + 1e-3 : 1.0,
+                        {"share of the energy that damping dissipates", 1e-6, 1.0, here.damped},
+                        {"that share over the share of the weaker damping", weaker ? 1.0 + 1e-3 : 1.0,
                          without_bound, weaker ? here.damped / weaker->of(precision).damped : 1.0}};
         });
     weaker = seen, wider = limit;
@@ -385,14 +385,14 @@ void add_velocities(Cases& cases, const SuiteOptions& options) {
       return claims;
     };
     cases.push_back({.family = family,
-                     .name = fmt::format("{:g} c_r{}", v, v > 1.0 ? ", beyond any positive limit" : ""),
+                     .name = fmt::format("{:g} c_R{}", v, v > 1.0 ? ", beyond any positive limit" : ""),
                      .run = [pass, k](ensemble::Precision precision) { return pass->of(k, precision); },
                      .claims = expected});
   }
   const Words short_way{"crack.end=3 mm", "output.window=[0.03, 0.12]"};
   if (!options.quick)
     for (const double v : {1e-4, 1e-3})
-      add(cases, family, fmt::format("{:g} c_r, to 3 mm", v), plate(short_way, at_velocity(v)),
+      add(cases, family, fmt::format("{:g} c_R, to 3 mm", v), plate(short_way, at_velocity(v)),
           [=](const Observed& seen, ensemble::Precision) {
             return Claims{claim_near("ratio less that of two static solutions",
                                      seen.ratio - *at_no_velocity(short_way), 0.0, 0.02)};
