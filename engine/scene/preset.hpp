@@ -26,6 +26,13 @@ struct RowsOrigin {
   std::vector<int> line;
 };
 
+/// One list of [study]: an axis and its values as they are written, "\"0.3 c_r\"", "linear", "3".
+struct GridAxis {
+  std::string name;
+  std::vector<std::string> values;
+  bool operator==(const GridAxis&) const = default;
+};
+
 /// One scenario of a study.
 struct StudyRow {
   Scene scene;
@@ -44,6 +51,8 @@ struct Preset {
   std::vector<Scene> lanes;               // of [[lanes]], in the order of the file; a lattice and step shared
   /// Of [study], the first list varying slowest, then of [[study.rows]]; no two scenes are equal.
   std::vector<StudyRow> study;
+  std::vector<GridAxis> grid;              // the lists of [study], in the order of the file
+  std::size_t grid_scenarios = 0;          // how many of `study` the grid makes: the first ones
   std::vector<Change> steering;            // of [[steering]], by lane and step
   std::map<std::string, RowsOrigin> rows;  // by full key, of those whose rows came from a file
   std::vector<std::string> notes;  // a line each: keys that --set has replaced, rows that seem to be missing
@@ -53,6 +62,13 @@ struct Preset {
 /// An override replaces what the file says of its key and of the keys that it excludes (thickness for
 /// layers), with a note; the last one wins. Never throws for bad input, a missing file included.
 Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// The same with other lists in the place of [study]; none: without a grid. [[study.rows]] stay.
+Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                   const std::vector<GridAxis>& grid);
+
+/// How many combinations of the grid are the same scenario as an earlier one, and thus not computed.
+std::size_t merged_combinations(const Preset& preset);
 
 /// The same for a text; `name` stands for the file in messages. An empty text is a preset: all defaults.
 Preset read_preset_text(std::string_view text, const std::string& name,
@@ -69,7 +85,8 @@ Issue issue_at_row(const Preset& preset, const std::string& key, std::size_t row
 /// scene back to the last bit.
 std::string preset_text(const Scene& scene);
 
-/// The same with its lanes as [[lanes]] and its study as [[study.rows]], in the axes that are varied.
+/// The same with its lanes as [[lanes]] and its study as [study] and [[study.rows]], in the axes that are
+/// varied.
 std::string preset_text(const Preset& preset);
 
 /// The text of a file, or why there is none ("no such file", "is a directory", "cannot be read: ...").

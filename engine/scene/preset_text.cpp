@@ -76,10 +76,13 @@ std::string preset_text(const Preset& preset) {
   std::string out = preset_text(preset.scene);
   const std::vector<const Axis*> in_lanes = varied_in_lanes(preset);
   for (const Scene& lane : preset.lanes) out += "\n[[lanes]]\n" + axis_lines(lane, in_lanes);
-  for (const StudyRow& row : preset.study) {
+  if (!preset.grid.empty()) out += "\n[study]\n";
+  for (const GridAxis& axis : preset.grid)
+    out += fmt::format("{} = [{}]\n", axis.name, fmt::join(axis.values, ", "));
+  for (std::size_t k = preset.grid_scenarios; k < preset.study.size(); ++k) {
     std::vector<const Axis*> varied;
-    for (const auto& [name, text] : row.axes) varied.push_back(find_axis(name));
-    out += "\n[[study.rows]]\n" + axis_lines(row.scene, varied);
+    for (const auto& [name, text] : preset.study[k].axes) varied.push_back(find_axis(name));
+    out += "\n[[study.rows]]\n" + axis_lines(preset.study[k].scene, varied);
   }
   return out + steering_text(preset.steering);
 }

@@ -234,6 +234,7 @@ std::vector<Scene> study_scenes(ScenarioReading& reading) {
   const std::vector<ListedScenario> rows = read_listed_scenarios(reading, "study.rows");
   check_empty(reading);
   take_grid(reading, lists, seen, scenes);
+  reading.grid_scenarios = scenes.size();
   check_values(reading, lists, scenes);
   take_rows(reading, rows, seen, scenes);
   check_applies(reading, scenes);
@@ -280,7 +281,16 @@ std::vector<Issue> take_scenarios(Preset& preset, const TomlDocument& document,
   }
   for (const Scene& scene : of_study) preset.study.push_back(study_row(scene, study.mentions));
   preset.lanes = std::move(of_lanes);
+  preset.grid = std::move(study.grid);
+  preset.grid_scenarios = study.grid_scenarios;
   return std::move(study.issues);
+}
+
+std::size_t merged_combinations(const Preset& preset) {
+  if (preset.grid.empty()) return 0;
+  std::size_t combinations = 1;
+  for (const GridAxis& axis : preset.grid) combinations *= axis.values.size();
+  return combinations - preset.grid_scenarios;
 }
 
 }  // namespace rift::scene
