@@ -32,7 +32,7 @@ constexpr Quantity quantities[] = {
     {"scatter", &results::LaneSummary::ratio_scatter, "{:.4f}"},
     {"with damping", &results::LaneSummary::ratio_with_damping, "{:.4f}"},
     {"Broberg", &results::LaneSummary::broberg, "{:.4f}"},
-    {"off Broberg", &results::LaneSummary::error_broberg, "{:+.4f}"},
+    {"diff. to Broberg", &results::LaneSummary::error_broberg, "{:+.4f}"},
     {"v / c_R", &results::LaneSummary::crack_velocity_over_cr, "{:.3g}"},
     {"r_l", &results::LaneSummary::damage_zone_ratio, "{:.3g}"},
     {"relaxation p", &results::LaneSummary::relaxation, "{:.3g}"},
@@ -88,7 +88,7 @@ void CompareScreen::draw(Canvas& canvas, Glyphs glyphs) {
 }
 
 void CompareScreen::draw_table(Canvas& canvas, const Area& area) const {
-  constexpr int names = 14, numbers = 10;
+  constexpr int names = 18, numbers = 10;
   for (int k = 0; k < static_cast<int>(columns_.size()); ++k)
     canvas.text(area.x + names + numbers * k, area.y, fmt::format("{:>{}}", k + 1, numbers - 1),
                 {inks[k], true}, area.width - names - numbers * k);
