@@ -116,7 +116,7 @@ for argument in "$@"; do
 done
 [ -n "$what" ] || { usage >&2; exit 2; }
 [ $viz = OFF ] || packages+=("${viz_packages[@]}")
-[ "$what" = demo ] || packages+=('tmux|tests of the panels')
+[ "$what" = demo ] || packages+=('tmux|tests of the panels' 'doxygen|reference of the engine' 'python3-h5py|tests of the Python examples')
 
 install_missing
 if [ "$what" = demo ]; then

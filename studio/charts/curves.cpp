@@ -87,8 +87,7 @@ bool draw_ratio_against_position(Chart& chart, const claims::Evidence& evidence,
   int colour = 0;
   for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
     std::vector<Points> specimens;
-    for (const study::SummaryRow& row : rows)
-      specimens.push_back(fracture_points(evidence, row, "ratio_with_damping"));
+    for (const study::SummaryRow& row : rows) specimens.push_back(fracture_points(evidence, row, "ratio"));
     ChartSeries curve = running_mean(velocity_label(v), specimens, colour++);
     if (curve.x.empty()) continue;
     mark_echo(echo, curve, rows.front().echo_free_over_length);

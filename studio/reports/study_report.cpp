@@ -90,13 +90,12 @@ Table scenario_table(const study::StudyRows& rows) {
     if (!row) continue;
     if (table.head.empty()) {
       table.head = head_of(row->axes);
-      for (const char* name :
-           {"ratio_with_damping", "broberg", "error_broberg", "wall_fracture_s", "outcome"})
+      for (const char* name : {"ratio", "broberg", "error_broberg", "wall_fracture_s", "outcome"})
         table.head.emplace_back(name);
     }
     std::vector<std::string> cells;
     add_axes(cells, row->axes);
-    cells.push_back(scatter_cell(row->ratio_with_damping, row->ratio_scatter));
+    cells.push_back(scatter_cell(row->ratio, row->ratio_scatter));
     cells.push_back(number_cell(row->broberg, "{:.3f}"));
     cells.push_back(number_cell(row->error_broberg, "{:+.3f}"));
     cells.push_back(number_cell(row->wall_fracture_s, "{:.2f}"));
@@ -112,10 +111,10 @@ Table seed_table(const study::StudyRows& rows) {
   if (std::none_of(found.begin(), found.end(), [](const RowFamily& f) { return f.rows.size() > 1; }))
     return table;
   table.head = head_of(found.front().axes);
-  for (const char* name : {"seeds", "ratio_with_damping", "broberg", "error_broberg", "wall_fracture_s"})
+  for (const char* name : {"seeds", "ratio", "broberg", "error_broberg", "wall_fracture_s"})
     table.head.emplace_back(name);
   for (const RowFamily& family : found) {
-    const MeanScatter ratio = mean_of(family.rows, &study::SummaryRow::ratio_with_damping);
+    const MeanScatter ratio = mean_of(family.rows, &study::SummaryRow::ratio);
     std::vector<std::string> cells;
     add_axes(cells, family.axes);
     cells.push_back(std::to_string(ratio.count));
@@ -205,7 +204,7 @@ ChartSeries against_velocity(const RowFamily& family, int colour) {
     if (!std::isnan(row.crack_velocity_over_cr)) by_velocity[row.crack_velocity_over_cr].push_back(row);
   return series_of(axes_label(family.axes), ChartSeries::Style::line_points, colour, by_velocity,
                    [](const auto& at) {
-                     const MeanScatter ratio = mean_of(at.second, &study::SummaryRow::ratio_with_damping);
+                     const MeanScatter ratio = mean_of(at.second, &study::SummaryRow::ratio);
                      return ChartPoint{at.first, ratio.mean, ratio.scatter};
                    });
 }
@@ -217,10 +216,8 @@ bool has_points(const ChartSeries& series) {
 ChartSeries against_tip(const study::SummaryRow& row, const std::filesystem::path& csv, int colour) {
   const study::SeriesTable table = study::read_series(csv);
   if (table.empty()) throw base::WorldError("read", csv, "it holds no series");
-  ChartSeries series{.label = axes_label(row.axes),
-                     .x = table.at("tip_m"),
-                     .y = table.at("ratio_with_damping"),
-                     .colour = colour};
+  ChartSeries series{
+      .label = axes_label(row.axes), .x = table.at("tip_m"), .y = table.at("ratio"), .colour = colour};
   for (double& x : series.x) x *= 1e3;
   return series;
 }

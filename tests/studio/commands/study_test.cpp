@@ -40,7 +40,7 @@ TEST(StudyCommand, LeavesTableChartsAndReport) {
   const TinyStudy plate;
   const Ran ran = plate.study();
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* name : {"ratio_with_damping", "broberg", "error_broberg", "wall_fracture_s", "simple",
+  for (const char* name : {"ratio", "broberg", "error_broberg", "wall_fracture_s", "simple",
                            "mean ± scatter over seeds", "8 computed, 0 found"})
     EXPECT_TRUE(contains(ran.out, name));
   EXPECT_TRUE(contains(ran.err, "[8/8]"));
@@ -65,7 +65,7 @@ TEST(StudyCommand, AgreesWithTheRunOfOneOfItsScenarios) {
   const Json run = Json::parse(read_text(alone.out() / "summary.json")).at("scenarios")[0];
   const Json& row = scenarios.at(3);
   EXPECT_EQ(row.at("axes"), Json({{"technique", "simple"}, {"crack_velocity", "0.5 c_r"}, {"seed", "2"}}));
-  for (const char* name : {"ratio", "ratio_with_damping", "g_i0_j_m2", "energy_elastic_j", "ledger_residual"})
+  for (const char* name : {"ratio", "ratio_fracture", "g_i0_j_m2", "energy_elastic_j", "ledger_residual"})
     EXPECT_EQ(row.at(name), run.at(name)) << name;
 }
 
