@@ -26,11 +26,10 @@ struct RowsOrigin {
   std::vector<int> line;
 };
 
-/// One list of [study]: an axis and its values as they are written, "\"0.3 c_r\"", "linear", "3".
+/// The list of values that [study] has for an axis, as TOML values.
 struct GridAxis {
   std::string name;
   std::vector<std::string> values;
-  bool operator==(const GridAxis&) const = default;
 };
 
 /// One scenario of a study.
@@ -39,6 +38,9 @@ struct StudyRow {
   /// The axes that the study names, in the order of the file, and this scenario's values as text: "0.5 c_r",
   /// "linear"; "-" where the axis does not apply. The same names in every row.
   std::vector<std::pair<std::string, std::string>> axes;
+  /// The combinations of the grid that are this scenario, each with a value for each of Preset::grid; several
+  /// where some of them do not apply to it, none where it is one of [[study.rows]].
+  std::vector<std::vector<std::string>> combinations = {};
 };
 
 /// A preset read into a scene, with every mistake that was found. The scenes count only where `issues` is
@@ -51,11 +53,11 @@ struct Preset {
   std::vector<Scene> lanes;               // of [[lanes]], in the order of the file; a lattice and step shared
   /// Of [study], the first list varying slowest, then of [[study.rows]]; no two scenes are equal.
   std::vector<StudyRow> study;
-  std::vector<GridAxis> grid;              // the lists of [study], in the order of the file
-  std::size_t grid_scenarios = 0;          // how many of `study` the grid makes: the first ones
   std::vector<Change> steering;            // of [[steering]], by lane and step
   std::map<std::string, RowsOrigin> rows;  // by full key, of those whose rows came from a file
-  std::vector<std::string> notes;  // a line each: keys that --set has replaced, rows that seem to be missing
+  /// A line each: keys that --set has replaced, a thickness that it changes, rows that seem to be missing.
+  std::vector<std::string> notes;
+  std::vector<GridAxis> grid = {};  // the lists of [study], in the order of the file
 };
 
 /// Reads a preset file, applies overrides ("crack.velocity=0.3 c_r", full keys only) and checks all of it.
@@ -63,12 +65,10 @@ struct Preset {
 /// layers), with a note; the last one wins. Never throws for bad input, a missing file included.
 Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
-/// The same with other lists in the place of [study]; none: without a grid. [[study.rows]] stay.
+/// The same with other lists in the place of [study], their values as they are typed ("0.3 c_r"); none:
+/// without a grid. [[study.rows]] stay.
 Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                    const std::vector<GridAxis>& grid);
-
-/// How many combinations of the grid are the same scenario as an earlier one, and thus not computed.
-std::size_t merged_combinations(const Preset& preset);
 
 /// The same for a text; `name` stands for the file in messages. An empty text is a preset: all defaults.
 Preset read_preset_text(std::string_view text, const std::string& name,
@@ -85,8 +85,7 @@ Issue issue_at_row(const Preset& preset, const std::string& key, std::size_t row
 /// scene back to the last bit.
 std::string preset_text(const Scene& scene);
 
-/// The same with its lanes as [[lanes]] and its study as [study] and [[study.rows]], in the axes that are
-/// varied.
+/// The same with its lanes as [[lanes]], and its study as [study] and [[study.rows]] as they were given.
 std::string preset_text(const Preset& preset);
 
 /// The text of a file, or why there is none ("no such file", "is a directory", "cannot be read: ...").

@@ -79,10 +79,11 @@ std::string preset_text(const Preset& preset) {
   if (!preset.grid.empty()) out += "\n[study]\n";
   for (const GridAxis& axis : preset.grid)
     out += fmt::format("{} = [{}]\n", axis.name, fmt::join(axis.values, ", "));
-  for (std::size_t k = preset.grid_scenarios; k < preset.study.size(); ++k) {
+  for (const StudyRow& row : preset.study) {
+    if (!row.combinations.empty()) continue;  // of the grid
     std::vector<const Axis*> varied;
-    for (const auto& [name, text] : preset.study[k].axes) varied.push_back(find_axis(name));
-    out += "\n[[study.rows]]\n" + axis_lines(preset.study[k].scene, varied);
+    for (const auto& [name, text] : row.axes) varied.push_back(find_axis(name));
+    out += "\n[[study.rows]]\n" + axis_lines(row.scene, varied);
   }
   return out + steering_text(preset.steering);
 }

@@ -39,7 +39,7 @@ void settle_damping(Scene& scene, bool alpha_given, bool region_given, Chosen ch
 
 Scenario scenario_of(const Base& base, std::span<const Setting> settings, Chosen chosen) {
   Scenario scenario{
-      {base.preset.scene, base.preset.origins, {}, base.preset.name, {}, {}, {}, 0, {}, base.preset.rows, {}},
+      {base.preset.scene, base.preset.origins, {}, base.preset.name, {}, {}, {}, base.preset.rows, {}},
       base.invalid};
   for (const Setting& setting : settings) put(scenario, setting);
   const auto given = [&](std::string_view key) {
@@ -89,17 +89,14 @@ bool has_rows(const TomlDocument& document, const std::string& list) {
 /// The values of one list that can be had, each once.
 std::vector<Setting> read_axis(ScenarioReading& reading, const Axis& axis, const TomlEntry& entry) {
   std::vector<Setting> settings;
-  GridAxis& listed = reading.grid.emplace_back(GridAxis{std::string(axis.name), {}});
   std::map<std::string, std::string> seen;  // how a value is shown, by its meaning: "linear" is 1
   for (const Value& item : std::get<std::vector<Value>>(entry.value.held)) {
     Scene scene = reading.base.preset.scene;
     const Parameter& row = parameter_of(axis);
     if (std::string problem = assign(scene, row, item); !problem.empty()) {
       reading.say({reading.file(), entry.line, std::string(axis.key), std::move(problem), shown(item)});
-      listed.values.push_back(shown(item));
       continue;
     }
-    listed.values.push_back(toml_value(scene, row));
     const auto [earlier, fresh] = seen.emplace(toml_value(scene, row), shown(item));
     if (fresh) {
       settings.push_back({&axis, item, entry.line});

@@ -65,8 +65,6 @@ struct ScenarioReading {
   Base base;
   const TomlDocument& document;
   std::vector<Issue> issues = {};
-  std::vector<GridAxis> grid = {};
-  std::size_t grid_scenarios = 0;
   std::vector<Mention> mentions = {};  // every axis once: those of the grid, then those of the tables
   std::set<std::string> said = {};
 

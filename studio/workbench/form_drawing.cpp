@@ -70,15 +70,19 @@ DryRunThread::Rows what_it_costs_first(const DryRunThread::Rows& rows) {
   return first;
 }
 
-/// "72 scenarios; 36 of 108 combinations are the same as others"
+/// "72 scenarios; 36 of 108 combinations are the same as others": of the grid alone.
 std::string count_text(const scene::Preset& preset) {
-  const std::size_t merged = scene::merged_combinations(preset);
+  std::size_t combinations = 0, scenarios = 0;
+  for (const scene::StudyRow& row : preset.study) {
+    combinations += row.combinations.size();
+    scenarios += row.combinations.empty() ? 0 : 1;
+  }
   std::string text = fmt::format("{} scenarios", preset.study.size());
-  if (merged > 0)
+  if (combinations > scenarios)
     text += fmt::format(
         "; {} of {} combinations are the same as others, for what means nothing in a "
         "scenario does not count",
-        merged, merged + preset.grid_scenarios);
+        combinations - scenarios, combinations);
   return text;
 }
 

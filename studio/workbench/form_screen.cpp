@@ -39,7 +39,9 @@ void FormScreen::list_study(bool all) {
   if (!file_.lanes.empty()) return;  // a preset has lanes or a study
   const std::size_t heading = rows_.size();
   rows_.push_back({Kind::heading, "study"});
-  if (const std::size_t listed = preset_.study.size() - preset_.grid_scenarios; listed > 0)
+  const auto listed = std::count_if(preset_.study.begin(), preset_.study.end(),
+                                    [](const scene::StudyRow& row) { return row.combinations.empty(); });
+  if (listed > 0)
     rows_.back().name += fmt::format(": {} scenarios in [[study.rows]], and the grid of", listed);
   for (const EditedGrid::List& list : grid_.lists()) {
     const scene::Parameter& parameter = scene::parameter_of(*scene::find_axis(list.axis));

@@ -1,7 +1,5 @@
-#include "engine/base/files.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset.hpp"
-#include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -195,41 +193,6 @@ TEST(PresetText, WritesOnlyAxesThatAreVaried) {
                      "\"progressive\"\nrelaxation = \"quadratic\"\n"))
       << text;
   EXPECT_EQ(preset_text(sound("")), preset_text(default_scene()));
-}
-
-TEST(Study, CountsTheCombinationsThatAreOneScenario) {
-  const Preset preset =
-      sound("[study]\ntechnique = [\"simple\", \"progressive\"]\ndamage_zone_ratio = [1, 2, 4]\n");
-  EXPECT_EQ(preset.grid, (std::vector<GridAxis>{{"technique", {"\"simple\"", "\"progressive\""}},
-                                                {"damage_zone_ratio", {"1", "2", "4"}}}));
-  EXPECT_EQ(preset.study.size(), 4u);
-  EXPECT_EQ(merged_combinations(preset), 2u);
-  EXPECT_EQ(merged_combinations(sound("[[study.rows]]\nseed = 2\n")), 0u);
-}
-
-TEST(Study, IsWrittenAsItsGridWithItsRowsBehindIt) {
-  const std::string text = preset_text(sound(
-      "[study]\nseed = [1, 2]\ncrack_velocity = [\"0.3 c_r\", \"0.5 c_r\"]\n[[study.rows]]\nlayers = 1\n"));
-  EXPECT_NE(text.find("\n[study]\nseed = [1, 2]\ncrack_velocity = [\"0.3 c_r\", \"0.5 c_r\"]\n"),
-            std::string::npos)
-      << text;
-  EXPECT_EQ(text.find("[[study.rows]]"), text.rfind("[[study.rows]]"));  // one row: the others are the grid
-  EXPECT_EQ(sound(text).study.size(), 5u);
-}
-
-TEST(Study, TakesOtherListsInThePlaceOfTheFilesGrid) {
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "x.toml";
-  base::write_whole_file(path, "[study]\nseed = [1, 2]\n[[study.rows]]\nlayers = 1\n");
-  const Preset other = read_preset(path, {"crack.damage_zone_ratio=3"},
-                                   {{"crack_velocity", {"0.3 c_r", "0.4 c_r", "0.5 c_r"}}});
-  for (const Issue& issue : other.issues) ADD_FAILURE() << to_text(issue);
-  EXPECT_EQ(axes_of(other), "crack_velocity layers\n0.3 c_r | 2\n0.4 c_r | 2\n0.5 c_r | 2\n0.5 c_r | 1\n");
-  EXPECT_EQ(read_preset(path, {}, {}).study.size(), 1u);  // the row stays
-  const Preset wrong = read_preset(path, {}, {{"seed", {"1", "1"}}, {"relaxation", {"linaer"}}});
-  ASSERT_EQ(wrong.issues.size(), 2u);
-  EXPECT_EQ(wrong.issues[0].key, "study.seed");
-  EXPECT_EQ(wrong.issues[1].key, "crack.relaxation");
 }
 
 }  // namespace
