@@ -56,7 +56,7 @@ std::vector<ErrorPoint> error_points(const StudyTable& table, const StudyResults
   std::vector<ErrorPoint> points;
   for (std::size_t k = 0; k < results.size(); ++k) {
     if (!results[k]) continue;
-    const double seconds = results[k]->wall_fracture_s, error = std::abs(results[k]->error_broberg);
+    const double seconds = results[k]->cost_s, error = std::abs(results[k]->error_broberg);
     if (seconds > 0 && error > 0)
       points.push_back({table.row_of[k], {std::log10(seconds), std::log10(error)}});
   }

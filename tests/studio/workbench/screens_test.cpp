@@ -462,7 +462,7 @@ TEST(StudyTable, HasARowPerCombinationAndItsEfficientFront) {
   StudyResults results(preset.study.size());
   const auto result = [](double seconds, double difference) {
     results::LaneSummary s;
-    s.wall_fracture_s = seconds, s.error_broberg = difference;
+    s.cost_s = seconds, s.error_broberg = difference;
     return s;
   };
   results[0] = result(1, -0.1), results[1] = result(2, 0.2), results[2] = result(10, 0.01);
