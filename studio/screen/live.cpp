@@ -80,8 +80,9 @@ void draw_colours(Canvas& canvas, const Area& area, const Live& live, const Live
 void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs) {
   if (draw_too_small(canvas)) return;
   const bool two = look.beside >= 0 && look.beside < static_cast<int>(live.lanes.size());
+  const double aspect = live.height > 0 ? live.length / (live.height + live.pulled) : 1;
   const LiveLayout layout =
-      live_layout(canvas.width(), canvas.height(), static_cast<int>(live.lanes.size()), two);
+      live_layout(canvas.width(), canvas.height(), static_cast<int>(live.lanes.size()), two, aspect);
   draw_head(canvas, layout.head, live, glyphs);
   canvas.text(layout.message.x, layout.message.y, live.message, {Ink::good}, layout.message.width);
   canvas.text(layout.foot.x, layout.foot.y, look.foot, {Ink::dim}, layout.foot.width);
@@ -100,7 +101,7 @@ void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs gl
 // From above: two lines of head, the plate or two of them and what its colours mean, bars beside the result
 // or the table, two plots side by side, a line of what happened, a line of keys. On a low screen the plate
 // comes first: the table of lanes then takes the place of the bars, and the plots what is left.
-LiveLayout live_layout(int width, int height, int lanes, bool two) {
+LiveLayout live_layout(int width, int height, int lanes, bool two, double aspect) {
   LiveLayout layout;
   if (width <= 0 || height <= 0) return layout;
   layout.head = {0, 0, width, std::min(2, height)};
@@ -110,7 +111,8 @@ LiveLayout live_layout(int width, int height, int lanes, bool two) {
   constexpr int bars = 6, few_bars = 3, plots = 6, least_plots = 4;
   const bool several = lanes > 1;
   const int title = several ? 1 : 0, least_plate = 4 + title;
-  const int wanted = std::min((two ? width / 2 : width) / 8 + 1 + title, 26);
+  const double natural = (two ? width / 2 : width) / (2 * aspect);  // a cell is about twice as high as wide
+  const int wanted = static_cast<int>(std::clamp(std::ceil(natural) + title, 1.0 * least_plate, 26.0));
   const int rows = several ? std::min(lanes + 1, 9) : bars;
   int left = height - layout.head.height - 2 - 1;  // the last one for the colours
   const bool low = left - std::max(bars, rows) - plots < least_plate;

@@ -53,16 +53,16 @@ const std::vector<std::pair<const char*, Layout>>& layouts() {
        }},
       {"live 1",
        [](int w, int h) {
-         const LiveLayout l = live_layout(w, h, 1, false);
+         const LiveLayout l = live_layout(w, h, 1, false, 5);
          return parts_of(l);
        }},
       {"live 2 beside",
        [](int w, int h) {
-         const LiveLayout l = live_layout(w, h, 2, true);
+         const LiveLayout l = live_layout(w, h, 2, true, 5);
          return parts_of(l);
        }},
       {"live 8", [](int w, int h) {
-         const LiveLayout l = live_layout(w, h, 8, false);
+         const LiveLayout l = live_layout(w, h, 8, false, 5);
          return parts_of(l);
        }}};
   return all;
@@ -93,7 +93,7 @@ TEST(Layouts, ThePlateIsThereBeforeAnythingElse) {
   for (const int lanes : {1, 2, 3, 8})
     for (int width = least_width; width <= 200; ++width)
       for (int height = least_height; height <= 60; ++height) {
-        const LiveLayout l = live_layout(width, height, lanes, lanes > 1);
+        const LiveLayout l = live_layout(width, height, lanes, lanes > 1, 5);
         ASSERT_GE(l.plate.height, lanes > 1 ? 5 : 4) << lanes << " lanes, " << width << "x" << height;
         ASSERT_FALSE(l.colours.empty());
         ASSERT_GT((lanes > 1 ? l.table : l.result).height, 2)

@@ -70,7 +70,7 @@ TEST(LiveTable, LeavesColumnsOutForWhatTellsLanesApart) {
 
 TEST(LiveLayout, AllPartsHaveRoomOnAnOrdinaryTerminal) {
   for (const auto& [width, height] : {std::pair{80, 24}, {120, 40}, {200, 60}}) {
-    const LiveLayout l = live_layout(width, height, 2, true);
+    const LiveLayout l = live_layout(width, height, 2, true, 2.5);
     for (const Area& part : {l.head, l.plate, l.plate_beside, l.colours, l.balance, l.energies, l.rates,
                              l.table, l.message, l.foot})
       EXPECT_FALSE(part.empty()) << width << "x" << height;
@@ -110,7 +110,7 @@ TEST(LiveScreen, TwoPlatesStandBesideEachOther) {
   live.geometry = &g;
   Canvas canvas(120, 40);
   draw_live(canvas, live, {.shown = 0, .beside = 1, .foot = ""}, Glyphs::unicode);
-  const LiveLayout layout = live_layout(120, 40, 2, true);
+  const LiveLayout layout = live_layout(120, 40, 2, true, 2.5);
   const std::string titles = canvas.row(layout.plate.y);
   EXPECT_NE(titles.find("1 simple release"), std::string::npos);
   EXPECT_GT(titles.find("2 progressive release"), titles.find("1 simple release"));
@@ -130,7 +130,7 @@ TEST(LiveScreen, TheColoursAreOfTheVelocityWhereItIsWanted) {
   live.fastest = 10;
   live.lanes[0].displacement.assign(g.position.size(), {0, 0, 0});
   live.lanes[0].velocity.assign(g.position.size(), {0, 10, 0});
-  const LiveLayout layout = live_layout(100, 30, 1, false);
+  const LiveLayout layout = live_layout(100, 30, 1, false, 2.5);
   const auto middle = [&](bool velocity) {
     Canvas canvas(100, 30);
     draw_live(canvas, live, {.velocity = velocity, .foot = ""}, Glyphs::unicode);
@@ -146,7 +146,7 @@ TEST(LiveScreen, BooksThatDoNotCloseTurnRed) {
   live.lanes[0].samples.back().residual = 1e-3;
   Canvas canvas(100, 30);
   draw_live(canvas, live, {}, Glyphs::unicode);
-  const Area balance = live_layout(100, 30, 1, false).balance;
+  const Area balance = live_layout(100, 30, 1, false, 2.5).balance;
   EXPECT_EQ(canvas.at(balance.x, balance.y + 5).style.ink, Ink::bad);
   EXPECT_NE(canvas.row(balance.y + 5).find("BEYOND"), std::string::npos);
   EXPECT_NE(canvas.row(0).find("balance error 1e-03"), std::string::npos);  // where no bars have room too
