@@ -75,7 +75,7 @@ void Film::finish() {
   if (end.code != 0 || !end.words.empty()) fail();
   std::error_code error;
   if (std::filesystem::file_size(file_.temporary(), error) == 0 || error)
-    throw FilmFailed("ffmpeg wrote nothing");
+    throw FilmFailed("ffmpeg wrote no data");
   file_.commit();
 }
 

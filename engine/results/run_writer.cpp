@@ -49,7 +49,7 @@ std::uint64_t RunWriter::journal_bytes() const { return held_.size(); }
 void RunWriter::check_still_ours() const {
   if (held_.is_still_there()) return;
   throw base::WorldError(
-      "go on with the run in", folder_,
+      "continue the run in", folder_,
       fmt::format("its {} was removed or replaced by another process; nothing more is written",
                   journal_name));
 }

@@ -11,7 +11,7 @@
 
 namespace rift::studio {
 
-ChartSeries echo_marks() { return {"first echo back", {}, {}, {}, ChartSeries::Style::points, -1}; }
+ChartSeries echo_marks() { return {"first boundary reflection", {}, {}, {}, ChartSeries::Style::points, -1}; }
 
 void mark_echo(ChartSeries& marks, const ChartSeries& curve, double echo) {
   if (curve.x.size() < 2 || !(echo >= curve.x.front() && echo <= curve.x.back())) return;
@@ -74,7 +74,7 @@ void set_up(Chart& chart) {
   chart.x_range = {0.0, {}};
 }
 
-std::string velocity_label(double v) { return fmt::format("{:g} c_r", v); }
+std::string velocity_label(double v) { return fmt::format("{:g} c_R", v); }
 
 }  // namespace
 
@@ -131,7 +131,7 @@ std::vector<ChartSeries> theory_curves(double poisson_ratio, theory::Plane plane
 
 Chart chart_of_references(const std::string& title) {
   return {.title = title,
-          .x_label = "crack velocity v / c_r [-]",
+          .x_label = "crack velocity v / c_R [-]",
           .y_label = "G_{ID} / G_{I0} [-]",
           .x_range = {0.0, 1.05},
           .y_range = {.min = 0.0},

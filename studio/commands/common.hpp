@@ -29,6 +29,10 @@ std::filesystem::path own_presets_folder();
 /// ("quickstart") or among the user's own. Throws InputError, with the nearest name, where there is none.
 std::filesystem::path resolve_preset(const std::string& preset);
 
+/// Throws InputError where the folder holds a study or an experiment in place of a run, saying what to do.
+/// Other folders are left to the command, which says what is wrong with them.
+void check_is_run(const std::string& run);
+
 /// What distinguishes a kind of report.
 struct ReportKind {
   const char* own = "";  // a file that only they have; empty where there is none

@@ -57,12 +57,12 @@ std::vector<NamedChart> maps(const claims::Evidence& evidence) {
   if (cells.empty()) return {};
   const std::string title = "Distance to Broberg";
   std::vector<NamedChart> charts{
-      {"beyond_map", "Distance to Broberg over relaxation and damage zone, mean over the velocities.",
+      {"beyond_map", "Difference to Broberg against relaxation and damage zone, mean over the velocities.",
        map_chart(cells, title + ", mean over the velocities",
                  [](const claims::MapCell& cell) { return base::mean_of(cell.distance); })}};
   for (const double v : cells.front().v)
-    charts.push_back({fmt::format("beyond_map_{:02.0f}", 10.0 * v), fmt::format("At {:g} c_r.", v),
-                      map_chart(cells, fmt::format("{} at {:g} c_r", title, v),
+    charts.push_back({fmt::format("beyond_map_{:02.0f}", 10.0 * v), fmt::format("At {:g} c_R.", v),
+                      map_chart(cells, fmt::format("{} at {:g} c_R", title, v),
                                 [v](const claims::MapCell& cell) { return distance_at(cell, v); })});
   return charts;
 }
@@ -96,11 +96,11 @@ Chart efficiency_against_zone(const claims::Evidence& evidence) {
       curves[p.v].add(mean.x, mean.y, mean.error);
     }
   for (auto& [v, curve] : curves) {
-    curve.label = fmt::format("{:g} c_r", v);
+    curve.label = fmt::format("{:g} c_R", v);
     curve.style = Style::line_points, curve.colour = static_cast<int>(chart.series.size());
     chart.series.push_back(std::move(curve));
   }
-  if (!zones.empty()) chart.series.push_back(level("all that is stored", 1.0, zones.front(), zones.back()));
+  if (!zones.empty()) chart.series.push_back(level("strip limit", 1.0, zones.front(), zones.back()));
   return chart;
 }
 
@@ -108,8 +108,8 @@ Chart efficiency_against_zone(const claims::Evidence& evidence) {
 Chart wake_chart(const std::string& title,
                  const std::vector<std::pair<std::string, study::SummaryRow>>& rows) {
   Chart chart{.title = title,
-              .x_label = "size of what moves together [mean radii]",
-              .y_label = "share of the kinetic energy behind the tip [-]",
+              .x_label = "coherence length of the motion [mean radii]",
+              .y_label = "fraction of the kinetic energy behind the tip [-]",
               .y_range = {.min = 0.0},
               .log_x = true};
   int colour = 0;
@@ -136,15 +136,15 @@ void add_wakes(std::vector<NamedChart>& charts, const claims::Evidence& evidence
   std::vector<std::pair<std::string, study::SummaryRow>> zones, velocities;
   for (const auto& [place, row] : strip_rows(evidence)) {
     if (place.first == 0.5) zones.emplace_back(fmt::format("r_l = {:g}", place.second), row);
-    if (place.second == 1.0) velocities.emplace_back(fmt::format("{:g} c_r", place.first), row);
+    if (place.second == 1.0) velocities.emplace_back(fmt::format("{:g} c_R", place.first), row);
   }
   const auto add = [&](const std::string& name, const std::string& title, const auto& rows) {
     Chart chart = wake_chart(title, rows);
     if (!chart.series.empty())
-      charts.push_back({name, title + "; what the bands lack of 1 is rotation.", std::move(chart)});
+      charts.push_back({name, title + "; the difference of the sum to 1 is rotation.", std::move(chart)});
   };
-  add("beyond_wake_zone", "Kinetic energy behind the tip by size, 0.5 c_r", zones);
-  add("beyond_wake_velocity", "Kinetic energy behind the tip by size, r_l = 1", velocities);
+  add("beyond_wake_zone", "Kinetic energy behind the tip by coherence length, 0.5 c_R", zones);
+  add("beyond_wake_velocity", "Kinetic energy behind the tip by coherence length, r_l = 1", velocities);
 }
 
 std::vector<NamedChart> efficiencies(const claims::Evidence& evidence) {
@@ -156,7 +156,9 @@ std::vector<NamedChart> efficiencies(const claims::Evidence& evidence) {
     velocity.series.push_back(efficiency_series(fmt::format("r_l = {:g}", zone),
                                                 claims::efficiency(evidence, 1.0, zone), colour++));
   std::vector<NamedChart> charts{
-      {"beyond_efficiency", "The efficiency against the length of the damage zone; bars: three specimens.",
+      {"beyond_efficiency",
+       "Lattice efficiency against the length of the damage zone; bars: standard deviation between three "
+       "specimens.",
        std::move(zones)},
       {"beyond_efficiency_velocity", "The same against velocity.", std::move(velocity)}};
   for (const double zone : {1.0, 4.0, 16.0}) {
@@ -177,9 +179,8 @@ std::vector<NamedChart> efficiencies(const claims::Evidence& evidence) {
 
 /// Measured ratios and efficiency times Broberg, of the smallest elements; and ratio over efficiency.
 Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool over_efficiency) {
-  Chart chart =
-      chart_of_references(over_efficiency ? "Broberg's own problem: G_{ID} over the lattice efficiency"
-                                          : "Broberg's own problem");
+  Chart chart = chart_of_references(over_efficiency ? "Broberg's problem: G_{ID} over the lattice efficiency"
+                                                    : "Broberg's own problem");
   chart.series.resize(1);  // Broberg alone
   if (over_efficiency) chart.y_label = "G_{ID} / (G_{I0} {/Symbol h}) [-]";
   std::map<double, std::pair<ChartSeries, ChartSeries>> curves;
@@ -208,7 +209,7 @@ Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool 
 
 /// Ratio over efficiency and Broberg, against the size of the elements, with the straight line on to 0.
 Chart size_chart(const std::vector<claims::BrobergProblem>& points) {
-  Chart chart{.title = "Broberg's own problem, as the elements grow small",
+  Chart chart{.title = "Broberg's problem for smaller and smaller elements",
               .x_label = "mean radius over half length R / a [-]",
               .y_label = "G_{ID} / (G_{I0} {/Symbol h} Broberg) [-]",
               .x_range = {.min = 0.0}};
@@ -224,7 +225,7 @@ Chart size_chart(const std::vector<claims::BrobergProblem>& points) {
   for (auto& [place, curve] : curves) {
     if (curve.x.size() < 2) continue;
     farthest = std::max(farthest, *std::max_element(curve.x.begin(), curve.x.end()));
-    curve.label = fmt::format("{:g} c_r, r_l = {:g}", place.first, place.second);
+    curve.label = fmt::format("{:g} c_R, r_l = {:g}", place.first, place.second);
     curve.style = Style::line_points;
     curve.colour = colour++;
     chart.series.push_back(std::move(curve));
@@ -240,9 +241,11 @@ std::vector<NamedChart> own_problems(const claims::Evidence& evidence) {
       {"beyond_broberg",
        "Measured (points) and the efficiency times Broberg's factor (lines), smallest elements.",
        own_problem_chart(points, false)},
-      {"beyond_broberg_over_efficiency", "The same over the efficiency.", own_problem_chart(points, true)}};
+      {"beyond_broberg_over_efficiency", "The same divided by the efficiency.",
+       own_problem_chart(points, true)}};
   if (Chart sizes = size_chart(points); sizes.series.size() > 1)
-    charts.push_back({"beyond_broberg_size", "Two sizes, and straight on to R = 0.", std::move(sizes)});
+    charts.push_back({"beyond_broberg_size", "Two sizes of elements, and the linear extrapolation to R = 0.",
+                      std::move(sizes)});
   return charts;
 }
 

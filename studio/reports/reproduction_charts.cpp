@@ -104,7 +104,7 @@ bool energies(Chart& chart, const claims::Evidence& evidence) {
       const double t = 1e3 * table.at("time_s")[k];
       chart.series[0].add(t, table.at("energy_elastic_j")[k]);
       chart.series[1].add(
-          t, table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_rotation_j")[k]);
+          t, table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_Rotation_j")[k]);
       chart.series[2].add(t, table.at("energy_fracture_j")[k]);
       chart.series[3].add(t, table.at("work_external_j")[k]);
     }
@@ -114,7 +114,7 @@ bool energies(Chart& chart, const claims::Evidence& evidence) {
 }
 
 bool release_energies(Chart& chart, const claims::Evidence& evidence) {
-  chart.x_label = "crack velocity v / c_r [-]";
+  chart.x_label = "crack velocity v / c_R [-]";
   chart.y_label = "energy at release, per beam [mJ]";
   chart.y_range = {.min = 0.0};
   int colour = 0;
@@ -133,7 +133,7 @@ bool release_energies(Chart& chart, const claims::Evidence& evidence) {
 /// scheme.
 bool release_laws(Chart& chart, bool over_distance) {
   chart.x_label = over_distance ? "distance ahead of the tip (s_b - a) / L_{CZM} [-]" : "damage b / l [-]";
-  chart.y_label = "stiffness left Y_1 / Y_2 [-]";
+  chart.y_label = "remaining stiffness Y_1 / Y_2 [-]";
   chart.y_range = {0.0, 1.1};
   int colour = 0;
   for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {
@@ -195,8 +195,8 @@ std::vector<NamedChart> charts_over_own_speed(const claims::Evidence& evidence, 
   }
   if (chart.series.size() == 3) return {};
   return {{name_with("fig15_own_speed", stiffness),
-           fmt::format("The same ratios against the velocity over the Rayleigh speed that this plate itself "
-                       "shows along its edge: what is called 1.0 c_r is {:.3f} of that.",
+           fmt::format("The same ratios against the velocity over the Rayleigh speed measured along the edge "
+                       "of this plate: the nominal 1.0 c_R is {:.3f} of it.",
                        nominal_over_own),
            std::move(chart)}};
 }

@@ -240,7 +240,7 @@ std::vector<NamedChart> velocity_charts(const study::StudyRows& rows) {
   const auto first = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
   for (std::size_t from = 0; from < measured.size(); from += most_families) {
     Chart chart{.title = "Release rate against crack velocity",
-                .x_label = "crack velocity [c_r]",
+                .x_label = "crack velocity [c_R]",
                 .y_label = "G_{ID} / G_{I0} [-]",
                 .x_range = {.min = 0.0},
                 .y_range = {.min = 0.0}};
@@ -284,7 +284,7 @@ std::vector<NamedChart> tip_charts(const study::StudyRows& rows,
     if (!echo[k].x.empty()) charts[k].series.push_back(echo[k]);
     named.push_back(
         {numbered("ratio_tip", k),
-         "Release rate against tip position, damping included; free of a boundary's echo up to the dot.",
+         "Release rate against tip position, damping included; up to the mark free of boundary reflections.",
          std::move(charts[k])});
   }
   return named;
@@ -305,7 +305,7 @@ std::string timings(const study::StudyResult& result) {
   for (const auto& row : result.rows)
     if (row) marching += row->wall_fracture_s, ++there;
   return fmt::format(
-      "{} of {} scenarios; the cracks took {} in all, the last call {} ({} computed, {} found).", there,
+      "{} of {} scenarios; the cracks took {} in all, the last call {} ({} computed, {} reused).", there,
       result.rows.size(), duration_text(marching), duration_text(result.wall_s), result.computed,
       result.found);
 }

@@ -61,8 +61,6 @@ struct LiveLayout {
 /// Pure arithmetic for any size. @param lanes  of the run: of one there is a result, of several a table;
 /// @param two  plates beside each other; @param aspect  length over height of a plate
 [[nodiscard]] LiveLayout live_layout(int width, int height, int lanes, bool two, double aspect);
-/// @param two  plates beside each other
-[[nodiscard]] LiveLayout live_layout(int width, int height, int lanes, bool two);
 
 /// Draws the screen.
 void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs);

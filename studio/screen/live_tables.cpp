@@ -71,7 +71,7 @@ void draw_balance(Canvas& canvas, const Area& area, const LiveLane& lane, double
   const int label =
       canvas.text(area.x, end, "balance error ", {closes ? Ink::good : Ink::bad, true}, area.width);
   canvas.text(area.x + label, end,
-              fmt::format("{:.0e}, {} {:.0e}", std::abs(last.residual), closes ? "within" : "BEYOND", limit),
+              fmt::format("{:.0e}{} {:.0e}", std::abs(last.residual), closes ? ", limit" : " ABOVE", limit),
               {closes ? Ink::plain : Ink::bad, !closes}, area.width - label);
 }
 
@@ -153,7 +153,7 @@ const LaneColumn columns[] = {
      [](const LiveLane& lane) {
        return lane.samples.empty() ? "" : fmt::format("{:.3g}", lane.samples.back().fracture_j);
      }},
-    {"balance", 9,
+    {"bal. error", 11,
      [](const LiveLane& lane) {
        return lane.samples.empty() ? "" : fmt::format("{:.0e}", std::abs(lane.samples.back().residual));
      }},

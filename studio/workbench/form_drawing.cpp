@@ -102,10 +102,10 @@ void FormScreen::draw(Canvas& canvas, Glyphs glyphs) {
   else if (leave_.typing())
     leave_.draw(canvas, layout.foot, {Ink::reference, true});
   else
-    canvas.text(layout.foot.x, layout.foot.y,
-                value_.typing() ? "enter keep it  escape leave it as it was"
-                                : foot_of(Where::form, layout.foot.width),
-                {Ink::dim}, layout.foot.width);
+    canvas.text(
+        layout.foot.x, layout.foot.y,
+        value_.typing() ? "enter accept  escape keep the old value" : foot_of(Where::form, layout.foot.width),
+        {Ink::dim}, layout.foot.width);
   if (adding_) draw_others(canvas, glyphs);
 }
 
@@ -228,14 +228,14 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
   };
   const auto expected = [&](const char* label) {
     if (found.rows.empty() && found.trouble.empty())
-      row(label, found.doing.empty() ? "in a moment" : found.doing, {Ink::dim});
+      row(label, found.doing.empty() ? "starting" : found.doing, {Ink::dim});
   };
   if (study) row("study", count_text(preset_)), expected("cost");
   rows(what_it_costs_first(found.rows));
   if (!found.rows.empty() && !study) return;
   rows(at_once(scenes_of_form(preset_)));
-  if (!study) expected("exactly");
-  if (!found.trouble.empty()) row("trouble", found.trouble, {Ink::bad});
+  if (!study) expected("dry run");
+  if (!found.trouble.empty()) row("failed", found.trouble, {Ink::bad});
 }
 
 }  // namespace rift::studio

@@ -330,7 +330,7 @@ Navigation FormScreen::act(Action action) {
 
 Navigation FormScreen::run() {
   if (!preset_.issues.empty()) {
-    message_ = "there are mistakes: nothing is run before they are mended";
+    message_ = "the preset has mistakes: correct them before running it";
     return {};
   }
   dry_run_.give_up();
@@ -342,15 +342,15 @@ bool FormScreen::save() {
   const bool valid = !name.empty() && name.find_first_of("/\\ ") == std::string::npos && name.front() != '.';
   const fs::path file = context_.own_presets / (name + ".toml");
   if (!valid) {
-    message_ = fmt::format("\"{}\" is no name of a preset: letters, digits, - and _", name);
+    message_ = fmt::format("\"{}\" is not a valid preset name: use letters, digits, - and _", name);
   } else if (!preset_.issues.empty()) {
-    message_ = "there are mistakes: a preset is saved when they are mended";
+    message_ = "the preset has mistakes: correct them before saving it";
   } else if (fs::exists(file)) {
-    message_ = file.string() + " is there already: choose another name";
+    message_ = file.string() + " exists already: choose another name";
   } else {
     base::make_folder(context_.own_presets);
     const std::string cost =
-        preset_.study.empty() ? "as that one" : fmt::format("{} scenarios", preset_.study.size());
+        preset_.study.empty() ? "about the same" : fmt::format("{} scenarios", preset_.study.size());
     base::write_whole_file(
         file, fmt::format("# From {} with {} changed.\n# Cost: {}\n{}", base::escaped(path_.stem().string()),
                           changed(), cost, scene::preset_text(preset_)));

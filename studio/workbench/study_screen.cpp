@@ -59,7 +59,7 @@ StudyScreen::StudyScreen(AppContext& context, study::StoredStudy stored, std::fi
       std::all_of(rows_.begin(), rows_.end(), [](const auto& row) { return row.has_value(); });
   message_ = !stored.notes.empty() ? stored.notes.front()
              : complete            ? fmt::format("{}/report.html", folder_.string())
-                                   : "u goes on with it";
+                                   : "press u to resume it";
 }
 
 StudyScreen::~StudyScreen() { stop_ = true; }
@@ -91,7 +91,7 @@ void StudyScreen::work() {
     if (result.outcome != simulation::Outcome::stopped)
       write_study_report(preset_, context_.build, result, folder_);
     message = result.outcome == simulation::Outcome::stopped
-                  ? "stopped; u goes on from here"
+                  ? "stopped; press u to resume it"
                   : fmt::format("done: {}/report.html", folder_.string());
   } catch (const std::exception& error) {
     message = error.what();
@@ -267,8 +267,9 @@ Navigation StudyScreen::press(const KeyEvent& event) {
 }
 
 std::string StudyScreen::last_words() const {
-  return fmt::format("the study is in {}: the workbench or the same preset goes on from there\n",
-                     folder_.string());
+  return fmt::format(
+      "the study is stored in {}: the workbench or 'rift study' with the same preset continues it\n",
+      folder_.string());
 }
 
 }  // namespace rift::studio

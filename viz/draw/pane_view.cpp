@@ -35,7 +35,7 @@ std::array<float, 3> magnification_of(const Look& look) {
   return look.camera == Camera::side ? std::array{1.0F, 1.0F, m} : std::array{m, m, m};
 }
 
-constexpr const char* widest_caption = "t = 0000.0 µs   tip 000.0 mm   0000 m/s = 0.00 c_r   (end)";
+constexpr const char* widest_caption = "t = 0000.0 µs   tip 000.0 mm   0000 m/s = 0.00 c_R   (end)";
 
 void place(vtkRenderer& renderer, const Box& box, const Job& job) {
   renderer.SetViewport(box.x0 / job.width, box.y0 / job.height, box.x1 / job.width, box.y1 / job.height);
@@ -134,7 +134,7 @@ std::string PaneView::caption(const Moment& moment) const {
   std::string text =
       fmt::format("t = {:.1f} µs   tip {:.1f} mm", moment.since_start_s * 1e6, moment.tip_m * 1e3);
   if (rayleigh > 0)
-    text += fmt::format("   {:.0f} m/s = {:.2f} c_r", moment.velocity_m_s, moment.velocity_m_s / rayleigh);
+    text += fmt::format("   {:.0f} m/s = {:.2f} c_R", moment.velocity_m_s, moment.velocity_m_s / rayleigh);
   return moment.is_last ? text + "   (end)" : text;
 }
 

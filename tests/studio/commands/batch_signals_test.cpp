@@ -105,8 +105,9 @@ TEST(Budget, ThatEndsBeforeTheFirstStepSaysThatNothingWasWritten) {
   const TinyPlate plate;
   const Ran ran = plate.run("--plain --budget '0.001 s'");
   EXPECT_EQ(ran.exit_code, 4);
-  EXPECT_TRUE(
-      contains(ran.err, "as the budget ran out: nothing was written, and the same command starts anew"));
+  EXPECT_TRUE(contains(
+      ran.err,
+      "because the budget ran out: nothing was written; the same command starts from the beginning"));
   EXPECT_FALSE(contains(ran.err, "resume"));
   EXPECT_FALSE(fs::exists(plate.out()));
   EXPECT_EQ(plate.run("--quiet").exit_code, 0);

@@ -54,7 +54,7 @@ TEST(AccuracyCharts, DrawTheGoalAndTheScatterBesideWorkAndPrecision) {
   const auto chart = std::get<Chart>(chart_of(accuracy_charts({}, steps(), 0.01), "work_precision").chart);
   std::vector<std::string> labels;
   for (const ChartSeries& series : chart.series) labels.push_back(series.label);
-  EXPECT_EQ(labels, (std::vector<std::string>{"time step, double", "the scene as it is", "goal 0.01",
+  EXPECT_EQ(labels, (std::vector<std::string>{"time step, double", "the scene unchanged", "goal 0.01",
                                               "scatter of specimens"}));
 }
 
@@ -81,7 +81,7 @@ TEST(AccuracyReport, TellsWhatCannotBe) {
   accuracy::Accuracy a = steps();
   a.lines[3].cannot_be = "a reason";
   const Table table = accuracy_table(a);
-  EXPECT_EQ(table.rows[3].back(), "cannot be: a reason");
+  EXPECT_EQ(table.rows[3].back(), "not computed: a reason");
   EXPECT_EQ(table.rows[1][3], "0");
   EXPECT_EQ(table.rows[2][3], "+4.0e-04");
 }
