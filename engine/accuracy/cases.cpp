@@ -39,7 +39,7 @@ std::string issues_text(const std::vector<scene::Issue>& issues) {
   return text;
 }
 
-/// The preset with another scene; what contradicts itself is told as if the preset had said so.
+/// The preset with another scene; contradictions are reported as if they stood in the preset.
 std::vector<scene::Issue> contradictions_of(const scene::Preset& preset, const scene::Scene& scene) {
   scene::Preset varied = preset;
   varied.scene = scene;
@@ -86,7 +86,7 @@ Planning start_from(const scene::Preset& preset, bool quick) {
     p.plan.notes.push_back(
         "the preset gives a thickness, which is kept while the number of elements is varied, so the number "
         "of layers varies too");
-  // A variant that sets the one must not be told that it contradicts the other.
+  // A variant that sets the one must not be refused because it contradicts the other.
   if (scene.solver.dt)
     p.plan.notes.push_back(
         "the preset gives its time step in seconds, which is used wherever the step is not varied");

@@ -256,7 +256,7 @@ class Laboratory {
       const EfficiencyPoint at_velocity = efficiency_at(e_.efficiency, point.over_cr);
       point.efficiency = at_velocity.efficiency;
       point.corrected = point.as_paper / point.efficiency;
-      // A plateau is the mean of sub-windows, whose scatter is told.
+      // A plateau is the mean of sub-windows, whose scatter is known.
       const double of_efficiency =
           at_velocity.scatter / std::sqrt(static_cast<double>(fracture::sub_windows));
       point.corrected_uncertainty =

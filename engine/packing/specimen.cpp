@@ -42,7 +42,7 @@ std::vector<char> reached_from(const std::vector<char>& anchor, const std::vecto
 
 namespace {
 
-/// The elements that are wanted, numbered anew, with their beams and grips.
+/// The elements that are wanted, renumbered, with their beams and grips.
 Specimen specimen_of(const Packing& packing, const Box& box, const std::vector<std::array<int, 2>>& beams,
                      const std::vector<char>& wanted) {
   Specimen specimen;

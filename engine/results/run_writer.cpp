@@ -27,7 +27,7 @@ RunWriter::RunWriter(std::filesystem::path folder, const nlohmann::ordered_json&
 
 namespace {
 
-/// Removes what the end of a run had made, and what is made anew.
+/// Removes the files of a run's end, and those that are written again.
 const std::filesystem::path& without_end(const std::filesystem::path& folder) {
   for (const char* name : {archive_name, summary_name, series_name, gauges_name})
     base::remove_file(folder / name);

@@ -224,7 +224,7 @@ class Verifier {
     const fs::path series = folder_ / series_name, summary = folder_ / summary_name;
     const std::string rows = series_csv(scan_->samples, scan_->rates);
     const std::string there_are = fs::exists(series) ? base::read_whole_file(series) : "";
-    // A kill may have come between the journal and the table, which 'rift resume' begins anew.
+    // A kill may have come between the journal and the table, which 'rift resume' rewrites.
     const bool behind =
         result_.run.condition == RunCondition::unfinished && !mend_ && rows.starts_with(there_are);
     table(series_name, rows, there_are == rows || behind);

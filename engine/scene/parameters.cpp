@@ -37,7 +37,9 @@ std::vector<Parameter> specimen_rows() {
        "Height H of the plate along y, between the grips; of a cylinder along its axis.", length,
        above(0, 100)},
       {"specimen.layers", "2", [](Scene& s) -> Slot { return &s.specimen.layers; },
-       "Elements through the thickness; fixes the thickness. Excludes `thickness`.", none, above(0, 100)},
+       "Elements through the thickness, which follows from `layers` and `elements`: another number of "
+       "elements gives another thickness. Excludes `thickness`.",
+       none, above(0, 100)},
       {"specimen.thickness", "", [](Scene& s) -> Slot { return &s.specimen.thickness; },
        "Thickness B of the plate along z, in place of `layers`; of a block or a periodic box.", length,
        above(0, 100)},

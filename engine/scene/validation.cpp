@@ -81,7 +81,7 @@ void check_damping(Checks& c) {
   }
 }
 
-/// Which keys a shape takes; false where its sizes cannot be told.
+/// Which keys a shape takes; false where its sizes are not valid.
 bool check_shape(Checks& c) {
   if (!c.valid({"specimen.shape"})) return false;
   const packing::Shape shape = c.scene.specimen.shape;
@@ -211,7 +211,7 @@ void check_rows(Checks& c) {
     c.say("crack.path_shape", "goes with a crack.path through points only");
 }
 
-/// Whether c_r can be told at all.
+/// Whether c_R follows from the material at all.
 bool knows_rayleigh_speed(const Checks& c) {
   const bool both = c.given("material.density") && c.given("material.rayleigh_speed");
   return !both && c.valid({"material.young_modulus", "material.poisson_ratio", "material.plane",
@@ -269,7 +269,7 @@ bool check_ends(Checks& c) {
   return true;
 }
 
-/// Two tips have a window of their own only where five damage zones end well before the first echo.
+/// Two tips have a default window only where five damage zones end well before the first boundary reflection.
 bool check_window_of_two(Checks& c) {
   if (c.scene.crack.tips != 2 || c.given("output.window")) return true;
   if (!c.scene.crack.history.empty() || !c.scene.crack.toughness.row.empty()) return true;

@@ -44,7 +44,7 @@ struct ReportKind {
 /// that.
 void check_report(const std::filesystem::path& folder, bool force, ReportKind kind = {});
 
-/// The folder of a report: made and owned before the work, given back if nothing came of it.
+/// The folder of a report: made and owned before the work, removed again if the work fails.
 class ReportFolder {
  public:
   /// Throws as check_report(), and WorldError where it cannot be made or written to or another process writes

@@ -218,14 +218,14 @@ std::string FilmOfRun::trouble_with(const scene::Preset& preset, bool force) {
   if (!maker_->film.empty() && !viz::is_film_name(maker_->film))
     return fmt::format("--film {}: must end in .mp4, .webm or .gif", maker_->film);
   if (!force && !maker_->film.empty() && fs::exists(maker_->film))
-    return fmt::format("{} is there already: --force replaces it", maker_->film);
+    return fmt::format("{} exists already: --force replaces it", maker_->film);
   try {
     if (!maker_->film.empty()) base::check_target(maker_->film);
   } catch (const base::WorldError& error) {
     return error.what();
   }
   if (scene.output.frames < 2)
-    return fmt::format("--render: output.frames = {} makes no film", scene.output.frames);
+    return fmt::format("--render: output.frames = {} is too few for a film", scene.output.frames);
   if (!stored(field->stored))
     return fmt::format("--render: output.fields has no \"{}\", which the field {} needs", field->stored,
                        field->name);

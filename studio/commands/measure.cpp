@@ -35,7 +35,7 @@ std::string command_text(const MeasureOptions& options) {
   return text;
 }
 
-/// In the run's folder, anew each time, or elsewhere, where nothing else may be.
+/// In the run's folder, where it is replaced each time, or in a folder of its own.
 fs::path folder_of(const MeasureOptions& options) {
   if (!options.out.empty()) return options.out;
   return fs::path(options.run) / (options.instruments.lane > 0

@@ -52,14 +52,14 @@ std::vector<double> times_of(const RenderOptions& options, const viz::Plan& plan
 /// Before anything is drawn: a file that is there is kept without --force, and a new one needs its folder.
 void check_file(const fs::path& path, bool force) {
   if (!force && fs::exists(path))
-    throw results::FolderExists(fmt::format("{} is there already: --force replaces it", path.string()));
+    throw results::FolderExists(fmt::format("{} exists already: --force replaces it", path.string()));
   base::check_target(path);
 }
 
 /// A folder of pictures, which is made where it is not there.
 void check_folder_of_pictures(const fs::path& path, bool force) {
   if (force || !fs::exists(path) || (fs::is_directory(path) && fs::is_empty(path))) return;
-  throw results::FolderExists(fmt::format("{} is there already: --force replaces it", path.string()));
+  throw results::FolderExists(fmt::format("{} exists already: --force replaces it", path.string()));
 }
 
 /// Shows how many frames are drawn; Ctrl-C is heard there.

@@ -51,7 +51,7 @@ std::string uncertainty_text(const experiment::Experiment& e, const Means& m) {
   return text + fmt::format(", window {:.1f} %", 100 * m.window);
 }
 
-/// How far what was found is from the critical rate laid over it.
+/// Difference of the identified critical rate to the reference.
 struct Distance {
   double mean = 0, largest = 0;  // of |found / truth - 1|
   double within = 0;  // share of the points whose band of two standard uncertainties holds the truth

@@ -127,6 +127,11 @@ Table conclusions(const InstrumentsReport& report) {
     say("ring", fmt::format("{:.3g} to {:.3g} mm around the tip, smaller near an edge", 1e3 * seen.ring.inner,
                             1e3 * seen.ring.outer));
   if (const std::string why = without_intensity(seen.intensity); !why.empty()) say("moments without K", why);
+  const bool never_fits =
+      !seen.intensity.empty() && std::all_of(seen.intensity.begin(), seen.intensity.end(),
+                                             [](const auto& p) { return p.why == measurement::NoFit::edge; });
+  if (never_fits)
+    say("", "the ring fits at no moment: raise specimen.elements, or lower --inner and --outer");
   if (seen.grip_moves) say("G_I0", "refers to the displacement when the crack starts; the grip moves later");
   if (against.moments > 0)
     say("G from K",
@@ -385,8 +390,8 @@ std::vector<NamedChart> field_maps(const InstrumentsReport& report) {
   return maps;
 }
 
-/// Grip force, strains and velocities of the gauges, stress intensities and release rates, measured curves
-/// laid over.
+/// Grip force, strains and velocities of the gauges, stress intensities and release rates, and measured
+/// curves.
 std::vector<NamedChart> instrument_charts(const InstrumentsReport& report) {
   std::vector<NamedChart> charts{time_chart(report, "grip_force", "Force of the upper grip", "force",
                                             {{"grip_force", "grip"}},

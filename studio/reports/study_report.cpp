@@ -222,7 +222,7 @@ ChartSeries against_tip(const study::SummaryRow& row, const std::filesystem::pat
   return series;
 }
 
-/// Tip position up to which no echo has come back [mm]; NaN where the row does not know.
+/// Tip position at which the first boundary reflection arrives [mm]; NaN where it is not known.
 double echo_free_mm(const study::SummaryRow& row) { return 1e3 * row.echo_free_over_length * row.length_m; }
 
 /// Ratio against crack velocity beside Broberg, Freund and the strip, mean over seeds with their scatter as

@@ -55,7 +55,7 @@ TEST(Render, NeverOverwritesSilently) {
   write_text(folder / "a.mp4", "precious");
   const Ran ran = render_in(folder, "run --film a.mp4");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_EQ(ran.err, "rift: a.mp4 is there already: --force replaces it\n");
+  EXPECT_EQ(ran.err, "rift: a.mp4 exists already: --force replaces it\n");
   EXPECT_EQ(read_text(folder / "a.mp4"), "precious");
   EXPECT_EQ(render_in(folder, "run --film a.mp4 --force --size 320x180").exit_code, 0);
   EXPECT_NE(read_text(folder / "a.mp4"), "precious");
@@ -175,7 +175,7 @@ TEST(RunWithRender, TellsMistakesBeforeAnythingIsComputed) {
   EXPECT_EQ(complaint("--render --field v"),
             "rift run: --render: output.fields has no \"velocity\", which the field v needs\n");
   EXPECT_EQ(complaint("--render --set output.frames=0"),
-            "rift run: --render: output.frames = 0 makes no film\n");
+            "rift run: --render: output.frames = 0 is too few for a film\n");
   EXPECT_EQ(complaint("--film a.avi"), "rift run: --film a.avi: must end in .mp4, .webm or .gif\n");
 }
 
@@ -185,7 +185,7 @@ TEST(RunWithRender, NeverOverwritesAFilmSilently) {
   write_text(film, "precious");
   const Ran ran = run_tiny(tiny, "--film '" + film + "'");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_EQ(ran.err, "rift run: " + film + " is there already: --force replaces it\n");
+  EXPECT_EQ(ran.err, "rift run: " + film + " exists already: --force replaces it\n");
   EXPECT_EQ(read_text(film), "precious");
   EXPECT_FALSE(fs::exists(tiny.out()));
 }

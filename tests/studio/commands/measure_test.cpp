@@ -105,6 +105,18 @@ TEST(MeasureCommand, ReplacesWhatItMeasuredBefore) {
   EXPECT_TRUE(fs::exists(plate.out() / "measure" / "notes.txt"));
 }
 
+TEST(MeasureCommand, SaysWhatToDoWhereTheRingNeverFits) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run().exit_code, 0);
+  const std::string hint =
+      "the ring fits at no moment: raise specimen.elements, or lower --inner and --outer";
+  const Ran wide = run_rift("measure '" + plate.out().string() + "' --inner 20 --outer 40 --grid 2 --quiet");
+  EXPECT_EQ(wide.exit_code, 0) << wide.err;
+  EXPECT_TRUE(contains(wide.out, hint)) << wide.out;
+  EXPECT_TRUE(contains(wide.out, ": the ring is too near to an edge of the plate"));
+  EXPECT_FALSE(contains(measure(plate).out, hint));
+}
+
 TEST(MeasureCommand, LeavesNoFolderOfARefusedMeasurement) {
   const TinyPlate plate;
   ASSERT_EQ(plate.run().exit_code, 0);
