@@ -53,7 +53,7 @@ DryRunThread::Rows at_once(const std::vector<scene::Scene>& scenes) {
       {"thickness", fmt::format("{:.4g} mm", 1e3 * scene::thickness_m(scene))},
       {"mean radius", fmt::format("about {:.3g} mm", 1e3 * scene::expected_mean_radius_m(scene))},
       {"damage zone", zone_text(scenes)}};
-  const char* label = scenes.size() > 1 ? "none needs" : "left out";
+  const char* label = "left out";
   for (const std::string& line : left_out_of_all(scenes)) rows.emplace_back(label, line), label = "";
   return rows;
 }
