@@ -86,12 +86,12 @@ void read_run(const MeasureOptions& options, InstrumentsReport& report, FieldFil
   double next_tip = 0.0;
   report.seen =
       measurement::read_instruments(options.run, options.instruments, session.progress_of("frames"),
-                                   [&](const measurement::Grid& grid, const measurement::SeenField& field) {
-                                     file.append(field_csv_rows(grid, field));
-                                     if (field.tip < next_tip) return;
-                                     report.field.push_back(field);
-                                     next_tip = field.tip + grid.point.back().x() / fields_kept;
-                                   });
+                                    [&](const measurement::Grid& grid, const measurement::SeenField& field) {
+                                      file.append(field_csv_rows(grid, field));
+                                      if (field.tip < next_tip) return;
+                                      report.field.push_back(field);
+                                      next_tip = field.tip + grid.point.back().x() / fields_kept;
+                                    });
   session.line.clear();
 }
 
@@ -121,11 +121,14 @@ ExitCode measure(const MeasureOptions& options) {
   });
   Session session("rift measure", options);
   InstrumentsReport report;
-  report.run = options.run, report.command = command_text(options), report.version = build_info().version;
+  report.run = options.run, report.command = command_text(options), report.build = build_info();
   report.lane = options.instruments.lane;
   const auto work = [&] {
     FieldFile file(owned);
     read_run(options, report, file, session);
+    const scene::Preset preset = simulation::preset_of_run(options.run);
+    report.scenes = {preset.lanes.empty() ? preset.scene
+                                          : preset.lanes.at(static_cast<std::size_t>(report.lane))};
     report.trace = measurement::traces_of(report.seen);
     lay_over(report, options.against);
     file.keep();

@@ -140,7 +140,7 @@ std::string toughness_csv(const ExperimentReport& report, bool by_position) {
 
 /// A dozen of the points.
 Table experiment_table(const ExperimentReport& report) {
-  Table table{{"tip [mm]", "time [us]", "v [c_R]", "G_I0 [kJ/m²]", "G_IDc, as paper", "corrected",
+  Table table{{"tip [mm]", "time [µs]", "v [c_R]", "G_I0 [kJ/m²]", "G_IDc, as paper", "corrected",
                "efficiency", "G_IDc/G_I0"},
               {}};
   const std::vector<experiment::CriticalPoint>& along = report.experiment.along;
@@ -237,9 +237,9 @@ NamedChart history_chart(const ExperimentReport& report) {
           fmt::format(
               "What was measured, and the course made of it ({}): the rows scatter around it by {:.3g} mm{}.",
               report.smoothing, 1e3 * c.scatter,
-              c.chi2 > 0.0 ? fmt::format(", chi^2 {:.2f} a row", c.chi2) : std::string()),
-          Chart{.title = "The measured crack",
-                .x_label = "time [us]",
+              c.chi2 > 0.0 ? fmt::format(", χ² {:.2f} a row", c.chi2) : std::string()),
+          Chart{.title = "The measured crack and the course through it",
+                .x_label = "time [µs]",
                 .y_label = "tip position [mm]",
                 .series = {std::move(rows), std::move(course)}}};
 }
@@ -263,8 +263,8 @@ NamedChart velocity_chart(const ExperimentReport& report) {
   return {"velocity",
           "The course's velocity, its band of two standard deviations from the histories drawn anew, and the "
           "differences of neighbouring rows.",
-          Chart{.title = "Its velocity",
-                .x_label = "time [us]",
+          Chart{.title = "Velocity of the crack along its course",
+                .x_label = "time [µs]",
                 .y_label = "velocity [c_R]",
                 .y_range = {-0.1 * top, top + 0.1},
                 .series = {std::move(band), std::move(raw), std::move(line)}}};
@@ -291,7 +291,7 @@ std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x
   add("G_{IDc}, corrected", style, 1, corrected);
   add("quasi-static G_{I0}", lines ? Style::dashed : style, 2, [](const Point& p) { return p.quasi_static; });
   if (!lines)
-    all.push_back(series_of("law, made to rise", Style::line, 0, e.law, [](const auto& at) {
+    all.push_back(series_of("monotone fit", Style::line, 0, e.law, [](const auto& at) {
       return ChartPoint{at[0], 1e-3 * at[1]};
     }));
   if (!report.truth.row.empty())
@@ -311,7 +311,7 @@ NamedChart rate_chart(const ExperimentReport& report, const char* name, const ch
           (style == Style::line ? " Bands: two standard uncertainties of noise, packing and window." : ""),
       Chart{.title = title,
             .x_label = x_label,
-            .y_label = "release rate [kJ/m^2]",
+            .y_label = "release rate [kJ/m²]",
             .y_range = {.min = 0.0},
             .series = readings(report, x, style)}};
 }
@@ -334,10 +334,11 @@ NamedChart application_chart(const experiment::Experiment& e) {
   using Point = experiment::Application::Point;
   return {
       "application",
-      fmt::format("A crack that runs by itself, given G_IDc against the velocity, made to rise: its velocity "
-                  "is off by {:.1f} % (root of the mean square), its tip by at most {:.2g} mm.",
-                  100 * e.application.velocity_error, 1e3 * e.application.worst_lag),
-      Chart{.title = "Given back: the crack that runs by itself",
+      fmt::format(
+          "A predicted crack with the monotone fit of G_IDc(v): its velocity differs by {:.1f} % (root of "
+          "the mean square), its tip by at most {:.2g} mm.",
+          100 * e.application.velocity_error, 1e3 * e.application.worst_lag),
+      Chart{.title = "Forward check: a crack driven by the identified G_{IDc}(v)",
             .x_label = "tip position [mm]",
             .y_label = "velocity [c_R]",
             .y_range = {.min = 0.0},
@@ -345,7 +346,7 @@ NamedChart application_chart(const experiment::Experiment& e) {
                                  [](const Point& p) {
                                    return ChartPoint{1e3 * p.position, p.measured_over_cr};
                                  }),
-                       series_of("by itself", Style::line_points, 1, e.application.along, [](const Point& p) {
+                       series_of("predicted", Style::line_points, 1, e.application.along, [](const Point& p) {
                          return ChartPoint{1e3 * p.position, p.over_cr};
                        })}}};
 }
@@ -356,7 +357,7 @@ std::vector<NamedChart> experiment_charts(const ExperimentReport& report) {
       velocity_chart(report),
       rate_chart(report, "rate_position", "Critical release rate along the crack", "tip position [mm]", mm,
                  Style::line),
-      rate_chart(report, "rate_time", "Critical release rate in time", "time [us]", us, Style::line),
+      rate_chart(report, "rate_time", "Critical release rate in time", "time [µs]", us, Style::line),
       rate_chart(report, "rate_velocity", "Critical release rate against velocity", "velocity [c_R]", over_cr,
                  Style::points),
       efficiency_chart(report.experiment)};
@@ -367,8 +368,10 @@ std::vector<NamedChart> experiment_charts(const ExperimentReport& report) {
 }  // namespace
 
 void write_experiment_report(const ExperimentReport& report, const std::filesystem::path& folder) {
-  write_report({.title = "From the experiment to G_IDc: " + report.preset,
-                .opening = {made_by(report.command, report.build, report.wall_s)},
+  write_report({.title = "Critical dynamic release rate G_IDc from the crack history of " +
+                         preset_in_titles(report.preset),
+                .made = {report.command, report.build, report.wall_s},
+                .scenes = {report.scene},
                 .files = {{"summary.json", base::json_text(experiment_json(report), 2) + "\n"},
                           {"table.csv", csv_of(report.experiment)},
                           {"toughness_position.csv", toughness_csv(report, true)},

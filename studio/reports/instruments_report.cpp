@@ -32,9 +32,9 @@ TraceScale scale_of(scene::Dimension dimension) {
     case scene::Dimension::stress_intensity:
       return {1e-6, "MPa m^{1/2}"};
     case scene::Dimension::release_rate:
-      return {1e-3, "kJ/m^2"};
+      return {1e-3, "kJ/m²"};
     case scene::Dimension::length:
-      return {1e6, "um"};
+      return {1e6, "µm"};
     case scene::Dimension::strain:
       return {1.0, ""};
     default:
@@ -81,7 +81,7 @@ std::string without_intensity(const std::vector<measurement::IntensityPoint>& po
 std::string span_text(const measurement::Trace& trace) {
   return trace.time.empty()
              ? std::string("no time")
-             : fmt::format("{:.6g} to {:.6g} us", 1e6 * trace.time.front(), 1e6 * trace.time.back());
+             : fmt::format("{:.6g} to {:.6g} µs", 1e6 * trace.time.front(), 1e6 * trace.time.back());
 }
 
 /// Mean over the moments that have both, weights alike; NaN where there are none.
@@ -119,7 +119,7 @@ Table conclusions(const InstrumentsReport& report) {
       });
   if (blind) say("", "no subset holds enough elements: widen --subset");
   if (!seen.finished)
-    say("unfinished", fmt::format("the run has come to {:.6g} us so far",
+    say("unfinished", fmt::format("the run has come to {:.6g} µs so far",
                                   seen.samples.empty() ? 0.0 : 1e6 * seen.samples.back().time_s));
   if (!seen.no_intensity.empty()) say("stress intensities", "none: " + seen.no_intensity);
   const FieldAgainstBooks against = field_against_books(report);
@@ -140,7 +140,7 @@ Table conclusions(const InstrumentsReport& report) {
                                     "fit, K_II alone means something",
                                     closed));
   if (seen.clock != 0.0)
-    say("clock", fmt::format("the measured history's: the run's plus {:.8g} us", 1e6 * seen.clock));
+    say("clock", fmt::format("the measured history's: the run's plus {:.8g} µs", 1e6 * seen.clock));
   for (const measurement::Trace& measured : report.measured) {
     const auto d = measurement::distance_between(trace_named(report, measured.name), measured);
     say(measured.name, d ? distance_text(measured, *d)
@@ -164,7 +164,7 @@ std::string intensity_csv(const measurement::Instruments& seen) {
 
 /// A dozen moments: stress intensities, and the release rate by the energy balance beside them.
 Table intensity_table(const InstrumentsReport& report) {
-  Table table{{"time [us]", "tip [mm]", "v [c_R]", "K_I [MPa m½]", "K_II", "G, field [kJ/m²]", "G_ID, books",
+  Table table{{"time [µs]", "tip [mm]", "v [c_R]", "K_I [MPa m½]", "K_II", "G, field [kJ/m²]", "G_ID, books",
                "taken", "misfit"},
               {}};
   const std::vector<measurement::IntensityPoint>& points = report.seen.intensity;
@@ -231,7 +231,7 @@ Json instruments_json(const InstrumentsReport& report) {
   }
   return {{"run", report.run},
           {"lane", report.lane},
-          {"version", report.version},
+          {"version", report.build.version},
           {"clock_s", report.seen.clock},
           {"subset_radius_m", report.seen.subset},
           {"ring_m", {report.seen.ring.inner, report.seen.ring.outer}},
@@ -272,7 +272,7 @@ struct Wanted {
 
 NamedChart time_chart(const InstrumentsReport& report, const char* name, const char* title,
                       const char* quantity, const std::vector<Wanted>& wanted, std::string caption) {
-  Chart chart{.title = title, .x_label = "time [us]"};
+  Chart chart{.title = title, .x_label = "time [µs]"};
   int colour = 0;
   for (const Wanted& w : wanted) {
     const measurement::Trace* run = found(report.trace, w.name);
@@ -293,7 +293,7 @@ std::vector<NamedChart> gauge_charts(const InstrumentsReport& report) {
   };
   std::vector<NamedChart> charts;
   for (const Kind& kind :
-       {Kind{"strain_yy", "Strain across the crack", "strain yy"},
+       {Kind{"strain_yy", "Strain of the gauges across the crack", "strain yy"},
         Kind{"strain_xx", "Strain along the crack", "strain xx"},
         Kind{"strain_xy", "Shear strain", "strain xy"}, Kind{"vy", "Velocity across the crack", "velocity y"},
         Kind{"vx", "Velocity along the crack", "velocity x"}}) {
@@ -319,18 +319,18 @@ NamedChart rate_chart(const InstrumentsReport& report) {
   const std::vector<Point>& points = report.seen.intensity;
   return {
       "release_rate",
-      "What arrives at the tip, by the stress intensities of the camera's field, what the damage zone takes "
-      "of it, by the lattice's books, and G_I0.",
-      Chart{.title = "Release rate",
+      "G from the stress intensities of the camera's field, G_ID from the energy balance, and the static "
+      "G_I0.",
+      Chart{.title = "Release rate by the field and by the energy balance",
             .x_label = "tip position [mm]",
-            .y_label = "release rate [kJ/m^2]",
+            .y_label = "release rate [kJ/m²]",
             .y_range = {.min = 0.0},
             .series = {
-                series_of("of the field", Style::line_points, 1, points,
+                series_of("G of the field, from K", Style::line_points, 1, points,
                           [](const Point& p) {
                             return ChartPoint{1e3 * p.tip, p.k ? 1e-3 * p.k->release_rate : NAN};
                           }),
-                series_of("G_{ID} of the books", Style::line, 0, points,
+                series_of("G_{ID}, energy balance", Style::line, 0, points,
                           [](const Point& p) {
                             return ChartPoint{1e3 * p.tip, 1e-3 * p.g_id};
                           }),
@@ -375,9 +375,9 @@ std::vector<NamedChart> field_maps(const InstrumentsReport& report) {
                       "As a camera sees it; where a subset has lost its hold nothing is shown.",
                       std::move(map)});
     };
-    add("displacement_y", "Displacement across the crack", "u_y [um]",
+    add("displacement_y", "Displacement across the crack", "u_y [µm]",
         [](const lattice::PlaneMotion& m) { return 1e6 * m.u.y(); });
-    add("strain_yy", "Strain across the crack", "strain yy [10^{-3}]",
+    add("strain_yy", "Strain of the gauges across the crack", "strain yy [10^{-3}]",
         [](const lattice::PlaneMotion& m) { return 1e3 * m.strain_yy(); });
     if (last == 0) break;
   }
@@ -387,12 +387,13 @@ std::vector<NamedChart> field_maps(const InstrumentsReport& report) {
 /// Grip force, strains and velocities of the gauges, stress intensities and release rates, measured curves
 /// laid over.
 std::vector<NamedChart> instrument_charts(const InstrumentsReport& report) {
-  std::vector<NamedChart> charts{time_chart(report, "grip_force", "Force of the upper grip", "force",
-                                            {{"grip_force", "grip"}},
+  std::vector<NamedChart> charts{time_chart(report, "grip_force", "Force of the upper grip against time",
+                                            "force", {{"grip_force", "grip"}},
                                             "With which the upper grip pulls across the crack.")};
   for (NamedChart& gauge : gauge_charts(report)) charts.push_back(std::move(gauge));
   charts.push_back(
-      time_chart(report, "stress_intensity", "Stress intensities", "K", {{"k_i", "K_I"}, {"k_ii", "K_{II}"}},
+      time_chart(report, "stress_intensity", "Stress intensities against time", "K",
+                 {{"k_i", "K_I"}, {"k_ii", "K_{II}"}},
                  "Fitted to the camera's field around the tip, with the waves of a running tip."));
   charts.push_back(rate_chart(report));
   return charts;
@@ -401,8 +402,9 @@ std::vector<NamedChart> instrument_charts(const InstrumentsReport& report) {
 }  // namespace
 
 void write_instruments_report(const InstrumentsReport& report, const std::filesystem::path& folder) {
-  Report page{.title = "What a test's instruments would have shown: " + report.run,
-              .opening = {made_by(report.command, {report.version, {}})},
+  Report page{.title = "What the instruments of a test would have shown of the run " + report.run,
+              .made = {report.command, report.build},
+              .scenes = report.scenes,
               .files = {{"summary.json", base::json_text(instruments_json(report), 2) + "\n"},
                         {"stress_intensity.csv", intensity_csv(report.seen)}},
               .sections = {{"What was seen", conclusions(report)},

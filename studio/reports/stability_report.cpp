@@ -213,8 +213,8 @@ NamedChart growth_chart(const stability::GrowthCurve& curve) {
           "over all steps, against theory (largest distance {:.1e}). Up to the critical step nothing grows. "
           "The bound of the stiffest element is safe at {:.4f} of it; Lanczos iteration gives {:.6f}.",
           farthest, curve.element_bound, curve.iterated),
-      Chart{.title = "Where explicit integration ends",
-            .x_label = "time step [2/{/Symbol w}_{max}]",
+      Chart{.title = "Growth of the highest mode beyond the critical step",
+            .x_label = "time step [2/ω_{max}]",
             .y_label = "growth of the highest mode [ln per step]",
             .series = {{.label = "theory, arcosh(2 x^2 - 1)", .x = curve.step, .y = curve.expected},
                        {.label = "measured",
@@ -240,9 +240,9 @@ ChartSeries residuals(const std::vector<stability::StabilityRow>& rows, const ch
 }
 
 NamedChart residual_chart(const std::vector<stability::StabilityRow>& rows) {
-  Chart chart{.title = "Books of stiff and extreme cases",
-              .x_label = "case",
-              .y_label = "largest residual of the books [-]",
+  Chart chart{.title = "Balance error of stiff and extreme cases",
+              .x_label = "case, in the order of the table",
+              .y_label = "largest balance error [-]",
               .log_y = true,
               .series = {residuals(rows, "double", 0, &stability::StabilityRow::in_double),
                          residuals(rows, "single", 1, &stability::StabilityRow::in_single)}};
@@ -250,10 +250,12 @@ NamedChart residual_chart(const std::vector<stability::StabilityRow>& rows) {
   if (!chart.series.empty())
     for (const auto& [limit, label] : {std::pair{1e-10, "limit, double"}, std::pair{1e-3, "limit, single"}})
       chart.series.push_back(level(label, limit, 1.0, static_cast<double>(rows.size())));
-  return {"residuals",
-          "How far the energy books of each case that ran to its end are open, over the largest energy; the "
-          "numbers are those of the table's rows. Corotational books close as the square of the step does.",
-          std::move(chart)};
+  return {
+      "residuals",
+      "Largest error of the energy balance of each case that ran to its end, over the largest energy; the "
+      "numbers are those of the table's rows. With corotational kinematics it falls as the square of the "
+      "step.",
+      std::move(chart)};
 }
 
 std::vector<NamedChart> stability_charts(const StabilityReport& report) {
@@ -269,8 +271,9 @@ void write_stability_report(const StabilityReport& report, const std::filesystem
   Table said{{"case", "", "said"}, {}};
   for (const stability::StabilityRow& row : report.rows)
     if (!row.in_double.said.empty()) said.rows.push_back({row.family, row.name, row.in_double.said});
-  write_report({.title = "Stiff and extreme cases",
-                .opening = {verdict(report) + ". " + made_by("rift stability", report.build)},
+  write_report({.title = "Stiff and extreme cases: what each came to",
+                .made = {report.command, report.build, report.wall_s},
+                .opening = {verdict(report) + "."},
                 .files = {{"summary.json", base::json_text(stability_json(report), 2) + "\n"},
                           {"table.csv", csv_of(report.rows)},
                           {"claims.csv", claims_csv(report.rows)}},
