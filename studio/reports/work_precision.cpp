@@ -40,11 +40,6 @@ bool is_better(const study::AxisTexts& a, const study::AxisTexts& b) {
   return better;
 }
 
-study::AxisTexts axes_without(study::AxisTexts axes, const auto& names) {
-  std::erase_if(axes, [&](const auto& axis) { return is_one_of(names, axis.first); });
-  return axes;
-}
-
 /// The row that is better than all the others, or null.
 const study::SummaryRow* best_of(const std::vector<study::SummaryRow>& rows) {
   const study::SummaryRow* best = &rows.front();

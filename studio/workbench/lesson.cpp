@@ -174,7 +174,8 @@ Table lesson_table(const Lanes& lanes) {
 
 void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
                    const std::filesystem::path& file) {
-  std::string body = html_made({"rift studio --lesson " + lesson.name, {lanes.front().version, {}}, {}});
+  std::string body =
+      html_made({fmt::format("rift studio --lesson {}", lesson.name), {lanes.front().version, {}}, {}});
   for (const std::string_view page : lesson.before) body += html_paragraph(page);
   body += html_section("What was to be seen", html_paragraph(lesson.watch));
   std::optional<base::WorldError> no_chart;  // the page says why
