@@ -33,7 +33,7 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
 
 ExitCode run(int argc, char** argv) {
   CLI::App app("Dynamic fracture on a discrete-element beam lattice.", "rift");
-  app.set_version_flag("--version", rift::studio::version_text());
+  app.set_version_flag("--version", rift::studio::version_and_libraries_text());
   app.require_subcommand(0, 1);
   ExitCode exit_code = ExitCode::done;
   for (const auto add_command : rift::studio::all_commands) add_command(app, exit_code);

@@ -74,8 +74,8 @@ void measure(Judging& j, AccuracyLine& line) {
   std::vector<double> ratios, broberg, wall;
   for (const int k : line.results) {
     const std::optional<SummaryRow>& row = j.results[static_cast<std::size_t>(k)].row;
-    if (!row || row->outcome != "finished" || !std::isfinite(row->ratio_with_damping)) continue;
-    ratios.push_back(row->ratio_with_damping);
+    if (!row || row->outcome != "finished" || !std::isfinite(row->ratio)) continue;
+    ratios.push_back(row->ratio);
     broberg.push_back(row->error_broberg);
     wall.push_back(study::marching_time(*row));
   }

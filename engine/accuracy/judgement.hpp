@@ -9,7 +9,7 @@
 /// Errors of tried cases, one kind a factor; the distance to the theory is kept apart from them.
 namespace rift::accuracy {
 
-/// All that was found of a case, over its seeds where it has several. Ratios are ratio_with_damping.
+/// All that was found of a case, over its seeds where it has several. Ratios are ratio.
 struct AccuracyLine {
   Factor factor = Factor::scene;
   std::string label, cannot_be;

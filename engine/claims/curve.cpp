@@ -34,7 +34,7 @@ std::string axis_of(const SummaryRow& row, std::string_view axis, const char* ab
 
 void add_row(CurvePoint& point, const SummaryRow& row) {
   point.seed.push_back(std::lround(row.seed));
-  point.ratio.push_back(row.ratio_with_damping);
+  point.ratio.push_back(row.ratio);
   point.plateau_scatter.push_back(row.ratio_scatter);
   point.broberg = row.broberg;
   point.freund = row.freund;
@@ -66,7 +66,7 @@ bool selects(const Selection& s, const SummaryRow& row) {
 Curve curve_of(const std::vector<SummaryRow>& rows, const Selection& selection) {
   std::map<long, std::map<long, const SummaryRow*>> by_velocity;  // in 1e-6 c_r, then by seed
   for (const SummaryRow& row : rows) {
-    if (!selects(selection, row) || std::isnan(row.ratio_with_damping)) continue;
+    if (!selects(selection, row) || std::isnan(row.ratio)) continue;
     by_velocity[std::lround(1e6 * row.crack_velocity_over_cr)][std::lround(row.seed)] = &row;
   }
   Curve curve;
@@ -83,7 +83,7 @@ Curve within(const Curve& curve, double from, double to) { return filtered(curve
 Curve outside(const Curve& curve, double from, double to) { return filtered(curve, from, to, false); }
 
 double release_energy_per_beam(const SummaryRow& row) {
-  const double per_length = row.ratio_release * row.g_i0_j_m2 * row.thickness_m;
+  const double per_length = row.ratio_fracture * row.g_i0_j_m2 * row.thickness_m;
   return per_length * row.length_m / row.beams_crossed;
 }
 

@@ -33,7 +33,7 @@ bool selects(const Selection& selection, const SummaryRow& row);
 struct CurvePoint {
   double v = 0;                               // [c_r]
   std::vector<long> seed;                     // of the specimens, ascending
-  std::vector<double> ratio;                  // ratio_with_damping of each
+  std::vector<double> ratio;                  // ratio of each
   std::vector<double> plateau_scatter;        // of each over its window
   double broberg = 0, freund = 0, strip = 0;  // NaN where not defined
   double wall_s = 0;                          // of all of them

@@ -45,12 +45,12 @@ std::map<long, std::vector<EfficiencyPoint>> by_zone(const Evidence& evidence) {
 std::vector<MapCell> map_of(const Evidence& evidence) {
   std::map<std::pair<long, long>, MapCell> cells;
   for (const SummaryRow& row : evidence.rows) {
-    if (!of_strip(row) || std::isnan(row.ratio_with_damping)) continue;
+    if (!of_strip(row) || std::isnan(row.ratio)) continue;
     const double power = row.relaxation, zone = row.damage_zone_ratio;
     MapCell& cell = cells[{key_of(power), key_of(zone)}];
     cell.relaxation = power, cell.zone = zone;
     cell.v.push_back(row.crack_velocity_over_cr);
-    cell.ratio.push_back(row.ratio_with_damping);
+    cell.ratio.push_back(row.ratio);
     cell.distance.push_back(std::abs(row.error_broberg));
     cell.wall_s += row.wall_fracture_s;
   }
@@ -71,13 +71,13 @@ std::vector<double> zones_of(const Evidence& evidence) {
 std::vector<EfficiencyPoint> efficiency(const Evidence& evidence, double relaxation, double zone) {
   std::map<long, EfficiencyPoint> points;
   for (const SummaryRow& row : evidence.rows) {
-    if (!of_strip(row) || std::isnan(row.ratio_with_damping)) continue;
+    if (!of_strip(row) || std::isnan(row.ratio)) continue;
     if (key_of(row.relaxation) != key_of(relaxation) || key_of(row.damage_zone_ratio) != key_of(zone))
       continue;
     const double v = row.crack_velocity_over_cr;
     EfficiencyPoint& point = points[key_of(v)];
     point.v = v;
-    point.ratio.push_back(row.ratio_with_damping);
+    point.ratio.push_back(row.ratio);
     point.along.push_back(row.ratio_scatter);
   }
   std::vector<EfficiencyPoint> list;
@@ -103,13 +103,13 @@ std::vector<BrobergProblem> broberg_problem(const Evidence& evidence) {
       points;  // the smallest elements of a velocity and zone last
   std::map<std::tuple<long, long, long>, std::vector<double>> radii;
   for (const SummaryRow& row : evidence.rows) {
-    if (!(row.tips > 1.5) || std::isnan(row.ratio_with_damping)) continue;
+    if (!(row.tips > 1.5) || std::isnan(row.ratio)) continue;
     const double v = row.crack_velocity_over_cr, zone = row.damage_zone_ratio;
     const std::tuple place(key_of(v), key_of(zone), std::lround(row.elements));
     BrobergProblem& p = points[place];
     p.v = v, p.zone = zone, p.elements = row.elements;
     p.broberg = row.broberg;
-    p.ratio.push_back(row.ratio_with_damping);
+    p.ratio.push_back(row.ratio);
     radii[place].push_back(row.mean_radius_m);
     p.half_length_m = 0.5 * row.length_m * (row.window_over_length[0] + row.window_over_length[1]);
     const auto strip = zones.find(key_of(zone));

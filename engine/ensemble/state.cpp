@@ -76,10 +76,13 @@ void State::build_parts() {
 }
 
 void State::set_damped(const std::vector<lattice::DampedBeam>& damped) {
+  // What the loads of the last step were: the next step's work is that of both.
   const std::vector<double> contact = by_element(&Part::contact_before);
+  const std::vector<double> damping = by_element(&Part::damping_before);
   damped_ = damped;
   build_parts();
   set_by_element(&Part::contact_before, contact);
+  set_by_element(&Part::damping_before, damping);
 }
 
 void State::set_lane(int lane, const fracture::LaneScenario& scenario) {

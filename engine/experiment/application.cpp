@@ -137,7 +137,7 @@ std::vector<Application::Point> compared(const Experiment& found, const std::vec
     p.over_cr = found.width / (time_at(rows, point.position + half) - time_at(rows, point.position - half)) /
                 found.rayleigh_speed;
     p.given = fracture::critical_rate(given_law(found), p.over_cr, found.rayleigh_speed, point.position);
-    p.rate = fracture::rate_around(rows, point.position, found.width, scale).ratio_with_damping *
+    p.rate = fracture::rate_around(rows, point.position, found.width, scale).ratio *
              fracture::mean_g_i0(scale, point.position - half, point.position + half);
     along.push_back(p);
   }

@@ -71,7 +71,7 @@ std::vector<EfficiencyPoint> efficiency_of(const scene::Preset& preset, double p
       parts.march("efficiency", prepared, [&](double done) { return progress("efficiency", done); });
   for (std::size_t k = 0; k < points.size(); ++k) {
     const simulation::Rates rates = simulation::rates_of(prepared, run, static_cast<int>(k));
-    points[k].efficiency = rates.plateau.mean.ratio_with_damping, points[k].scatter = rates.plateau.scatter;
+    points[k].efficiency = rates.plateau.mean.ratio, points[k].scatter = rates.plateau.scatter;
   }
   return points;
 }

@@ -38,7 +38,7 @@ std::vector<double> rates_at(const simulation::Prepared& p, const simulation::Ru
   std::vector<double> rates;
   rates.reserve(along.size());
   for (const CriticalPoint& point : along)
-    rates.push_back(fracture::rate_around(rows, point.position, width, scale).ratio_with_damping *
+    rates.push_back(fracture::rate_around(rows, point.position, width, scale).ratio *
                     fracture::mean_g_i0(scale, point.position - 0.5 * width, point.position + 0.5 * width));
   return rates;
 }

@@ -49,23 +49,22 @@ double mean_g_i0(const RateScale& scale, double from, double to) {
 RatePoint rate_between(const Sample& from, const Sample& to, const RateScale& scale) {
   const double unit =
       scale.thickness * (to.tip_m - from.tip_m) * mean_g_i0(scale, from.tip_m, to.tip_m) * scale.tips;
-  const double ratio = (released(to) - released(from)) / unit;
+  const double balance = (released(to) - released(from)) / unit;
+  const double fracture = (to.fracture_j - from.fracture_j) / unit;
+  const double ratio = balance + (to.damping_j - from.damping_j) / unit;
   return {.tip_m = 0.5 * (from.tip_m + to.tip_m),
           .ratio = ratio,
-          .ratio_release = (to.fracture_j - from.fracture_j) / unit,
-          .ratio_with_damping = ratio + (to.damping_j - from.damping_j) / unit,
-          .ratio_translation_only = ratio + (to.kinetic_rotation_j - from.kinetic_rotation_j) / unit};
+          .ratio_fracture = fracture,
+          .ratio_paper = ratio + (to.kinetic_rotation_j - from.kinetic_rotation_j) / unit,
+          .ratio_difference = balance - fracture};
 }
 
 RatePoint rate_around(const std::vector<Sample>& lane, double tip, double width, const RateScale& scale) {
   const double from = tip - 0.5 * width, to = tip + 0.5 * width;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (lane.size() < 2 || from < lane.front().tip_m || to > lane.back().tip_m)
-    return {.tip_m = tip,
-            .ratio = none,
-            .ratio_release = none,
-            .ratio_with_damping = none,
-            .ratio_translation_only = none};
+    return {
+        .tip_m = tip, .ratio = none, .ratio_fracture = none, .ratio_paper = none, .ratio_difference = none};
   RatePoint rate = rate_between(books_at(lane, from), books_at(lane, to), scale);
   rate.tip_m = tip;
   return rate;
@@ -96,7 +95,7 @@ Plateau plateau_of(const std::vector<Sample>& lane, const std::array<double, 2>&
   double sum = 0.0, squares = 0.0;
   for (int k = 1; k <= sub_windows; ++k) {
     const Sample& to = row_nearest(lane, window[0] + k * (window[1] - window[0]) / sub_windows);
-    const double ratio = rate_between(*from, to, scale).ratio_with_damping;
+    const double ratio = rate_between(*from, to, scale).ratio;
     sum += ratio, squares += ratio * ratio;
     from = &to;
   }

@@ -22,10 +22,11 @@ struct RateScale {
 double mean_g_i0(const RateScale& scale, double from, double to);
 
 /// Release rates over G_I0 between two rows of the energy balance   [model.md §7; paper eq. (7)]:
-///   ratio = (dW_ext - dW_elas - dK + dC - dW_damping - dW_numerical - dW_contact) / (b da G_I0),
-///     K with rotation
-///   ratio_release = fracture energy / (b da G_I0);  with damping: ratio + damping;  translation only: K
-///   without rotation
+///   ratio = (dW_ext - dW_elas - dK + dC - dW_numerical - dW_contact) / (b da G_I0), K with rotation: damping
+///     counts in
+///   ratio_fracture = fracture energy / (b da G_I0)
+///   ratio_paper = as ratio, K without rotation
+///   ratio_difference = ratio - dW_damping / (b da G_I0) - ratio_fracture: the two ways to one quantity
 /// where b da G_I0 is b times the integral of G_I0(a) da, summed over the tips.
 /// tip_m is the middle of the two.
 results::RatePoint rate_between(const results::Sample& from, const results::Sample& to,
@@ -45,7 +46,7 @@ std::vector<results::RatePoint> rate_curve(const std::vector<results::Sample>& l
 /// The plateau: rates over the window, and their scatter.
 struct Plateau {
   results::RatePoint mean;
-  double scatter = 0;                // standard deviation of ratio_with_damping over ten equal sub-windows
+  double scatter = 0;                // standard deviation of ratio over ten equal sub-windows
   std::array<double, 2> window_m{};  // tip positions of the rows nearest to the window's ends
   bool reached = false;              // false where the run stopped before the window's end
 };

@@ -98,7 +98,7 @@ IntensityPoint IntensityReading::at(const SeenField& field, const std::vector<Ei
   const double arc = arc_of_tip(path_, field.tip);
   IntensityPoint seen{
       .time = field.time, .tip = field.tip, .over_cr = speed_at(crack_, field.time) / rayleigh_, .k = {}};
-  seen.g_id = fracture::rate_around(crack_, field.tip, 2.0 * ring_.inner, scale_).ratio_with_damping *
+  seen.g_id = fracture::rate_around(crack_, field.tip, 2.0 * ring_.inner, scale_).ratio *
               (scale_.g_i0 + scale_.g_i0_slope * field.tip);
   const Eigen::Vector2d before = fracture::point_on(path_, arc - 0.5 * ring_.beside_faces),
                         at = fracture::point_on(path_, arc);

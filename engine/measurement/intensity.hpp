@@ -44,7 +44,7 @@ struct Ring {
 /// Fits the fields of one crack.
 class IntensityReading {
  public:
-  /// @param[in] books  of the lane, in time
+  /// @param[in] samples  of the lane, in time
   /// @param[in] scale  of the lane
   IntensityReading(fracture::CrackPath path, const Eigen::Vector2d& plate_size, const ElasticPlate& plate,
                    const Ring& ring, const std::vector<results::Sample>& samples,

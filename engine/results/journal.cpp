@@ -17,7 +17,7 @@ namespace rift::results {
 namespace {
 
 constexpr std::string_view magic = "RIFTJRNL";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;       // 1: the release rates had other meanings, see from_version_1
 constexpr std::size_t preamble_size = 16;  // magic, version, zero
 
 /// Precedes each payload. `check` guards the head alone: a size that lies is told from a record cut short.
@@ -45,6 +45,31 @@ std::array<char, preamble_size> preamble() {
   return bytes;
 }
 
+/// The version in the first bytes of a file; nothing where they are not those of a journal, or too few.
+std::optional<std::uint32_t> version_of(std::string_view bytes) {
+  if (bytes.size() < preamble_size || !bytes.starts_with(magic)) return std::nullopt;
+  std::array<std::uint32_t, 2> version_and_zero{};
+  std::memcpy(version_and_zero.data(), bytes.data() + magic.size(), sizeof(version_and_zero));
+  if (version_and_zero[1] != 0) return std::nullopt;
+  return version_and_zero[0];
+}
+
+bool is_readable(std::uint32_t its) { return its == 1 || its == version; }
+
+/// Why a file of whose first bytes these are is not read.
+std::string reason_of_foreign(std::string_view bytes) {
+  if (const auto its = version_of(bytes))
+    return fmt::format("a journal of version {}, and this build reads versions 1 and {}", *its, version);
+  return "not a journal";
+}
+
+void write_preamble(const std::filesystem::path& path) {
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  file.write(preamble().data(), preamble_size);
+  file.close();
+  if (!file) throw base::WorldError("write", path, std::generic_category().message(errno));
+}
+
 }  // namespace
 
 JournalWriter::JournalWriter(const std::filesystem::path& path) : file_(path) {
@@ -52,7 +77,9 @@ JournalWriter::JournalWriter(const std::filesystem::path& path) : file_(path) {
   file_.flush();
 }
 
-JournalWriter::JournalWriter(const std::filesystem::path& path, std::uint64_t kept) : file_(path, kept) {}
+JournalWriter::JournalWriter(const std::filesystem::path& path, std::uint64_t kept) : file_(path, kept) {
+  write_preamble(path);
+}
 
 void JournalWriter::write(const Record& record) {
   // One append a record: a flush, which an append may cause, then never ends inside one.
@@ -76,17 +103,12 @@ JournalReader::JournalReader(const std::filesystem::path& path, std::uint64_t fr
   std::array<char, preamble_size> bytes{};
   stream_.read(bytes.data(), std::min<std::streamsize>(preamble_size, static_cast<std::streamsize>(size_)));
   if (stream_.bad()) throw base::WorldError("read", path, std::generic_category().message(errno));
-  const auto expected = preamble();
-  if (std::memcmp(bytes.data(), expected.data(), std::min<std::size_t>(preamble_size, size_)) != 0) {
-    std::uint32_t its = 0;
-    std::memcpy(&its, bytes.data() + magic.size(), sizeof(its));
-    const bool journal = size_ >= preamble_size && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
-    stop(JournalState::foreign,
-         journal && its != version
-             ? fmt::format("a journal of version {}, and this build reads version {}", its, version)
-             : fmt::format("not a journal of version {}", version));
-  } else if (size_ < preamble_size) {
+  const std::string_view head(bytes.data(), std::min<std::size_t>(preamble_size, size_));
+  version_ = version_of(head).value_or(0);
+  if (head.size() < preamble_size && std::string_view(preamble().data(), preamble_size).starts_with(head)) {
     stop(JournalState::truncated, "cut short in its first 16 bytes");
+  } else if (!is_readable(version_)) {
+    stop(JournalState::foreign, reason_of_foreign(head));
   } else {
     good_bytes_ = std::max<std::uint64_t>(from, preamble_size);
     stream_.seekg(static_cast<std::streamoff>(good_bytes_));
@@ -129,6 +151,7 @@ std::optional<Record> JournalReader::next() {
   if (!record)
     return stop(JournalState::damaged,
                 fmt::format("the record at byte {} (kind {}) makes no sense", good_bytes_, head.kind));
+  if (version_ == 1) from_version_1(*record);
   good_bytes_ += around + head.size;
   return record;
 }
@@ -156,10 +179,12 @@ std::optional<std::pair<Record, std::size_t>> record_at(std::string_view bytes, 
 
 std::uint64_t salvage_journal(const std::filesystem::path& from, const std::filesystem::path& to) {
   const std::string bytes = base::read_whole_file(from);
+  const bool old = version_of(bytes) == 1;
   JournalWriter writer(to);
   std::uint64_t lost = 0;
   for (std::size_t at = std::min(preamble_size, bytes.size()); at < bytes.size();) {
-    if (const auto found = record_at(bytes, at)) {
+    if (auto found = record_at(bytes, at)) {
+      if (old) from_version_1(found->first);
       writer.write(found->first);
       at += found->second;
     } else {

@@ -17,7 +17,8 @@ namespace rift::results {
 class JournalWriter {
  public:
   explicit JournalWriter(const std::filesystem::path& path);
-  /// Goes on with a journal behind its first `kept` bytes, whole records; the rest is dropped.
+  /// Goes on with a journal behind its first `kept` bytes, whole records and no release rates among them; the
+  /// rest is dropped. One of version 1 becomes one of this version.
   JournalWriter(const std::filesystem::path& path, std::uint64_t kept);
 
   /// Encodes at once, so that the record may be changed or dropped afterwards. Cost O(size).
@@ -62,6 +63,7 @@ class JournalReader {
 
   std::filesystem::path path_;
   std::ifstream stream_;
+  std::uint32_t version_ = 0;
   std::uint64_t size_ = 0;
   std::uint64_t good_bytes_ = 0;
   JournalState state_ = JournalState::whole;

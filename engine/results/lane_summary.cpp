@@ -29,20 +29,19 @@ constexpr std::array summary_table{
     COLUMN(dt_critical_s), COLUMN(dt_critical_damped_s), COLUMN(dt_element_bound_s), COLUMN(dt_fraction),
     WHOLE(steps), COLUMN(steps_per_beam), WHOLE(threads), COLUMN(simd), WHOLE(lanes), COLUMN(version),
     COLUMN(g_i0_reference), COLUMN(g_i0_j_m2), COLUMN(displacement_m), COLUMN(grip_force_n),
-    COLUMN(g_id_j_m2), COLUMN(ratio), COLUMN(ratio_release), COLUMN(ratio_with_damping),
-    COLUMN(ratio_translation_only), COLUMN(ratio_scatter), COLUMN(window_over_length),
-    COLUMN(echo_free_over_length), COLUMN(broberg), COLUMN(freund), COLUMN(strip), COLUMN(error_broberg),
-    COLUMN(error_converged), COLUMN(energy_initial_j), COLUMN(energy_elastic_j),
-    COLUMN(energy_kinetic_translation_j), COLUMN(energy_kinetic_rotation_j), COLUMN(energy_step_correction_j),
-    COLUMN(energy_fracture_j), COLUMN(energy_damping_j), COLUMN(energy_numerical_damping_j),
-    COLUMN(energy_contact_j), COLUMN(work_external_j), COLUMN(ledger_residual), COLUMN(ledger_closes),
-    COLUMN(prestress_energy_over_static), COLUMN(prestress_kinetic_fraction), COLUMN(outcome),
-    COLUMN(outcome_where), COLUMN_IF(arrest_m, s.crack_course == "by itself"),
-    COLUMN_IF(steering, !s.steering.empty()), COLUMN(wake_cell_m), COLUMN(wake_kinetic_j),
-    COLUMN(wake_rotation_j), COLUMN(out_of_plane_m), COLUMN(wall_packing_s), COLUMN(wall_prestress_s),
-    COLUMN(wall_fracture_s), COLUMN(wall_pass_s), COLUMN(wall_total_s), COLUMN(packing_from_cache),
-    COLUMN(prestress_from_cache), COLUMN(element_steps_per_s), COLUMN(beam_steps_per_s),
-    COLUMN(memory_peak_bytes)};
+    COLUMN(g_id_j_m2), COLUMN(ratio), COLUMN(ratio_fracture), COLUMN(ratio_paper), COLUMN(ratio_difference),
+    COLUMN(ratio_scatter), COLUMN(window_over_length), COLUMN(echo_free_over_length), COLUMN(broberg),
+    COLUMN(freund), COLUMN(strip), COLUMN(error_broberg), COLUMN(error_converged), COLUMN(energy_initial_j),
+    COLUMN(energy_elastic_j), COLUMN(energy_kinetic_translation_j), COLUMN(energy_kinetic_rotation_j),
+    COLUMN(energy_step_correction_j), COLUMN(energy_fracture_j), COLUMN(energy_damping_j),
+    COLUMN(energy_numerical_damping_j), COLUMN(energy_contact_j), COLUMN(work_external_j),
+    COLUMN(ledger_residual), COLUMN(ledger_closes), COLUMN(prestress_energy_over_static),
+    COLUMN(prestress_kinetic_fraction), COLUMN(outcome), COLUMN(outcome_where),
+    COLUMN_IF(arrest_m, s.crack_course == "by itself"), COLUMN_IF(steering, !s.steering.empty()),
+    COLUMN(wake_cell_m), COLUMN(wake_kinetic_j), COLUMN(wake_rotation_j), COLUMN(out_of_plane_m),
+    COLUMN(wall_packing_s), COLUMN(wall_prestress_s), COLUMN(wall_fracture_s), COLUMN(wall_pass_s),
+    COLUMN(wall_total_s), COLUMN(cost_s), COLUMN(packing_from_cache), COLUMN(prestress_from_cache),
+    COLUMN(element_steps_per_s), COLUMN(beam_steps_per_s), COLUMN(memory_peak_bytes)};
 #undef COLUMN
 #undef COLUMN_IF
 #undef WHOLE
@@ -122,12 +121,27 @@ Json to_json(const LaneSummary& summary, std::span<const SummaryColumn> some) {
   return json;
 }
 
+namespace {
+
+/// Before version 0.2 of the program `ratio` was the balance without damping, and other names were used.
+void rename_ratios_of_version_1(LaneSummary& s, const Json& object) {
+  const auto number = [&](const char* name) { return number_of(object.value(name, Json(nullptr))); };
+  const double balance = number("ratio"), with_damping = number("ratio_with_damping");
+  s.ratio = with_damping;
+  s.ratio_fracture = number("ratio_release");
+  s.ratio_paper = number("ratio_translation_only") + (with_damping - balance);
+  s.ratio_difference = balance - s.ratio_fracture;
+}
+
+}  // namespace
+
 LaneSummary lane_summary_of(const Json& object) {
   LaneSummary summary;
   if (!object.is_object()) return summary;
   for (const SummaryColumn& column : summary_table)
     if (const auto found = object.find(column.name); found != object.end())
       std::visit(Read{summary, *found}, column.member);
+  if (object.contains("ratio_with_damping")) rename_ratios_of_version_1(summary, object);
   return summary;
 }
 

@@ -58,8 +58,8 @@ struct LaneSummary {
   // The release rate, over the window.
   std::string g_i0_reference;
   double g_i0_j_m2 = undefined, displacement_m = undefined, grip_force_n = undefined, g_id_j_m2 = undefined;
-  double ratio = undefined, ratio_release = undefined, ratio_with_damping = undefined;
-  double ratio_translation_only = undefined, ratio_scatter = undefined;
+  double ratio = undefined, ratio_fracture = undefined, ratio_paper = undefined;
+  double ratio_difference = undefined, ratio_scatter = undefined;
   std::array<double, 2> window_over_length{undefined, undefined};
   double echo_free_over_length = undefined;
   double broberg = undefined, freund = undefined, strip = undefined;
@@ -81,6 +81,7 @@ struct LaneSummary {
   // What it cost.
   double wall_packing_s = undefined, wall_prestress_s = undefined, wall_fracture_s = undefined;
   double wall_pass_s = undefined, wall_total_s = undefined;
+  double cost_s = undefined;  // of a study's scenario: by its kernel at full lanes, not by who marched beside
   bool packing_from_cache = false, prestress_from_cache = false;
   double element_steps_per_s = undefined, beam_steps_per_s = undefined, memory_peak_bytes = undefined;
 };

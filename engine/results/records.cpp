@@ -164,6 +164,19 @@ std::optional<Record> decode(std::uint32_t kind, std::string_view payload) {
   return decode_kind(kind - 1, payload);
 }
 
+void from_version_1(Record& record) {
+  auto* curve = std::get_if<RateCurve>(&record);
+  if (!curve) return;
+  for (RatePoint& p : curve->points) {
+    const auto [tip, balance, fracture, with_damping, without_rotation] = p;
+    p = {.tip_m = tip,
+         .ratio = with_damping,
+         .ratio_fracture = fracture,
+         .ratio_paper = without_rotation + (with_damping - balance),
+         .ratio_difference = balance - fracture};
+  }
+}
+
 CellFields cell_fields(const Geometry& geometry, const Frame& frame) {
   assert(frame.damage_factor.size() == geometry.crossing.size());
   const std::size_t elements = geometry.position.size();

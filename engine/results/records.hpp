@@ -45,6 +45,10 @@ using Record = std::variant<RunHeader, Geometry, Sample, Frame, ReleaseEvent, Ra
 /// add up to its size. Allocates no more than a small multiple of the payload, whatever its counts claim.
 [[nodiscard]] std::optional<Record> decode(std::uint32_t kind, std::string_view payload);
 
+/// Replaces what version 1 of the journal called a release rate: tip, balance without damping, fracture,
+/// balance with damping, balance without damping and rotation.
+void from_version_1(Record& record);
+
 /// What a viewer colours cells by, in its order of cells: the N vertices, then the B beams.
 struct CellFields {
   std::vector<float> damage_factor;  // N + B; 1 for vertices and for beams that the path does not cross

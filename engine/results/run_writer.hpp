@@ -21,8 +21,8 @@ class RunWriter {
   /// @param folder  made by create_run_folder(), and owned by the caller (ClaimedFolder) where others might
   ///                write into it
   /// @param header  an object: what is run and by what: "preset" (effective, as text), "version", "seed",
-  /// "compiler",
-  ///                "instruction_set", "lanes" (how many) and more; each becomes /scene/<name> of the archive
+  ///                "compiler", "instruction_set", "lanes" (how many) and more; each becomes
+  ///                /scene/NAME of the archive
   RunWriter(std::filesystem::path folder, const nlohmann::ordered_json& header, const Geometry& geometry);
 
   /// Goes on with a run that was stopped or killed, behind the first `journal_bytes` of its journal;

@@ -43,13 +43,13 @@ struct GaugeRow {
   double strain_xx = 0, strain_yy = 0, strain_xy = 0;
 };
 
-/// Release rate at one tip position, by a centred difference; ratios of G_I0 [-].
+/// Release rate at one tip position, by a centred difference; all but the first are over G_I0 [-].
 struct RatePoint {
   double tip_m = 0;
-  double ratio = 0;
-  double ratio_release = 0;
-  double ratio_with_damping = 0;
-  double ratio_translation_only = 0;
+  double ratio = 0;             // G_ID/G_I0, damping counted in (paper, section 3.2)
+  double ratio_fracture = 0;    // what the released beams took
+  double ratio_paper = 0;       // `ratio` with the kinetic energy of translation alone (paper, eq. (7))
+  double ratio_difference = 0;  // energy balance without damping less `ratio_fracture`: rounding
 };
 
 /// The lattice as a viewer needs it.

@@ -57,9 +57,9 @@ inline constexpr std::array gauge_columns{
 /// Columns of a rate curve behind the tip position.
 inline constexpr std::array rate_columns{
     Column<RatePoint>{"ratio", &RatePoint::ratio},
-    Column<RatePoint>{"ratio_release", &RatePoint::ratio_release},
-    Column<RatePoint>{"ratio_with_damping", &RatePoint::ratio_with_damping},
-    Column<RatePoint>{"ratio_translation_only", &RatePoint::ratio_translation_only},
+    Column<RatePoint>{"ratio_fracture", &RatePoint::ratio_fracture},
+    Column<RatePoint>{"ratio_paper", &RatePoint::ratio_paper},
+    Column<RatePoint>{"ratio_difference", &RatePoint::ratio_difference},
 };
 
 /// Columns of the events behind beam and lane.

@@ -72,7 +72,7 @@ struct Scene {
     std::optional<double> solid_fraction;  // in place of the coordination
     double contact_tolerance;
     long seed;
-  } specimen;
+  } specimen{};
   struct Material {
     double young_modulus;  // [Pa]
     double poisson_ratio;
@@ -82,7 +82,7 @@ struct Scene {
     StiffnessChoice stiffness;
     std::optional<double> micro_young_modulus;  // [Pa]; these three with stiffness = "explicit" only
     std::optional<double> micro_poisson_ratio, micro_radius_ratio;
-  } material;
+  } material{};
   struct Loading {
     double displacement;          // [m] of the top face along y, in its middle; below 0 it is pressed
     std::optional<double> force;  // [N] of the top grip at the crack's start, in place of the displacement
@@ -92,7 +92,7 @@ struct Scene {
     LoadingMethod method;
     int ramp_steps, hold_steps;
     double ramp_beta;  // numerical damping while ramping and holding, taken out before the crack starts
-  } loading;
+  } loading{};
   struct Crack {
     std::vector<VelocityPiece> velocity;
     std::vector<history::HistoryPoint> history;  // measured, in place of the velocity
@@ -109,19 +109,19 @@ struct Scene {
     double relaxation;               // the exponent p of Y1/Y2 = (1 - b/l)^p
     double damage_zone_ratio;        // r_l = L_CZM / R_mean
     std::optional<double> friction;  // mu of the faces; without it they do not touch
-  } crack;
+  } crack{};
   struct Damping {
     double alpha;  // fraction of critical
     DampingRegion region;
     double surface_width;  // [mean radii]
-  } damping;
+  } damping{};
   struct Solver {
     lattice::Kinematics kinematics;
     ensemble::Precision precision;
     std::optional<double> dt;           // [s]; excludes dt_fraction
     std::optional<double> dt_fraction;  // of the undamped critical step
     double beta;
-  } solver;
+  } solver{};
   struct Output {
     int samples, frames;
     std::vector<std::string> fields;              // of "displacement", "velocity", "damage", "energy"
@@ -129,14 +129,14 @@ struct Scene {
     ReleaseRateReference g_i0_reference;
     std::vector<std::array<double, 2>> gauges;  // (x, y) [m]
     double gauge_length;                        // [mean radii], its diameter
-  } output;
+  } output{};
   /// What `rift calibrate` does with cylinders of this specimen's proportions.
   struct Calibration {
     std::vector<double> sizes;          // elements of the cylinders whose E and nu are to converge
     int packings;                       // of each size
     int elements;                       // of the cylinders that scan the beams
     std::vector<double> radius_ratios;  // r_mu of the scan
-  } calibration;
+  } calibration{};
   /// How a film of the run is to look; no number of the run depends on it.
   struct Film {
     std::string title;
@@ -144,7 +144,7 @@ struct Scene {
     double magnification;
     double close_up;  // [m]
     bool chart, boundaries;
-  } film;
+  } film{};
 };
 
 }  // namespace rift::scene

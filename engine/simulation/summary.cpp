@@ -111,13 +111,13 @@ void add_rates(results::LaneSummary& s, const Prepared& p, const LanePlan& lane,
   s.freund = reference(theory::freund);
   s.strip = reference(theory::strip);
   if (const fracture::Plateau& plateau = rates.plateau; plateau.reached) {
-    s.g_id_j_m2 = plateau.mean.ratio_with_damping * s.g_i0_j_m2;
+    s.g_id_j_m2 = plateau.mean.ratio * s.g_i0_j_m2;
     s.ratio = plateau.mean.ratio;
-    s.ratio_release = plateau.mean.ratio_release;
-    s.ratio_with_damping = plateau.mean.ratio_with_damping;
-    s.ratio_translation_only = plateau.mean.ratio_translation_only;
+    s.ratio_fracture = plateau.mean.ratio_fracture;
+    s.ratio_paper = plateau.mean.ratio_paper;
+    s.ratio_difference = plateau.mean.ratio_difference;
     s.ratio_scatter = plateau.scatter;
-    s.error_broberg = s.ratio_with_damping - s.broberg;
+    s.error_broberg = s.ratio - s.broberg;
   }
 }
 

@@ -79,7 +79,7 @@ Observed seen_of(const simulation::Prepared& p, const simulation::RunResult& res
   seen.claims.push_back({"beams released", passed, passed, static_cast<double>(releases.of_lane[lane])});
   const simulation::Rates rates = simulation::rates_of(p, result, lane);
   if (rates.plateau.reached) {
-    seen.ratio = rates.plateau.mean.ratio_with_damping;
+    seen.ratio = rates.plateau.mean.ratio;
     return seen;
   }
   // Rows of large steps lie beside the window's ends.
@@ -88,8 +88,7 @@ Observed seen_of(const simulation::Prepared& p, const simulation::RunResult& res
                [](const results::Sample& row) { return row.phase == results::Phase::fracture; });
   const auto& [from, to] = p.lane[lane].window;
   seen.ratio =
-      fracture::rate_around(rows, 0.5 * (from + to), to - from, simulation::scale_of(p, p.lane[lane]))
-          .ratio_with_damping;
+      fracture::rate_around(rows, 0.5 * (from + to), to - from, simulation::scale_of(p, p.lane[lane])).ratio;
   return seen;
 }
 

@@ -9,6 +9,7 @@
 #include "engine/scene/scenarios.hpp"
 #include "engine/simulation/kept_march.hpp"
 #include "engine/simulation/summary.hpp"
+#include "engine/study/kernel_cost.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/store.hpp"
 
@@ -38,6 +39,7 @@ struct Study {
   const simulation::BuildInfo& build;
   const StudyObserver& observer;
   std::vector<StudyItem> items;  // of all parts
+  KernelCosts kernels;
   StudyResult result = {};
   int there = 0;                   // scenarios computed or found
   double cost = 0, cost_done = 0;  // of what is to be computed
@@ -147,8 +149,9 @@ void march_pass(Study& study, const simulation::Prepared& prepared, std::span<co
     const simulation::LaneResult& lane = so_far.lane[k];
     if (lane.outcome == simulation::Outcome::stopped || study.is_there(pass[k])) return;
     const simulation::Rates rates = simulation::rates_of(prepared, so_far, k);
-    const results::LaneSummary scenario = simulation::lane_summary(
+    results::LaneSummary scenario = simulation::lane_summary(
         prepared, so_far, k, rates, study.build, keeping.taken_before_s + base::seconds_since(marching));
+    scenario.cost_s = study.kernels.cost_s(pass[k].scene, scenario);
     ++study.result.computed;
     take(study, pass[k], write_result(study.options.folder, pass[k].key, scenario, series_of(lane, rates)));
   };
@@ -290,7 +293,13 @@ Json to_json(const StudyRows& rows) {
 StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, base::Cache& cache,
                       const simulation::BuildInfo& build, const StudyObserver& observer) {
   const auto start = Clock::now();
-  Study study{preset, options, cache, build, observer, plan_study(preset, build.version)};
+  Study study{preset,
+              options,
+              cache,
+              build,
+              observer,
+              plan_study(preset, build.version),
+              KernelCosts(options.threads)};
   const std::vector<StudyItem>& items = study.items;
   study.result.rows.resize(preset.study.size());
   if (options.shared) {

@@ -88,8 +88,7 @@ bool draw_ratio_against_position(Chart& chart, const claims::Evidence& evidence,
   ChartSeries echo = echo_marks();
   for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
     std::vector<Points> specimens;
-    for (const study::SummaryRow& row : rows)
-      specimens.push_back(fracture_points(evidence, row, "ratio_with_damping"));
+    for (const study::SummaryRow& row : rows) specimens.push_back(fracture_points(evidence, row, "ratio"));
     ChartSeries curve = running_mean(velocity_label(v), specimens);
     if (curve.x.empty()) continue;
     mark_echo(echo, curve, rows.front().echo_free_over_length);

@@ -92,7 +92,7 @@ void show_finished(Session& session, const accuracy::Case& variant, const study:
     return;
   }
   base::message("[{}/{}] {}: {}: ratio {:.5f}  {:.2f} s\n", done, of, accuracy::name_of(variant.factor),
-                variant.label, row.ratio_with_damping, row.wall_fracture_s);
+                variant.label, row.ratio, row.wall_fracture_s);
 }
 
 std::string command_text(const AccuracyCommand& command) {

@@ -18,18 +18,6 @@ namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-#ifdef NDEBUG
-constexpr std::string_view build = "optimised, asserts off";
-#else
-constexpr std::string_view build = "asserts on";
-#endif
-
-#ifdef __clang__
-constexpr std::string_view compiler = "Clang " __clang_version__;
-#else
-constexpr std::string_view compiler = "GCC " __VERSION__;
-#endif
-
 // An empty variable counts as unset, as https://no-color.org asks for its own.
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
@@ -87,13 +75,6 @@ bool is_cut_off(const fs::path& folder, ReportKind kind) {
 }
 
 }  // namespace
-
-simulation::BuildInfo build_info() { return {RIFT_VERSION, std::string(compiler)}; }
-
-std::string version_text() {
-  return fmt::format("rift {} ({}; {}; {})", RIFT_VERSION, build, compiler,
-                     ensemble::name_of(ensemble::instruction_set()));
-}
 
 fs::path presets_folder() {
   const std::string chosen = environment("RIFT_PRESETS");

@@ -2,7 +2,7 @@
 
 #include "engine/base/ownership.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/simulation/record.hpp"
+#include "studio/commands/version.hpp"
 #include "studio/text/table.hpp"
 
 #include <CLI/App.hpp>
@@ -16,12 +16,6 @@ namespace rift::studio {
 
 /// What the process returns.   [interface.md "Exit codes"]
 enum class ExitCode { done = 0, world_failed = 1, bad_input = 2, diverged = 3, budget_ran_out = 4 };
-
-/// Version, compiler and instruction set of this program, as every result records them.
-simulation::BuildInfo build_info();
-
-/// "rift 0.1.0 (optimised, asserts off; GCC 12.2.0; AVX2)"
-std::string version_text();
 
 /// Where the presets are: $RIFT_PRESETS if set, else those installed beside the program
 /// (../share/rift/presets), else those of the source tree. The folder need not exist.

@@ -347,8 +347,7 @@ NamedChart ratio_elements(const std::vector<accuracy::CaseResult>& results,
     if (line.factor != accuracy::Factor::elements || !std::isfinite(line.ratio)) continue;
     mean.add(line.value, line.ratio, line.scatter);
     for (const int k : line.results)
-      if (const auto& row = results[static_cast<std::size_t>(k)].row)
-        each.add(line.value, row->ratio_with_damping);
+      if (const auto& row = results[static_cast<std::size_t>(k)].row) each.add(line.value, row->ratio);
   }
   if (mean.x.size() >= 2) {
     const double broberg = results.front().row.value_or(study::SummaryRow{}).broberg;

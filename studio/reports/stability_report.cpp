@@ -90,7 +90,7 @@ Json json_of(const stability::Observed& seen) {
           {"ledger_residual", seen.residual},
           {"ledger_limit", seen.limit},
           {"growth", seen.growth},
-          {"ratio_with_damping", seen.ratio},
+          {"ratio", seen.ratio},
           {"steps", seen.steps},
           {"caught_within", seen.caught_within < 0 ? Json(nullptr) : Json(seen.caught_within)},
           {"said", seen.said},

@@ -152,7 +152,7 @@ ChartSeries against_velocity(const RowFamily& family) {
   for (const study::SummaryRow& row : family.rows)
     if (!std::isnan(row.crack_velocity_over_cr)) by_velocity[row.crack_velocity_over_cr].push_back(row);
   return series_of("", ChartSeries::Style::line_points, 0, by_velocity, [](const auto& at) {
-    const MeanScatter ratio = mean_over(at.second, &study::SummaryRow::ratio_with_damping);
+    const MeanScatter ratio = mean_over(at.second, &study::SummaryRow::ratio);
     return ChartPoint{at.first, ratio.mean, ratio.scatter};
   });
 }
@@ -193,8 +193,8 @@ ChartSeries against_tip(const fs::path& csv) {
   if (table.empty()) throw base::WorldError("read", csv, "it holds no series");
   ChartSeries series{.x = {}, .y = {}};
   for (std::size_t k = 0; k < table.phase.size(); ++k)
-    if (std::isfinite(table.at("tip_m")[k]) && std::isfinite(table.at("ratio_with_damping")[k]))
-      series.add(1e3 * table.at("tip_m")[k], table.at("ratio_with_damping")[k]);
+    if (std::isfinite(table.at("tip_m")[k]) && std::isfinite(table.at("ratio")[k]))
+      series.add(1e3 * table.at("tip_m")[k], table.at("ratio")[k]);
   series.error.clear();
   return series;
 }

@@ -66,7 +66,7 @@ Table scenario_table(const study::StudyRows& rows) {
     }
     std::vector<std::string> cells;
     add_axes(cells, row->axes);
-    cells.push_back(scatter_cell(row->ratio_with_damping, row->ratio_scatter));
+    cells.push_back(scatter_cell(row->ratio, row->ratio_scatter));
     cells.push_back(number_cell(row->broberg, "{:.3f}"));
     cells.push_back(number_cell(row->error_broberg, "{:+.3f}"));
     if (converged) cells.push_back(number_cell(row->error_converged, "{:+.4f}"));
@@ -87,7 +87,7 @@ Table seed_table(const study::StudyRows& rows) {
        {"specimens", "G_ID/G_I0 ± between specimens", "Broberg", to_broberg, "run time [s]"})
     table.head.emplace_back(name);
   for (const RowFamily& family : found) {
-    const MeanScatter ratio = mean_over(family.rows, &study::SummaryRow::ratio_with_damping);
+    const MeanScatter ratio = mean_over(family.rows, &study::SummaryRow::ratio);
     std::vector<double> times;
     for (const study::SummaryRow& row : family.rows) times.push_back(run_time(row));
     std::vector<std::string> cells;

@@ -87,7 +87,7 @@ void mark_front(std::vector<WorkPoint>& points, int problem) {
 
 }  // namespace
 
-double run_time(const study::SummaryRow& row) { return row.wall_fracture_s; }
+double run_time(const study::SummaryRow& row) { return row.cost_s; }
 
 study::StudyRows with_converged_errors(study::StudyRows rows) {
   for (const RowFamily& family : families(rows, {of_accuracy.begin(), of_accuracy.end()})) {
@@ -95,8 +95,7 @@ study::StudyRows with_converged_errors(study::StudyRows rows) {
     if (!reference) continue;
     for (const study::SummaryRow& row : family.rows) {
       double& error = rows[static_cast<std::size_t>(row.row)]->error_converged;
-      if (row.row != reference->row && !std::isfinite(error))
-        error = row.ratio_with_damping - reference->ratio_with_damping;
+      if (row.row != reference->row && !std::isfinite(error)) error = row.ratio - reference->ratio;
     }
   }
   return rows;
@@ -114,7 +113,7 @@ WorkPrecision work_precision(const study::StudyRows& rows) {
       if (const double error = error_of(row, work.converged); std::isfinite(error)) errors.push_back(error);
     }
     const bool reference = work.converged && errors.empty();
-    const double ratio = mean_over(family.rows, &study::SummaryRow::ratio_with_damping).mean;
+    const double ratio = mean_over(family.rows, &study::SummaryRow::ratio).mean;
     if (!std::isfinite(ratio)) continue;
     work.points.push_back({.scheme = place_in(work.schemes, part_of_axes(family.axes, varied, false)),
                            .problem = place_in(work.problems, part_of_axes(family.axes, varied, true)),

@@ -36,13 +36,13 @@ std::string title(const LaneSummary& s) {
 
 std::string ratios(const LaneSummary& s) {
   const char* position = s.tips == 2 ? "half length" : "tip at";
-  std::string out = label_line("G_ID / G_I0", fmt::format("{} ± {}   {} {:.4g} to {:.4g} of the length",
-                                                          number_cell(s.ratio_with_damping, "{:.3f}"),
-                                                          number_cell(s.ratio_scatter, "{:.3f}"), position,
-                                                          s.window_over_length[0], s.window_over_length[1]));
-  if (s.damping_region != "none") out += label_line("  without damping", number_cell(s.ratio, "{:.3f}"));
-  out += label_line("  released by beams", number_cell(s.ratio_release, "{:.3f}"));
-  out += label_line("  no rotation in K", number_cell(s.ratio_translation_only, "{:.3f}"));
+  std::string out = label_line(
+      "G_ID / G_I0", fmt::format("{} ± {}   {} {:.4g} to {:.4g} of the length",
+                                 number_cell(s.ratio, "{:.3f}"), number_cell(s.ratio_scatter, "{:.3f}"),
+                                 position, s.window_over_length[0], s.window_over_length[1]));
+  out += label_line("  released by beams", number_cell(s.ratio_fracture, "{:.3f}"));
+  out += label_line("  paper, eq. (7)", fmt::format("{} (rotational kinetic energy not counted)",
+                                                    number_cell(s.ratio_paper, "{:.3f}")));
   out += label_line(
       "theory", fmt::format("Broberg {}   Freund {}   strip {}   first echo back at {} of the length",
                             number_cell(s.broberg, "{:.3f}"), number_cell(s.freund, "{:.3f}"),

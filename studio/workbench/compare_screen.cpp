@@ -30,7 +30,7 @@ struct Quantity {
 constexpr Quantity quantities[] = {
     {"G_ID / G_I0", &results::LaneSummary::ratio, "{:.4f}"},
     {"scatter", &results::LaneSummary::ratio_scatter, "{:.4f}"},
-    {"with damping", &results::LaneSummary::ratio_with_damping, "{:.4f}"},
+    {"released by beams", &results::LaneSummary::ratio_fracture, "{:.4f}"},
     {"Broberg", &results::LaneSummary::broberg, "{:.4f}"},
     {"off Broberg", &results::LaneSummary::error_broberg, "{:+.4f}"},
     {"v / c_R", &results::LaneSummary::crack_velocity_over_cr, "{:.3g}"},

@@ -33,7 +33,7 @@ Answer of_node_release(const Lanes& s) {
 }
 
 Answer of_damping(const Lanes& s) {
-  const double undamped = s[0].ratio_with_damping, damped = s[2].ratio_with_damping;
+  const double undamped = s[0].ratio, damped = s[2].ratio;
   return {larger(damped, undamped) == 0   ? 0
           : larger(damped, undamped) == 1 ? 1
                                           : 2,
@@ -41,8 +41,8 @@ Answer of_damping(const Lanes& s) {
               "Counting what the dampers take, the ratio is {:.3f} undamped, {:.3f} damped along the crack "
               "and {:.3f} damped everywhere; what the beams themselves release stays {:.3f}, {:.3f} and "
               "{:.3f}. Broberg's theory says {:.3f}: damping books ringing as if it were fracture.",
-              undamped, s[1].ratio_with_damping, damped, s[0].ratio_release, s[1].ratio_release,
-              s[2].ratio_release, s[0].broberg)};
+              undamped, s[1].ratio, damped, s[0].ratio_fracture, s[1].ratio_fracture, s[2].ratio_fracture,
+              s[0].broberg)};
 }
 
 Answer of_velocity(const Lanes& s) {
@@ -158,16 +158,13 @@ const Lesson& lesson_of(const std::string& name) {
 }
 
 Table lesson_table(const Lanes& lanes) {
-  Table t{
-      {"lane", "G_ID / G_I0", "by beams", "with damping", "Broberg", "fracture J", "motion J", "damping J"},
-      {}};
+  Table t{{"lane", "G_ID / G_I0", "released by beams", "Broberg", "fracture J", "motion J", "damping J"}, {}};
   const std::vector<std::string> titles = results::lane_titles(lanes);
   for (std::size_t k = 0; k < lanes.size(); ++k) {
     const results::LaneSummary& s = lanes[k];
-    t.rows.push_back({titles[k], number_cell(s.ratio, "{:.3f}"), number_cell(s.ratio_release, "{:.3f}"),
-                      number_cell(s.ratio_with_damping, "{:.3f}"), number_cell(s.broberg, "{:.3f}"),
-                      number_cell(s.energy_fracture_j, "{:.1f}"), number_cell(kinetic(s), "{:.1f}"),
-                      number_cell(s.energy_damping_j, "{:.1f}")});
+    t.rows.push_back({titles[k], number_cell(s.ratio, "{:.3f}"), number_cell(s.ratio_fracture, "{:.3f}"),
+                      number_cell(s.broberg, "{:.3f}"), number_cell(s.energy_fracture_j, "{:.1f}"),
+                      number_cell(kinetic(s), "{:.1f}"), number_cell(s.energy_damping_j, "{:.1f}")});
   }
   return t;
 }

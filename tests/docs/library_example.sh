@@ -11,7 +11,7 @@ cmake --build "$folder/build" >/dev/null
 answer=$("$folder/build/crack")
 sed -n '/R"(/,/)"/p' "$1/docs/library/crack.cpp" | sed '1d; s/)".*//' >"$folder/scene.toml"
 "$3" run "$folder/scene.toml" --out "$folder/run" --quiet >/dev/null
-ratio=$(grep -o '"ratio_with_damping": [0-9.e-]*' "$folder/run/summary.json" | head -1 | cut -d' ' -f2)
+ratio=$(grep -o '"ratio": [0-9.e-]*' "$folder/run/summary.json" | head -1 | cut -d' ' -f2)
 expected=$(LC_ALL=C printf 'G_ID / G_I0 = %.3f' "$ratio")
 echo "library: $answer; program: $expected"
 [ "$answer" = "$expected" ]

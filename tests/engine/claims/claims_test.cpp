@@ -21,7 +21,7 @@ SummaryRow row_at(double v, long seed, double ratio) {
   row.technique = "progressive", row.relaxation = 1.0, row.damage_zone_ratio = 1.0;
   row.damping_region = "none", row.stiffness = "in-situ";
   row.seed = static_cast<double>(seed), row.elements = 20000, row.length_m = 0.2;
-  row.ratio_with_damping = ratio, row.ratio_scatter = 0.01;
+  row.ratio = ratio, row.ratio_scatter = 0.01;
   row.broberg = 0.5, row.freund = 0.5, row.strip = 1.0;
   row.wall_fracture_s = 1.0;
   return row;
@@ -185,7 +185,7 @@ TEST(Curve, TakesTheRowsOfItsSelectionOnly) {
   other().prestress_method = "ramp";
   other().axes = {{"path", "0.4 H"}};
   other().axes = {{"dt_fraction", "0.17"}};
-  other().ratio_with_damping = NAN;
+  other().ratio = NAN;
   other().crack_velocity_over_cr = NAN;
   const Curve curve = curve_of(rows, {});
   ASSERT_EQ(curve.size(), 1u);

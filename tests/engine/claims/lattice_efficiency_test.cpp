@@ -11,7 +11,7 @@ SummaryRow strip_row(double v, double zone, double ratio, long seed, double rela
   SummaryRow row;
   row.technique = "progressive", row.relaxation = relaxation, row.damage_zone_ratio = zone;
   row.crack_velocity_over_cr = v, row.tips = 1, row.seed = static_cast<double>(seed);
-  row.ratio_with_damping = ratio, row.ratio_scatter = 0.01, row.error_broberg = ratio - 0.5;
+  row.ratio = ratio, row.ratio_scatter = 0.01, row.error_broberg = ratio - 0.5;
   row.wall_fracture_s = 2.0;
   return row;
 }

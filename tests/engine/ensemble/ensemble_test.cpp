@@ -123,6 +123,25 @@ TEST(Lanes, GoOnWithAnotherScenarioAsIfItWereTheFirst) {
   EXPECT_LT(std::abs(s.balance(2).error), 1e-12);
 }
 
+// As a lane is steered again: the beams that were damped before are damped on, with no step's work lost.
+TEST(Damping, ThatIsSetAgainGoesOnWhereItWas) {
+  const simulation::Prepared p = simulation::small_plate(damped);
+  CrackedEnsemble once = simulation::ready(p, motley(p), p.step.dt);
+  CrackedEnsemble again = simulation::ready(p, motley(p), p.step.dt);
+  for (int n = 0; n < 120; ++n) {
+    if (n % 10 == 7) again.damp(p.damped);
+    once.step(), again.step();
+  }
+  for (int lane = 0; lane < 3; ++lane) {
+    for (int i = 0; i < static_cast<int>(p.lattice.centre.size()); ++i)
+      ASSERT_EQ(once.motion(i, lane), again.motion(i, lane)) << "element " << i;
+    const double damping = once.balance(lane).damping;
+    EXPECT_GT(damping, 0.0);
+    EXPECT_NEAR(again.balance(lane).damping, damping, 1e-12 * damping);
+    EXPECT_LT(std::abs(again.balance(lane).error), 1e-12);
+  }
+}
+
 // The kernels sum and round in another order than the plain path; 200 steps let that grow to some hundred
 // roundings.
 TEST(Ensemble, MarchesAsThePlainPathDoes) {

@@ -272,7 +272,7 @@ TEST(Archive, HoldsTheBooksBesideTheMesh) {
   EXPECT_TRUE(std::isnan(archive.values("/series/ratio").at(0)));
   EXPECT_EQ(archive.values("/series/ratio").at(1), 0.5);
   EXPECT_EQ(archive.values("/crack/lane0/tip_m"), Numbers{0.02});
-  EXPECT_EQ(archive.values("/crack/lane0/ratio_with_damping"), Numbers{0.625});
+  EXPECT_EQ(archive.values("/crack/lane0/ratio_paper"), Numbers{0.625});
   EXPECT_EQ(archive.values("/events/beam"), Numbers{2});
   EXPECT_EQ(archive.values("/events/lane"), Numbers{0});
   EXPECT_EQ(archive.values("/events/time_s"), Numbers{2e-8});

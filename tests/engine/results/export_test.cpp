@@ -188,7 +188,7 @@ TEST(ExportCsv, WritesEachTable) {
   EXPECT_EQ(read_text(scratch / "csv/events.csv"),
             "beam,lane,time_s,position_m,energy_j\n2,0,2e-08,0.015,3e-09\n");
   EXPECT_EQ(read_text(scratch / "csv/rate.csv"),
-            "lane,tip_m,ratio,ratio_release,ratio_with_damping,ratio_translation_only\n0,0.02,0.5,0.25,0.625,"
+            "lane,tip_m,ratio,ratio_fracture,ratio_paper,ratio_difference\n0,0.02,0.5,0.25,0.625,"
             "0.75\n");
   EXPECT_EQ(read_text(scratch / "csv/crack.csv"),
             "step,time_s,lane,tip_m,velocity_m_s\n2,2e-08,0,0.02,1100.1\n");

@@ -118,17 +118,65 @@ TEST(Journal, EveryKindComesBackAsItWas) {
   const auto curve = std::get<RateCurve>(*reader.next());
   EXPECT_EQ(curve.lane, 1);
   ASSERT_EQ(curve.points.size(), 2U);
-  EXPECT_EQ(curve.points[1].ratio_translation_only, 4);
+  EXPECT_EQ(curve.points[1].ratio_paper, 3);
+  EXPECT_EQ(curve.points[1].ratio_difference, 4);
   EXPECT_EQ(std::get<RunEnd>(*reader.next()).summary_json, R"({"scenarios":[]})");
   EXPECT_FALSE(reader.next().has_value());
   EXPECT_EQ(reader.state(), JournalState::whole);
   EXPECT_EQ(reader.good_bytes(), fs::file_size(scratch / "j"));
 }
 
+/// The journal of all kinds as version 1 of the format had it: the same bytes, and other meanings of the
+/// rates.
+void write_version_1(const fs::path& path) {
+  std::string bytes = whole_journal(path).first;
+  bytes[8] = 1;
+  write_text(path, bytes);
+}
+
+RateCurve rates_in(const fs::path& path) {
+  JournalReader reader(path);
+  while (const auto record = reader.next())
+    if (const auto* curve = std::get_if<RateCurve>(&*record)) return *curve;
+  return {};
+}
+
+void expect_rates_of_version_1(const RateCurve& curve) {
+  ASSERT_EQ(curve.points.size(), 2U);
+  const RatePoint& p = curve.points[1];  // 0.06, balance 1, fracture 2, with damping 3, without rotation 4
+  EXPECT_EQ(p.tip_m, 0.06);
+  EXPECT_EQ(p.ratio, 3);
+  EXPECT_EQ(p.ratio_fracture, 2);
+  EXPECT_EQ(p.ratio_paper, 4 + (3 - 1));
+  EXPECT_EQ(p.ratio_difference, 1 - 2);
+}
+
+TEST(Journal, OfVersion1IsReadAndSalvagedWithItsRatesUnderTheirPresentNames) {
+  const TemporaryFolder scratch;
+  write_version_1(scratch / "j");
+  expect_rates_of_version_1(rates_in(scratch / "j"));
+  EXPECT_EQ(salvage_journal(scratch / "j", scratch / "salvaged"), 0U);
+  EXPECT_EQ(read_text(scratch / "salvaged")[8], 2);
+  expect_rates_of_version_1(rates_in(scratch / "salvaged"));
+}
+
+TEST(Journal, OfVersion1IsGoneOnWithAsOneOfThisVersion) {
+  const TemporaryFolder scratch;
+  write_version_1(scratch / "j");
+  const auto ends = whole_journal(scratch / "other").second;
+  {
+    JournalWriter writer(scratch / "j", ends[6]);  // behind the event, before the rates
+    writer.write(all_kinds()[6]);
+    writer.close();
+  }
+  EXPECT_EQ(rates_in(scratch / "j").points.at(1).ratio, 1);
+  EXPECT_EQ(read_all(scratch / "j").state, JournalState::whole);
+}
+
 TEST(Journal, StartsAsDocumented) {
   const TemporaryFolder scratch;
   const auto [bytes, ends] = whole_journal(scratch / "j");
-  EXPECT_EQ(bytes.substr(0, 16), std::string("RIFTJRNL\1\0\0\0\0\0\0\0", 16));
+  EXPECT_EQ(bytes.substr(0, 16), std::string("RIFTJRNL\2\0\0\0\0\0\0\0", 16));
   const std::string header = R"({"version":"0.1.0","lanes":2})";
   EXPECT_EQ(bytes.substr(16, ends[1] - 16), forged(1, header, header.size()));
 }
@@ -231,7 +279,7 @@ TEST(Journal, RecordsThatMakeNoSenseAreDamage) {
 TEST(Journal, AnotherFileOrVersionIsForeign) {
   const TemporaryFolder scratch;
   for (const std::string& content : {std::string("step,time_s,phase,lane\n"), std::string("R!"),
-                                     std::string("RIFTJRNL\2\0\0\0\0\0\0\0", 16)}) {
+                                     std::string("RIFTJRNL\3\0\0\0\0\0\0\0", 16)}) {
     write_text(scratch / "j", content);
     EXPECT_EQ(read_all(scratch / "j").state, JournalState::foreign);
   }

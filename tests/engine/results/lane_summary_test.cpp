@@ -37,6 +37,17 @@ TEST(LaneSummary, IsReadBackAsItWasWritten) {
   EXPECT_EQ(to_json(lane_summary_of(Json::parse(json.dump()))), Json::parse(json.dump()));
 }
 
+TEST(LaneSummary, OfVersion01IsReadUnderThePresentNames) {
+  const LaneSummary s = lane_summary_of(Json{{"ratio", 0.340},
+                                             {"ratio_release", 0.341},
+                                             {"ratio_with_damping", 0.374},
+                                             {"ratio_translation_only", 0.350}});
+  EXPECT_EQ(s.ratio, 0.374);
+  EXPECT_EQ(s.ratio_fracture, 0.341);
+  EXPECT_NEAR(s.ratio_paper, 0.350 + 0.034, 1e-15);
+  EXPECT_NEAR(s.ratio_difference, -0.001, 1e-15);
+}
+
 TEST(LaneSummary, WritesItsColumnsInTheirOrderThoseOfTheScenarioFirst) {
   std::vector<std::string> names;
   const Json json = to_json(filled());

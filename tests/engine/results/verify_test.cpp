@@ -221,7 +221,7 @@ TEST(Verify, AJournalOfAnotherVersionIsNamed) {
   flip(run / journal_name, 8);
   const Verification v = verify_run(run, true);
   EXPECT_FALSE(is_whole(v));
-  EXPECT_EQ(text_of(v, journal_name), "a journal of version 33, and this build reads version 1");
+  EXPECT_EQ(text_of(v, journal_name), "a journal of version 34, and this build reads versions 1 and 2");
   EXPECT_EQ(found_of(v, archive_name), Found::intact);
 }
 

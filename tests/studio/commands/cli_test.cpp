@@ -18,12 +18,15 @@ TEST(CommandLine, HelpGoesToStdoutAndIsNoError) {
   }
 }
 
-TEST(CommandLine, VersionNamesBuildCompilerAndInstructionSet) {
+TEST(CommandLine, VersionNamesBuildCompilerInstructionSetCommitAndLibraries) {
   const Ran ran = run_rift("--version");
   EXPECT_EQ(ran.exit_code, 0);
   const std::regex expected(
       "rift [0-9]+\\.[0-9]+\\.[0-9]+ \\((optimised, asserts off|asserts on); "
-      "(GCC|Clang) [^;]+; (AVX-512|AVX2|AVX|baseline)\\)\n");
+      "(GCC|Clang) [^;]+; (AVX-512|AVX2|AVX|baseline)\\)\n"
+      "commit     (unknown|[0-9a-f]+ of [0-9]{4}-[0-9]{2}-[0-9]{2}(, changed)?)\n"
+      "libraries  Eigen [0-9.]+, HDF5 [0-9.]+, fmt [0-9.]+, toml\\+\\+ [0-9.]+, CLI11 [0-9.]+, "
+      "nlohmann-json [0-9.]+(, VTK [0-9.]+)?\n");
   EXPECT_TRUE(std::regex_match(ran.out, expected)) << ran.out;
   EXPECT_EQ(ran.err, "");
 }

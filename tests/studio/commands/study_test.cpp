@@ -68,7 +68,7 @@ TEST(StudyCommand, AgreesWithTheRunOfOneOfItsScenarios) {
   const Json run = Json::parse(read_text(alone.out() / "summary.json")).at("scenarios")[0];
   const Json& row = scenarios.at(3);
   EXPECT_EQ(row.at("axes"), Json({{"technique", "simple"}, {"crack_velocity", "0.5 c_r"}, {"seed", "2"}}));
-  for (const char* name : {"ratio", "ratio_with_damping", "g_i0_j_m2", "energy_elastic_j", "ledger_residual"})
+  for (const char* name : {"ratio", "ratio_fracture", "g_i0_j_m2", "energy_elastic_j", "ledger_residual"})
     EXPECT_EQ(row.at(name), run.at(name)) << name;
 }
 

@@ -25,7 +25,7 @@ study::StudyRows four_parameters() {
           row.axes = {{"technique", technique}, {"relaxation", relaxation}, {"damage_zone_ratio", zone},
                       {"damping_alpha", alpha}, {"crack_velocity", text},   {"seed", seed}};
           row.row = static_cast<int>(rows.size());
-          row.crack_velocity_over_cr = v, row.ratio_with_damping = 0.5, row.poisson_ratio = 0.3;
+          row.crack_velocity_over_cr = v, row.ratio = 0.5, row.poisson_ratio = 0.3;
           row.plane = "stress";
           rows.emplace_back(row);
         }
@@ -72,7 +72,7 @@ TEST(StudyCharts, SpecimensAreABandAroundTheirMean) {
   std::vector<fs::path> series;
   for (const auto& row : rows) {
     series.push_back(folder.path() / fmt::format("{}.csv", row->row));
-    std::ofstream(series.back()) << "phase,tip_m,ratio_with_damping\n"
+    std::ofstream(series.back()) << "phase,tip_m,ratio\n"
                                  << (value_of_axis(row->axes, "seed") == "1"
                                          ? "fracture,0,0.2\nfracture,0.01,0.4\nfracture,0.02,0.6\n"
                                          : "fracture,0,0.4\nfracture,0.02,0.8\n");

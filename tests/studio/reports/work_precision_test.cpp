@@ -17,9 +17,9 @@ class Rows {
     study::SummaryRow row;
     row.axes = std::move(axes);
     row.row = static_cast<int>(rows_.size());
-    row.ratio_with_damping = ratio;
+    row.ratio = ratio;
     row.broberg = 0.5, row.error_broberg = ratio - 0.5;
-    row.wall_fracture_s = seconds;
+    row.cost_s = seconds;
     row.outcome = "finished";
     rows_.emplace_back(row);
     return *this;

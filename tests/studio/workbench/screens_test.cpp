@@ -290,9 +290,9 @@ TEST(StudyScreen, OpensAStudyOfTheListWithoutComputingAndGoesOnWhenAsked) {
 }
 
 TEST(Lesson, TheAnswerFollowsFromTheNumbersOfTheRun) {
-  const auto lane = [](double ratio, double with_damping, double v) {
+  const auto lane = [](double fracture, double ratio, double v) {
     results::LaneSummary s;
-    s.ratio = s.ratio_release = ratio, s.ratio_with_damping = with_damping;
+    s.ratio_fracture = fracture, s.ratio = ratio;
     s.broberg = 0.9, s.crack_velocity_over_cr = v;
     s.energy_kinetic_translation_j = 1, s.energy_kinetic_rotation_j = 0;
     return s;

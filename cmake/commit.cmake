@@ -1,0 +1,16 @@
+# Writes OUTPUT, a header that names the commit of SOURCE, and touches it only where that has changed: called at every build.
+cmake_minimum_required(VERSION 3.25)
+set(commit "unknown")
+find_program(GIT git)
+if(GIT AND EXISTS ${SOURCE}/.git)
+  execute_process(COMMAND ${GIT} -C ${SOURCE} log -1 --format=%h\ of\ %cs OUTPUT_VARIABLE found
+                  OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  if(NOT failed)
+    set(commit "${found}")
+    execute_process(COMMAND ${GIT} -C ${SOURCE} diff --quiet HEAD -- engine viz studio RESULT_VARIABLE changed ERROR_QUIET)
+    if(changed)
+      string(APPEND commit ", changed")
+    endif()
+  endif()
+endif()
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#define RIFT_COMMIT \"@commit@\"\n" @ONLY)
