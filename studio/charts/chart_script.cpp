@@ -129,17 +129,15 @@ std::string script_string(std::string_view label) {
 }
 
 std::string label_string(std::string_view label) {
-  constexpr std::string_view unbroken = "\u00a0";
+  constexpr std::string_view joiner = "\u2060";  // without width; not a blank
   const auto is_markup = [&](std::size_t k) {
     return (label[k] == '_' || label[k] == '^') && (k == 0 || label[k - 1] != '\\');
   };
   std::string out;
   for (std::size_t k = 0; k < label.size(); ++k) {
     const bool after = k > 1 && (label[k - 1] == '}' || is_markup(k - 2));
-    if (label[k] == ' ' && after)
-      out += unbroken;
-    else
-      out += label[k];
+    if (label[k] == ' ' && after) out += joiner;
+    out += label[k];
   }
   return script_string(out);
 }

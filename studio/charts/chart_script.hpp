@@ -65,8 +65,8 @@ std::string plain_text(std::string_view label);
 /// The label as a string of a gnuplot script, in single quotes; line breaks become spaces.
 std::string script_string(std::string_view label);
 
-/// The same of a text that is shown. A blank after a subscript does not break: viewers drop one that opens a
-/// span.
+/// The same of a text that is shown. A joiner stands before a blank after a subscript: some viewers drop a
+/// blank that opens a span.
 std::string label_string(std::string_view label);
 
 /// Letters a label shows, for an estimate of its width: markup and bytes within a letter not counted.

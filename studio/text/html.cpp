@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstdint>
+#include <utility>
 
 namespace rift::studio {
 namespace {
@@ -23,7 +26,7 @@ table { border-collapse: collapse; font-size: 0.9em; font-variant-numeric: tabul
 th, td { padding: 0.2em 0.7em 0.2em 0; border-bottom: 1px solid var(--rule); text-align: left; vertical-align: top; }
 th { border-bottom: 2px solid #888; vertical-align: bottom; line-height: 1.25; }
 tr { break-inside: avoid; }
-.n { text-align: right; } td.n { white-space: nowrap; }
+.n { text-align: right; } td.n, .s { white-space: nowrap; }
 .many { font-size: 0.72em; } .many th, .many td { padding-right: 0.5em; } .many td.n { white-space: normal; }
 .facts td:first-child { color: var(--dim); } .facts td { border: 0; padding: 0 1em 0.1em 0; }
 .facts td:last-child { overflow-wrap: anywhere; }
@@ -40,18 +43,49 @@ figcaption { color: var(--dim); font-size: 0.9em; max-width: 860px; }
 }
 )";
 
+constexpr std::size_t longest_whole = 8;      // letters of a cell that is not broken: "0.5 c_R"
 constexpr std::size_t most_of_full_size = 9;  // columns of a table; more are set smaller
 
-/// A name such as ledger_residual may be broken after its underscores.
-std::string breakable(const std::string& escaped) {
+/// Symbols of the field, as they are written in texts and as they are set.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> symbols{{{"G_IDc", "G<sub>IDc</sub>"},
+                                                                                {"G_ID", "G<sub>ID</sub>"},
+                                                                                {"G_I0", "G<sub>I0</sub>"},
+                                                                                {"K_II", "K<sub>II</sub>"},
+                                                                                {"K_I", "K<sub>I</sub>"},
+                                                                                {"r_l", "r<sub>l</sub>"},
+                                                                                {"c_R", "c<sub>R</sub>"},
+                                                                                {"c_r", "c<sub>R</sub>"}}};
+
+bool is_of_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// The symbols of an escaped text with their subscripts; other names, such as ledger_residual, may be broken
+/// after an underscore.
+std::string set_symbols(std::string_view escaped) {
   std::string out;
-  for (const char c : escaped) out += c == '_' ? std::string("_<wbr>") : std::string(1, c);
+  for (std::size_t at = 0; at < escaped.size();) {
+    const bool begins = at == 0 || !is_of_a_name(escaped[at - 1]);
+    const auto symbol = std::find_if(symbols.begin(), symbols.end(), [&](const auto& s) {
+      const std::size_t end = at + s.first.size();
+      return begins && escaped.substr(at).starts_with(s.first) &&
+             (end == escaped.size() || !is_of_a_name(escaped[end]));
+    });
+    if (symbol != symbols.end()) {
+      out += symbol->second;
+      at += symbol->first.size();
+      continue;
+    }
+    out += escaped[at];
+    if (escaped[at++] == '_') out += "<wbr>";
+  }
   return out;
 }
 
 std::string cell(const char* tag, const std::string& text, bool to_the_right) {
-  return fmt::format("<{0}{1}>{2}</{0}>", tag, to_the_right ? " class=\"n\"" : "",
-                     breakable(html_escape(text)));
+  return fmt::format("<{0}{1}>{2}</{0}>", tag,
+                     to_the_right                   ? " class=\"n\""
+                     : text.size() <= longest_whole ? " class=\"s\""
+                                                    : "",
+                     set_symbols(html_escape(text)));
 }
 
 /// Base64   [RFC 4648, section 4].
@@ -99,7 +133,9 @@ std::string html_section(std::string_view title, std::string_view body) {
   return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", html_escape(title), body);
 }
 
-std::string html_paragraph(std::string_view text) { return fmt::format("<p>{}</p>\n", html_escape(text)); }
+std::string html_paragraph(std::string_view text) {
+  return fmt::format("<p>{}</p>\n", set_symbols(html_escape(text)));
+}
 
 std::string html_lines(std::string_view text) { return "<pre>" + html_escape(text) + "</pre>"; }
 
@@ -138,12 +174,13 @@ std::string html_pairs(const Table& table) {
 
 std::string html_list(const std::vector<std::string>& lines) {
   std::string out = "<ul>\n";
-  for (const std::string& line : lines) out += fmt::format("<li>{}</li>\n", html_escape(line));
+  for (const std::string& line : lines) out += fmt::format("<li>{}</li>\n", set_symbols(html_escape(line)));
   return out + "</ul>\n";
 }
 
 std::string html_figure(std::string_view svg, std::string_view caption) {
-  return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", svg, html_escape(caption));
+  return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", svg,
+                     set_symbols(html_escape(caption)));
 }
 
 std::string html_picture(const std::filesystem::path& png, std::string_view caption) {

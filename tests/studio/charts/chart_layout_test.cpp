@@ -46,7 +46,7 @@ TEST(ChartLook, OrderedSeriesHaveSequentialColoursAndSolidLines) {
 }
 
 TEST(LabelString, KeepsTheBlankBehindASubscript) {
-  EXPECT_EQ(label_string("G_{ID} / c_R [-]"), "'G_{ID}\u00a0/ c_R\u00a0[-]'");
+  EXPECT_EQ(label_string("G_{ID} / c_R [-]"), "'G_{ID}\u2060 / c_R\u2060 [-]'");
   EXPECT_EQ(label_string(escape_label("run_a b")), "'run\\_a b'");
 }
 

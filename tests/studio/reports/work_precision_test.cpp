@@ -31,7 +31,7 @@ class Rows {
 };
 
 /// Three steps on two specimens; the finest is the reference of each specimen.
-study::StudyRows steps() {
+study::StudyRows three_steps() {
   return Rows()
       .add({{"dt_fraction", "0.8"}, {"seed", "1"}}, 0.54, 1.0)
       .add({{"dt_fraction", "0.4"}, {"seed", "1"}}, 0.51, 2.0)
@@ -43,7 +43,7 @@ study::StudyRows steps() {
 }
 
 TEST(ConvergedErrors, AreAgainstTheMostAccurateScenarioOfTheSameSpecimen) {
-  const study::StudyRows rows = with_converged_errors(steps());
+  const study::StudyRows rows = with_converged_errors(three_steps());
   EXPECT_NEAR(rows[0]->error_converged, 0.04, 1e-12);
   EXPECT_NEAR(rows[1]->error_converged, 0.01, 1e-12);
   EXPECT_NEAR(rows[3]->error_converged, 0.06, 1e-12);
@@ -60,7 +60,7 @@ TEST(ConvergedErrors, NeedAScenarioThatIsBestInEveryAxisOfAccuracy) {
 }
 
 TEST(ConvergedErrors, KeepWhatIsKnownAlready) {
-  study::StudyRows rows = steps();
+  study::StudyRows rows = three_steps();
   rows[0]->error_converged = 0.123;
   EXPECT_EQ(with_converged_errors(rows)[0]->error_converged, 0.123);
 }
@@ -81,7 +81,7 @@ TEST(WorkPrecision, MarksSchemesWithoutAFasterAndNearerOne) {
 }
 
 TEST(WorkPrecision, ASpecimensErrorsGiveMeanAndScatterAndAReferenceHasNone) {
-  const WorkPrecision work = work_precision(with_converged_errors(steps()));
+  const WorkPrecision work = work_precision(with_converged_errors(three_steps()));
   ASSERT_TRUE(work.converged);
   ASSERT_EQ(work.points.size(), 3U);
   EXPECT_NEAR(work.points[0].error, 0.05, 1e-12);
@@ -93,7 +93,7 @@ TEST(WorkPrecision, ASpecimensErrorsGiveMeanAndScatterAndAReferenceHasNone) {
 
 TEST(WorkPrecisionCharts, NameEachPointAndDrawTheFront) {
   const std::vector<NamedChart> charts =
-      work_precision_charts(work_precision(with_converged_errors(steps())));
+      work_precision_charts(work_precision(with_converged_errors(three_steps())));
   ASSERT_EQ(charts.size(), 1U);
   const auto& chart = std::get<Chart>(charts[0].chart);
   EXPECT_EQ(chart.title, "Error against run time");
@@ -120,7 +120,7 @@ TEST(WorkPrecisionCharts, WithoutAReferenceShowTheDifferenceToBrobergAndCallItSo
 }
 
 TEST(WorkPrecisionTable, NumbersSchemesAsTheChartDoes) {
-  const Table table = work_precision_table(work_precision(with_converged_errors(steps())));
+  const Table table = work_precision_table(work_precision(with_converged_errors(three_steps())));
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[1].front(), "2");
   EXPECT_EQ(table.rows[0].back(), "efficient");
@@ -128,8 +128,8 @@ TEST(WorkPrecisionTable, NumbersSchemesAsTheChartDoes) {
 }
 
 TEST(ScenarioTable, HasAnErrorWhereOneIsKnown) {
-  const std::vector<std::string> without = scenario_table(steps()).head,
-                                 with = scenario_table(with_converged_errors(steps())).head;
+  const std::vector<std::string> without = scenario_table(three_steps()).head,
+                                 with = scenario_table(with_converged_errors(three_steps())).head;
   EXPECT_EQ(std::count(without.begin(), without.end(), "error"), 0);
   EXPECT_EQ(std::count(with.begin(), with.end(), "error"), 1);
 }
