@@ -7,6 +7,13 @@
 
 namespace rift {
 
+/// How long a test waits for what it expects of another process [s].
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int patience_s = 200;
+#else
+inline constexpr int patience_s = 20;
+#endif
+
 /// Whether `text` contains `part`, as in EXPECT_TRUE(contains(ran.err, "must lie in")).
 inline testing::AssertionResult contains(const std::string& text, const std::string& part) {
   if (text.find(part) != std::string::npos) return testing::AssertionSuccess();

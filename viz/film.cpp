@@ -11,7 +11,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// How ffmpeg is to encode, by the ending of the name. A GIF's palette is made anew for each frame, so that
+/// How ffmpeg is to encode, by the ending of the name. A GIF has a palette for each frame, so that
 /// no frames wait.
 Words encoder(const std::string& ending) {
   if (ending == ".webm")
@@ -75,7 +75,7 @@ void Film::finish() {
   if (end.code != 0 || !end.words.empty()) fail();
   std::error_code error;
   if (std::filesystem::file_size(file_.temporary(), error) == 0 || error)
-    throw FilmFailed("ffmpeg wrote nothing");
+    throw FilmFailed("ffmpeg wrote no data");
   file_.commit();
 }
 

@@ -21,13 +21,13 @@ constexpr std::size_t most_panes = 4;
 
 std::shared_ptr<results::JournalIndex> open(const fs::path& run, std::vector<std::string>& notes) {
   const fs::path path = run / results::journal_name;
-  if (!fs::exists(run)) throw BadRequest(fmt::format("{}: there is no such run", run.string()));
+  if (!fs::exists(run)) throw BadRequest(fmt::format("{}: no such run", run.string()));
   if (!fs::exists(path))
     throw BadRequest(fmt::format("{} holds no run: no {}", run.string(), results::journal_name));
   auto journal = std::make_shared<results::JournalIndex>(path);
   if (journal->state() == results::JournalState::damaged)
-    notes.push_back(
-        fmt::format("{} is damaged ({}): shown is what lies before", path.string(), journal->reason()));
+    notes.push_back(fmt::format("{} is damaged ({}): only the frames before the damage are shown",
+                                path.string(), journal->reason()));
   return journal;
 }
 
@@ -39,7 +39,7 @@ std::vector<Shown> lanes_shown(const Request& request, std::vector<std::string>&
     const Header header = Header::parse(journal->header_json());
     if (!header.contains("path"))
       throw BadRequest(fmt::format(
-          "{} was written by an older version, which does not say where its crack runs: run it again",
+          "{} was written by an older version, which does not store the crack's path: run it again",
           run.string()));
     std::vector<int> lanes = request.lanes;
     for (int k = 0; request.lanes.empty() && k < journal->lanes(); ++k) lanes.push_back(k);
@@ -51,8 +51,8 @@ std::vector<Shown> lanes_shown(const Request& request, std::vector<std::string>&
     }
   }
   if (shown.size() > most_panes)
-    throw BadRequest(
-        fmt::format("{} lanes, and a frame shows up to {}: choose by --lane", shown.size(), most_panes));
+    throw BadRequest(fmt::format("{} lanes, and a frame shows up to {}: choose some with --lane",
+                                 shown.size(), most_panes));
   return shown;
 }
 
@@ -80,7 +80,7 @@ void check_stored(const Shown& shown, const Field& field, const Look& look) {
     if (stored.contains(std::string(other.stored))) names.push_back(other.name);
   stored.insert(missing);
   throw BadRequest(
-      fmt::format("{} holds no {}; its fields are {}. To have it, run with --set 'output.fields=[\"{}\"]'",
+      fmt::format("{} holds no {}; its fields are {}. Run it with --set 'output.fields=[\"{}\"]'",
                   shown.run.string(), missing == field.stored ? fmt::format("field {}", field.name) : missing,
                   fmt::join(names, ", "), fmt::join(stored, "\", \"")));
 }
@@ -226,10 +226,10 @@ Plan plan_of(const Request& request) {
 std::vector<double> evenly_chosen(const std::vector<double>& times_s, int count) {
   const auto stored = static_cast<int>(times_s.size());
   if (count > stored)
-    throw BadRequest(fmt::format(
-        "--frames {}: the run holds {} moments, and a frame is never made up between two; run it with "
-        "--set output.frames={}",
-        count, stored, count));
+    throw BadRequest(
+        fmt::format("--frames {}: the run holds {} frames, and frames are not interpolated; run it with "
+                    "--set output.frames={}",
+                    count, stored, count));
   std::vector<double> chosen;
   for (int k = 0; k < count; ++k)
     chosen.push_back(

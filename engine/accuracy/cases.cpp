@@ -39,7 +39,7 @@ std::string issues_text(const std::vector<scene::Issue>& issues) {
   return text;
 }
 
-/// The preset with another scene; what contradicts itself is told as if the preset had said so.
+/// The preset with another scene; contradictions are reported as if they stood in the preset.
 std::vector<scene::Issue> contradictions_of(const scene::Preset& preset, const scene::Scene& scene) {
   scene::Preset varied = preset;
   varied.scene = scene;
@@ -77,19 +77,19 @@ Planning start_from(const scene::Preset& preset, bool quick) {
   scene.output.frames = 0;
   if (scene.loading.method == scene::LoadingMethod::ramp) {
     scene.loading.method = scene::LoadingMethod::static_solve;
-    p.plan.notes.push_back(
-        quick
-            ? "the preset's ramp is left out: all variants start from the static solve"
-            : "the preset's ramp is tried under pre-stress; all other variants start from the static solve");
+    p.plan.notes.push_back(quick ? "the preset's ramp is left out: all variants start from the static solve"
+                                 : "the preset's ramp is a variant of its own (pre-stress); all other "
+                                   "variants start from the static solve");
   }
   if (quick) take_quarter(p);
   if (scene.specimen.thickness)
     p.plan.notes.push_back(
-        "the preset gives a thickness: it stays as it is while the elements are varied, and with them how "
-        "many lie through it");
-  // A variant that sets the one must not be told that it contradicts the other.
+        "the preset gives a thickness, which is kept while the number of elements is varied, so the number "
+        "of layers varies too");
+  // A variant that sets the one must not be refused because it contradicts the other.
   if (scene.solver.dt)
-    p.plan.notes.push_back("the preset gives its step in seconds: it holds wherever the step is not varied");
+    p.plan.notes.push_back(
+        "the preset gives its time step in seconds, which is used wherever the step is not varied");
   p.plan.preset.origins.erase("solver.dt");
   return p;
 }
@@ -224,7 +224,7 @@ AccuracyPlan plan_accuracy(const scene::Preset& preset, const AccuracyOptions& o
   more.insert(finer * elements);
   AccuracyPlan longer = planned(start, more, options.seeds);
   if (estimated_seconds(longer) <= affordable_s) return longer;
-  plan.notes.push_back(fmt::format("{} elements would take {:.0f} min in all: --elements asks for them",
+  plan.notes.push_back(fmt::format("{} elements would take {:.0f} min in total; --elements includes them",
                                    grouped(finer * elements), std::ceil(estimated_seconds(longer) / 60.0)));
   return plan;
 }

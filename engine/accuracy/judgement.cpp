@@ -106,7 +106,8 @@ void judge_steps(Judging& j) {
       line.step_error = line.ratio - steps.limit;
   for (const Factor factor : {Factor::scene, Factor::time_step, Factor::together})
     for (AccuracyLine* line : j.of(factor)) line->error = line->step_error;
-  j.refer(Factor::time_step, "the same specimen in double, the step towards 0", steps.limit, steps);
+  j.refer(Factor::time_step, "the same specimen in double precision as the step tends to 0", steps.limit,
+          steps);
 }
 
 /// Each line of a factor against another one of it.
@@ -127,7 +128,7 @@ void judge_precision(Judging& j) {
     for (const AccuracyLine* other : in_double)
       if (other->value == line->value) line->error = line->ratio - other->ratio;
   if (!j.of(Factor::precision).empty())
-    j.refer(Factor::precision, "the same specimen and step in double", nan);
+    j.refer(Factor::precision, "the same specimen and step in double precision", nan);
 }
 
 void judge_elements(Judging& j) {
@@ -217,11 +218,12 @@ Accuracy judge_accuracy(const std::vector<CaseResult>& results, double goal) {
 std::vector<std::string> reference_texts(const Accuracy& accuracy) {
   std::vector<std::string> texts;
   for (const FactorReference& r : accuracy.reference) {
-    std::string text = fmt::format("{}: against {}", name_of(r.factor), r.text);
+    std::string text = fmt::format("{}: compared with {}", name_of(r.factor), r.text);
     if (std::isfinite(r.value)) text += fmt::format(", {:.5f}", r.value);
     if (!r.convergence.text.empty()) {
       text += "; " + r.convergence.text;
-      text += r.convergence.clean ? ", Richardson's limit is taken" : "; the finest value is taken";
+      text += r.convergence.clean ? "; the reference is Richardson's extrapolation"
+                                  : "; the reference is the finest value";
     }
     texts.push_back(std::move(text));
   }

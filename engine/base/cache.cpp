@@ -71,7 +71,8 @@ std::optional<std::vector<double>> recall(Cache& cache, const std::string& kind,
   if (!in) return std::nullopt;
   const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   auto numbers = decode(bytes, key);
-  if (!numbers) cache.notes.push_back(fmt::format("{}: damaged, built anew", file.string()));
+  if (!numbers)
+    cache.notes.push_back(fmt::format("{} is damaged: its contents are computed again", file.string()));
   return numbers;
 }
 

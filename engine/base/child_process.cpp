@@ -248,8 +248,8 @@ SandboxResult run_in_sandbox(const std::function<std::string()>& work, unsigned 
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {std::move(text), {}};
   if (WIFEXITED(status) && WEXITSTATUS(status) == threw) return {{}, std::move(text)};
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
-    return {{}, fmt::format("it did not come to an end in {} s", seconds)};
-  if (WIFSIGNALED(status)) return {{}, fmt::format("it died of signal {}", WTERMSIG(status))};
+    return {{}, fmt::format("it did not end within {} s", seconds)};
+  if (WIFSIGNALED(status)) return {{}, fmt::format("it was killed by signal {}", WTERMSIG(status))};
   return {{}, fmt::format("it ended with code {}", WEXITSTATUS(status))};
 }
 

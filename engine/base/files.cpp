@@ -96,7 +96,7 @@ AppendFile::AppendFile(std::filesystem::path path, std::uint64_t kept) : path_(s
   if (try_lock(descriptor_, true) == LockResult::held_by_another)
     fail("write", "another process is writing it");
   if (::ftruncate(descriptor_, static_cast<off_t>(kept)) != 0) fail("cut", errno_text(errno));
-  if (::lseek(descriptor_, 0, SEEK_END) != static_cast<off_t>(kept)) fail("go on with", errno_text(errno));
+  if (::lseek(descriptor_, 0, SEEK_END) != static_cast<off_t>(kept)) fail("continue", errno_text(errno));
 }
 
 AppendFile::~AppendFile() {

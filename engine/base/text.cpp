@@ -17,6 +17,11 @@ bool is_control(std::string_view letter) {
 
 }  // namespace
 
+std::string counted(std::int64_t count, std::string_view noun, std::string_view plural) {
+  if (count == 1) return fmt::format("1 {}", noun);
+  return plural.empty() ? fmt::format("{} {}s", count, noun) : fmt::format("{} {}", count, plural);
+}
+
 std::size_t bytes_of_first_letter(std::string_view text) {
   const unsigned first = first_byte(text);
   if (first < 0x80) return 1;

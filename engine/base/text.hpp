@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,10 @@ namespace rift::base {
 /// are no UTF-8 become `\xNN`, all else stays. Twice escaped is once escaped.
 /// @param kept  control characters that stay, such as "\n\t"
 [[nodiscard]] std::string escaped(std::string_view text, std::string_view kept = {});
+
+/// A number with its noun: "1 rattler", "2 rattlers", "3 histories".
+/// @param plural  of the noun; by default with an "s"
+[[nodiscard]] std::string counted(std::int64_t count, std::string_view noun, std::string_view plural = {});
 
 // Letters of UTF-8.
 

@@ -132,7 +132,7 @@ CylinderResult press(const CylinderTest& test, base::Cache& cache, const base::P
     const Pulled pressed = pull(lattice, body, 1, -box.section(1), tell);
     result.responses.push_back({pressed.gauge_modulus, pressed.young_modulus,
                                 0.5 * (pressed.poisson_ratio.x() + pressed.poisson_ratio.z())});
-    base::tell_or_stop(tell, 1.0, "pressing cylinders");
+    base::tell_or_stop(tell, 1.0, "compressing cylinders");
   }
   return result;
 }
@@ -142,7 +142,7 @@ CylinderResult pressed_or_recalled(const CylinderTest& test, base::Cache& cache,
   const std::string key = key_of(test);
   if (const auto known = base::recall(cache, "cylinder", key);
       known && known->size() == numbers_before_responses + 3 * test.beams.size()) {
-    if (!tell(1.0)) throw base::Interrupted("pressing cylinders");
+    if (!tell(1.0)) throw base::Interrupted("compressing cylinders");
     return result_of(test, *known);
   }
   CylinderResult result = press(test, cache, tell);

@@ -26,7 +26,7 @@ std::array<End, 2> ends_of(const lattice::Lattice& lattice, int axis) {
   for (const End& end : ends)
     if (end.member.size() < 3)
       throw packing::PackingError(
-          fmt::format("too few elements: {} at an end, 3 are needed to pull at", end.member.size()));
+          fmt::format("too few elements: {} at an end, at least 3 are needed", end.member.size()));
   return ends;
 }
 

@@ -85,7 +85,7 @@ Judgement sec3_damping(const Evidence& evidence) {
     const double time = row.steps * row.dt_s;
     const double top = lost(zeta_top, omega_top, time), first = lost(zeta_first, omega_first, time);
     return {yes_or_no(first <= influence_margin && top > influence_margin),
-            fmt::format("at 0.1 c_r, in {:.2f} ms: the highest mode loses {:.1f} % of its energy (damping "
+            fmt::format("at 0.1 c_R, in {:.2f} ms: the highest mode loses {:.1f} % of its energy (damping "
                         "ratio {:.2g}, from the damped critical step), the plate's first shear mode {:.2g} % "
                         "(in proportion to the frequencies, {:.3g} and {:.3g} rad/s)",
                         1e3 * time, 100.0 * top, zeta_top, 100.0 * first, omega_top, omega_first)};
@@ -165,15 +165,16 @@ Judgement sec5_residual(const Evidence& evidence) {
       for (const SummaryRow& row : rows_in(evidence, s))
         if (std::abs(row.crack_velocity_over_cr - v) <= 1e-9)
           energies.push_back(release_energy_per_beam(row));
-      if (energies.empty()) return {Verdict::not_decidable, fmt::format("no result at {:g} c_r", v)};
+      if (energies.empty()) return {Verdict::not_decidable, fmt::format("no result at {:g} c_R", v)};
       list +=
           fmt::format("{}{:.3g} mJ at {:.1f}", list.empty() ? "" : ", ", 1e3 * base::mean_of(energies), v);
       at_one = energies;
     }
     const double least = base::mean_of(at_one), scatter = scatter_of(at_one);
-    parts.push_back({s.technique,
-                     {scatter > std::abs(least) ? Verdict::not_decidable : yes_or_no(least > 0.0),
-                      fmt::format("a beam's release takes {}, scatter {:.2g} mJ", list, 1e3 * scatter)}});
+    parts.push_back(
+        {s.technique,
+         {scatter > std::abs(least) ? Verdict::not_decidable : yes_or_no(least > 0.0),
+          fmt::format("the release of a beam dissipates {}, scatter {:.2g} mJ", list, 1e3 * scatter)}});
   }
   return all_of(parts);
 }
@@ -190,8 +191,8 @@ Judgement sec5_bending(const Evidence& evidence) {
   if (slow.empty() || fast.empty()) return {Verdict::not_decidable, "no result"};
   const double low = base::mean_of(slow), high = base::mean_of(fast), scatter = scatter_of(slow);
   const std::string text = fmt::format(
-      "largest motion along z of a region 8 radii wide: {:.2f} % of the thickness at 0.1 c_r and below "
-      "(scatter {:.2f} %), {:.2f} % at 0.5 c_r and above",
+      "largest motion along z of a region 8 radii wide: {:.2f} % of the thickness at 0.1 c_R and below "
+      "(scatter {:.2f} %), {:.2f} % at 0.5 c_R and above",
       100.0 * low, 100.0 * scatter, 100.0 * high);
   if (scatter > std::abs(low - high)) return {Verdict::not_decidable, text};
   return {yes_or_no(low <= slight && low > high), text};
@@ -213,13 +214,13 @@ std::vector<Claim> claims_of_sections() {
        sec3_specimens},
       {"sec3_damping",
        "Section 3.2",
-       "So small a damping changes the structure's behaviour almost nowhere: only frequencies near the "
+       "Such a small damping hardly changes the behaviour of the structure: only frequencies near the "
        "highest are damped.",
        {"sec3_damping"},
        sec3_damping},
       {"sec4_time_step",
        "Section 4.2",
-       "L_CZM = 0.49 mm = 0.0024 L; a beam takes about 100 steps to degrade at 0.1 c_r and 10 at 1.0 c_r; a "
+       "L_CZM = 0.49 mm = 0.0024 L; a beam takes about 100 steps to degrade at 0.1 c_R and 10 at 1.0 c_R; a "
        "smaller time step changes nothing.",
        {"sec4_time_step", "fig13_pnrt_position"},
        sec4_time_step},
@@ -240,8 +241,8 @@ std::vector<Claim> claims_of_sections() {
        sec5_residual},
       {"sec5_bending",
        "Section 5",
-       "Slight out-of-plane bending at low velocity: at most 5 % of the thickness, and more at 0.1 c_r and "
-       "below than at 0.5 c_r and above.",
+       "Slight out-of-plane bending at low velocity: at most 5 % of the thickness, and more at 0.1 c_R and "
+       "below than at 0.5 c_R and above.",
        {"sec5_bending", "fig13_pnrt_position"},
        sec5_bending},
   };

@@ -115,7 +115,7 @@ std::string missing_in(const Curve& curve, Span span) {
     if (v < span.from - 1e-9 || v > span.to + 1e-9 || !within(curve, v, v).empty()) continue;
     list += fmt::format("{}{:g}", list.empty() ? "" : ", ", v);
   }
-  return list.empty() ? list : fmt::format("no result at {} c_r", list);
+  return list.empty() ? list : fmt::format("no result at {} c_R", list);
 }
 
 Verdict verdict_of(bool yes, double scatter, double margin) {
@@ -153,7 +153,7 @@ Difference difference_of(const CurvePoint& a, const CurvePoint& b) {
 /// A judgement of the mean ratio at one velocity.
 Judgement judged_at(const Curve& curve, double v, const std::function<bool(double ratio)>& holds) {
   const Curve at = within(curve, v, v);
-  if (at.empty()) return nothing_to_judge(fmt::format("no result at {:g} c_r", v));
+  if (at.empty()) return nothing_to_judge(fmt::format("no result at {:g} c_R", v));
   const double ratio = base::mean_of(at.front().ratio), scatter = specimen_scatter(at);
   return {verdict_of(holds(ratio), scatter, near_margin),
           fmt::format("{:.3f} at {:g}, {}", ratio, v, scatter_text(scatter))};

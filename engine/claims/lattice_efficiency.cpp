@@ -162,8 +162,8 @@ Judgement beyond_map(const Evidence& evidence) {
     return cell.wall_s / static_cast<double>(cell.v.size());
   };
   return {yes_or_no(base::mean_of(best->distance) <= near_margin),
-          fmt::format("best of {}: p = {:g}, r_l = {:g}, mean |delta| {:.3f} ({}), {:.2f} s a scenario; the "
-                      "paper's p = 1, r_l = 1: {:.3f}, {:.2f} s",
+          fmt::format("best of {}: p = {:g}, r_l = {:g}, mean |delta| {:.3f} ({}), {:.2f} s per scenario; "
+                      "the paper's p = 1, r_l = 1: {:.3f}, {:.2f} s",
                       cells.size(), best->relaxation, best->zone, base::mean_of(best->distance), each,
                       per_scenario(*best), base::mean_of(paper->distance), per_scenario(*paper))};
 }
@@ -192,11 +192,11 @@ Judgement beyond_broberg(const Evidence& evidence) {
   if (limits.empty()) return {Verdict::not_decidable, "no result"};
   double most = 0.0;
   for (const BrobergProblem& p : points) most = std::max(most, p.elements);
-  std::string text = fmt::format("G_ID / eta over Broberg with {:.0f} elements:", most);
+  std::string text = fmt::format("G_ID / η over Broberg with {:.0f} elements:", most);
   for (const BrobergProblem& p : points)
     if (p.elements == most)
       text += fmt::format(" {:.3f} at {:g}, r_l = {:g};", p.over_efficiency() / p.broberg, p.v, p.zone);
-  text += " straight on to R = 0:";
+  text += " extrapolated to R = 0 (± scatter):";
   std::vector<double> away, scatter;
   for (const Extrapolated& e : limits) {
     away.push_back(std::abs(e.limit / e.broberg - 1.0));
@@ -218,24 +218,24 @@ std::vector<Claim> beyond_the_paper() {
       {.name = "beyond_map",
        .artefact = "Relaxation and damage zone",
        .text = "Some power p of the relaxation and length r_l of the damage zone is near Broberg (mean "
-               "|delta| at most 0.05) at 0.1 to 0.9 c_r in the paper's plate. It says nothing about the "
-               "physics: there the strip limit is due.",
+               "|delta| at most 0.05) at 0.1 to 0.9 c_R in the paper's plate. It says nothing about the "
+               "physics: in a strip the strip limit, 1, applies.",
        .needs = {"beyond_map"},
        .judge = beyond_map,
        .beyond = true},
       {.name = "beyond_efficiency",
        .artefact = "Lattice efficiency",
        .text = "In a steady strip all stored energy arrives at the tip, so that the ratio is the lattice "
-               "efficiency eta(v, r_l, p). It tends to 1 (within 0.05 at every velocity) as the damage zone "
-               "grows; what is missing moves in short waves behind the tip.",
+               "efficiency η(v, r_l, p). It tends to 1 (within 0.05 at every velocity) as the damage zone "
+               "grows; the rest moves in short waves behind the tip.",
        .needs = {"beyond_efficiency", "beyond_relaxation"},
        .judge = beyond_efficiency,
        .beyond = true},
       {.name = "beyond_broberg",
        .artefact = "Broberg's own problem",
-       .text =
-           "A crack that opens from zero in the middle of a large plate, before any echo: G_ID is eta times "
-           "Broberg's factor, and G_ID / eta tends to Broberg (within 2 %) as the elements grow small.",
+       .text = "A crack that opens from zero in the middle of a large plate, before any boundary reflection: "
+               "G_ID is η times Broberg's factor, and G_ID / η tends to Broberg (within 2 %) as the elements "
+               "grow small.",
        .needs = {"beyond_broberg", "beyond_efficiency"},
        .judge = beyond_broberg,
        .beyond = true},

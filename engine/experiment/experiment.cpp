@@ -131,9 +131,9 @@ class Laboratory {
     const double start = preset_.scene.crack.start + p.lane[0].scenario.law.zone_length + 0.5 * e_.width,
                  end = p.lane[0].crack_end - 0.5 * e_.width;
     if (!(end > start))
-      throw scene::InputError(
-          {scene::issue_at(preset_, "crack.toughness_window",
-                           "is longer than the history: the release rate is read over it")});
+      throw scene::InputError({scene::issue_at(
+          preset_, "crack.toughness_window",
+          "must be shorter than the history, because the release rate is averaged over it")});
     for (int k = 0; k < points; ++k) {
       CriticalPoint point;
       point.position = start + k * (end - start) / (points - 1);
@@ -256,7 +256,7 @@ class Laboratory {
       const EfficiencyPoint at_velocity = efficiency_at(e_.efficiency, point.over_cr);
       point.efficiency = at_velocity.efficiency;
       point.corrected = point.as_paper / point.efficiency;
-      // A plateau is the mean of sub-windows, whose scatter is told.
+      // A plateau is the mean of sub-windows, whose scatter is known.
       const double of_efficiency =
           at_velocity.scatter / std::sqrt(static_cast<double>(fracture::sub_windows));
       point.corrected_uncertainty =

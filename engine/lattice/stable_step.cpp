@@ -57,7 +57,7 @@ double largest_eigenvalue(const Operator& apply, long size, const base::Progress
     done = std::max(done, share_of_digits(std::abs(now - largest) / now, 2.0 * settled));
     largest = now;
   }
-  throw std::runtime_error("the lattice's highest frequency did not settle in 2000 Lanczos rounds");
+  throw std::runtime_error("the lattice's highest frequency did not converge in 2000 Lanczos iterations");
 }
 
 /// 1 / sqrt(mass) per degree of freedom, 0 where gripped: turns K x = omega^2 M x into a symmetric problem.

@@ -64,7 +64,7 @@ std::string strange_field(const scene::Scene& scene) {
   const scene::StiffnessChoice stiffness = scene.material.stiffness;
   if (stiffness == scene::StiffnessChoice::in_situ || stiffness == scene::StiffnessChoice::calibrated)
     return {};
-  return "K wants the plate's own E and nu, which material.stiffness = \"bulk\" and \"explicit\" do not give";
+  return "K needs the plate's own E and ν, which material.stiffness = \"bulk\" and \"explicit\" do not set";
 }
 
 ElasticPlate plate_of(const scene::Scene& scene) {
@@ -136,7 +136,7 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentO
     for (const results::Frame& frame : moment) take(frame);
   });
   results::check_same_run(held);
-  if (!any) refuse(run, "holds no displacements: output.frames and output.fields ask for them");
+  if (!any) refuse(run, "stores no displacements: set output.frames and output.fields");
   return seen;
 }
 

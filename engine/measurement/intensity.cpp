@@ -111,15 +111,15 @@ const char* reason_of(NoFit why) {
     case NoFit::none:
       return "";
     case NoFit::edge:
-      return "too near to an edge of the plate";
+      return "the ring is too near to an edge of the plate";
     case NoFit::bend:
-      return "too near to a bend of the path";
+      return "the ring is too near to a bend of the path";
     case NoFit::other_tip:
-      return "too near to the other tip";
+      return "the ring is too near to the other tip";
     case NoFit::fast:
-      return "as fast as the surface wave";
+      return "the tip is as fast as the surface wave";
     case NoFit::points:
-      return "too few points in the ring";
+      return "there are too few points in the ring";
     case NoFit::tip:
       return "the field has no tip near the crack's";
   }

@@ -21,7 +21,7 @@ struct SeenField {
 /// Why a moment has no stress intensities.
 enum class NoFit { none, edge, bend, other_tip, fast, points, tip };
 
-/// "too near to an edge of the plate", ...
+/// "the ring is too near to an edge of the plate", ...
 const char* reason_of(NoFit why);
 
 /// Stress intensities of one moment, and the release rate by the energy balance there.

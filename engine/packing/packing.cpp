@@ -135,9 +135,8 @@ struct Watch {
     if (progress && !progress(done)) throw base::Interrupted("packing");
     if (rounds > most_rounds)
       throw PackingError(
-          fmt::format("{} elements find no rest: after {} rounds the net forces are {:.1g} "
-                      "of the "
-                      "contact forces, at a coordination of {:.4g}",
+          fmt::format("the packing of {} elements did not reach equilibrium: after {} iterations the net "
+                      "forces are {:.1g} of the contact forces, at a coordination of {:.4g}",
                       spheres.size(), rounds, spheres.unbalance(), spheres.coordination()));
   }
 };
@@ -285,8 +284,8 @@ void grow_to_fraction(SpherePacking& spheres, base::ThreadPool& pool, double sol
   damped_relaxation(spheres, pool, rough, release_damping, rounds, std::ref(watch));
   if (spheres.mean_overlap() <= loose)
     throw PackingError(
-        fmt::format("a solid fraction of {:.4g} leaves the elements loose: nothing carries load "
-                    "before they press on each other, from about 0.63 on",
+        fmt::format("a solid fraction of {:.4g} is too low: elements carry load only where they are in "
+                    "contact, from about 0.63 on",
                     solid_fraction));
   bring_to_rest(spheres, pool, watch);
   if (spheres.mean_overlap() > largest_mean_overlap)

@@ -42,7 +42,7 @@ std::vector<char> reached_from(const std::vector<char>& anchor, const std::vecto
 
 namespace {
 
-/// The elements that are wanted, numbered anew, with their beams and grips.
+/// The elements that are wanted, renumbered, with their beams and grips.
 Specimen specimen_of(const Packing& packing, const Box& box, const std::vector<std::array<int, 2>>& beams,
                      const std::vector<char>& wanted) {
   Specimen specimen;
@@ -100,7 +100,7 @@ Specimen make_free_specimen(const Packing& packing, const Box& box, double conta
   Specimen specimen = specimen_of(packing, box, beams, wanted);
   const auto holds_none = [&](Grip grip) { return std::ranges::count(specimen.grip, grip) == 0; };
   if (box.shape != Shape::periodic && (holds_none(Grip::bottom) || holds_none(Grip::top)))
-    throw PackingError("no path of beams joins the bottom to the top: nothing in the specimen carries load");
+    throw PackingError("no path of beams joins the bottom to the top: the specimen carries no load");
   return specimen;
 }
 

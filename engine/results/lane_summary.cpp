@@ -35,13 +35,14 @@ constexpr std::array summary_table{
     COLUMN(energy_elastic_j), COLUMN(energy_kinetic_translation_j), COLUMN(energy_kinetic_rotation_j),
     COLUMN(energy_step_correction_j), COLUMN(energy_fracture_j), COLUMN(energy_damping_j),
     COLUMN(energy_numerical_damping_j), COLUMN(energy_contact_j), COLUMN(work_external_j),
-    COLUMN(ledger_residual), COLUMN(ledger_closes), COLUMN(prestress_energy_over_static),
-    COLUMN(prestress_kinetic_fraction), COLUMN(outcome), COLUMN(outcome_where),
-    COLUMN_IF(arrest_m, s.crack_course == "by itself"), COLUMN_IF(steering, !s.steering.empty()),
-    COLUMN(wake_cell_m), COLUMN(wake_kinetic_j), COLUMN(wake_rotation_j), COLUMN(out_of_plane_m),
-    COLUMN(wall_packing_s), COLUMN(wall_prestress_s), COLUMN(wall_fracture_s), COLUMN(wall_pass_s),
-    COLUMN(wall_total_s), COLUMN(cost_s), COLUMN(packing_from_cache), COLUMN(prestress_from_cache),
-    COLUMN(element_steps_per_s), COLUMN(beam_steps_per_s), COLUMN(memory_peak_bytes)};
+    COLUMN(ledger_residual), COLUMN(ledger_limit), COLUMN(ledger_closes),
+    COLUMN(prestress_energy_over_static), COLUMN(prestress_kinetic_fraction), COLUMN(outcome),
+    COLUMN(outcome_where), COLUMN_IF(arrest_m, s.crack_course == "by itself"),
+    COLUMN_IF(steering, !s.steering.empty()), COLUMN(wake_cell_m), COLUMN(wake_kinetic_j),
+    COLUMN(wake_rotation_j), COLUMN(out_of_plane_m), COLUMN(wall_packing_s), COLUMN(wall_prestress_s),
+    COLUMN(wall_fracture_s), COLUMN(wall_pass_s), COLUMN(wall_total_s), COLUMN(cost_s),
+    COLUMN(packing_from_cache), COLUMN(prestress_from_cache), COLUMN(element_steps_per_s),
+    COLUMN(beam_steps_per_s), COLUMN(memory_peak_bytes)};
 #undef COLUMN
 #undef COLUMN_IF
 #undef WHOLE
@@ -157,7 +158,7 @@ namespace {
 std::string technique(const LaneSummary& s) { return s.technique.empty() ? "" : s.technique + " release"; }
 
 std::string velocity(const LaneSummary& s) {
-  return std::isnan(s.crack_velocity_over_cr) ? "" : fmt::format("{:.3g} c_r", s.crack_velocity_over_cr);
+  return std::isnan(s.crack_velocity_over_cr) ? "" : fmt::format("{:.3g} c_R", s.crack_velocity_over_cr);
 }
 
 std::string damping(const LaneSummary& s) {

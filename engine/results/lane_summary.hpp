@@ -70,6 +70,7 @@ struct LaneSummary {
   double energy_kinetic_rotation_j = undefined, energy_step_correction_j = undefined;
   double energy_fracture_j = undefined, energy_damping_j = undefined, energy_numerical_damping_j = undefined;
   double energy_contact_j = undefined, work_external_j = undefined, ledger_residual = undefined;
+  double ledger_limit = undefined;  // of the balance error, by kinematics and precision
   bool ledger_closes = false;
   double prestress_energy_over_static = undefined, prestress_kinetic_fraction = undefined;
   std::string outcome, outcome_where;

@@ -105,9 +105,8 @@ std::string what_to_do(const fs::path& folder) {
                                      fs::exists(folder / checkpoint_name));
   if (!can_be_resumed)
     return fmt::format("{} exists and is not empty; --force replaces a run in it", folder.string());
-  return fmt::format(
-      "{0} holds a run that has not come to its end: 'rift resume {0}' goes on with it, --force replaces it",
-      folder.string());
+  return fmt::format("{0} holds an unfinished run: 'rift resume {0}' continues it, --force replaces it",
+                     folder.string());
 }
 
 void check_contents(const fs::path& folder, bool force) {

@@ -27,7 +27,7 @@ RunWriter::RunWriter(std::filesystem::path folder, const nlohmann::ordered_json&
 
 namespace {
 
-/// Removes what the end of a run had made, and what is made anew.
+/// Removes the files of a run's end, and those that are written again.
 const std::filesystem::path& without_end(const std::filesystem::path& folder) {
   for (const char* name : {archive_name, summary_name, series_name, gauges_name})
     base::remove_file(folder / name);
@@ -49,7 +49,7 @@ std::uint64_t RunWriter::journal_bytes() const { return held_.size(); }
 void RunWriter::check_still_ours() const {
   if (held_.is_still_there()) return;
   throw base::WorldError(
-      "go on with the run in", folder_,
+      "continue the run in", folder_,
       fmt::format("its {} was removed or replaced by another process; nothing more is written",
                   journal_name));
 }

@@ -101,7 +101,7 @@ class Verifier {
         continue;
       if (mend_) fs::remove_all(entry.path(), error);
       found(entry.path().filename().string(), mend_ ? Found::removed : Found::damaged,
-            "left by a kill, of no use");
+            "left by a killed process, not needed");
     }
     if (error) throw base::WorldError("read the folder", folder_, error.message());
   }
@@ -140,8 +140,9 @@ class Verifier {
     saved.commit();
     const RunState now = inspect_run(folder_);
     found(journal_name, Found::damaged,
-          fmt::format("{}: {} bytes are lost; {} samples and {} frames are saved, the damaged one is kept",
-                      reason, lost, now.samples, now.frames));
+          fmt::format(
+              "{}: {} bytes are lost; {} samples and {} frames were saved, and the damaged file is kept",
+              reason, lost, now.samples, now.frames));
     damaged_at_ = result_.run.good_bytes;
   }
 
@@ -149,12 +150,12 @@ class Verifier {
     const fs::path path = folder_ / name;
     if (!fs::exists(path)) return;
     std::string why = checkpoint_damage(path);
-    if (why.empty() && damaged_at_ && mend_) why = "the journal that it goes on from is damaged";
+    if (why.empty() && damaged_at_ && mend_) why = "the journal that it belongs to is damaged";
     const bool whole_journal = !result_.running && result_.run.condition != RunCondition::damaged;
     if (const std::uint64_t good = result_.run.good_bytes; why.empty() && whole_journal)
       if (const std::uint64_t needed = checkpoint_journal_bytes(path); needed > good)
-        why =
-            fmt::format("it needs {} bytes of the journal, which has {}: it is of another run", needed, good);
+        why = fmt::format("it needs {} bytes of the journal, which has {}: it belongs to another run", needed,
+                          good);
     if (why.empty()) return found(name, Found::intact, "");
     found(name, Found::damaged, why);
     if (mend_) move_aside(path);
@@ -168,9 +169,10 @@ class Verifier {
       if (result_.running || (yet_to_come && !mend_)) return;
       if (!can_be_made || !mend_)
         return found(archive_name, Found::missing,
-                     can_be_made ? "can be made from the journal" : "and the journal holds no geometry");
+                     can_be_made ? "can be rebuilt from the journal"
+                                 : "it cannot be rebuilt, because the journal holds no geometry");
       assemble_archive(folder_);
-      return found(archive_name, Found::mended, "made from the journal");
+      return found(archive_name, Found::mended, "rebuilt from the journal");
     }
     const ArchiveCheck check = check_archive_in_child(path);
     std::string wrong = check.problems.empty() ? "" : check.problems.front();
@@ -178,12 +180,12 @@ class Verifier {
     if (wrong.empty() && can_be_made) wrong = differs_from_journal(check);
     if (wrong.empty())
       return found(archive_name, Found::intact,
-                   fmt::format("{} datasets, {} moments, {} elements, {} beams", check.digest.size(),
-                               check.moments, check.elements, check.beams));
+                   fmt::format("{} datasets, {} frames, {} elements (without rattlers), {} beams",
+                               check.digest.size(), check.moments, check.elements, check.beams));
     if (!can_be_made || !mend_) return found(archive_name, Found::damaged, wrong);
     move_aside(path);
     assemble_archive(folder_);
-    found(archive_name, Found::mended, wrong + ": made anew from the journal");
+    found(archive_name, Found::mended, wrong + ": rebuilt from the journal");
   }
 
   /// Where it does not hold what the journal gives; empty where it does.
@@ -199,7 +201,7 @@ class Verifier {
     for (const auto& [name, digest] : expected.digest) {
       const auto there = check.digest.find(name);
       if (there == check.digest.end()) return name + " is missing";
-      if (there->second != digest) return name + " is not what the journal holds";
+      if (there->second != digest) return name + " differs from the journal";
     }
     return "";
   }
@@ -209,28 +211,29 @@ class Verifier {
     if (same) return found(name, Found::intact, "");
     const bool there = fs::exists(path);
     if (!mend_)
-      return found(
-          name, there ? Found::damaged : Found::missing,
-          there ? "not what the journal holds: of another run, or changed" : "can be made from the journal");
+      return found(name, there ? Found::damaged : Found::missing,
+                   there ? "differs from the journal: it belongs to another run or was changed"
+                         : "can be rebuilt from the journal");
     move_aside(path);
     base::write_whole_file(path, expected);
     found(name, Found::mended,
-          there ? "not what the journal holds: made anew from it" : "made from the journal");
+          there ? "differed from the journal: rebuilt from it" : "rebuilt from the journal");
   }
 
   void tables() {
     const fs::path series = folder_ / series_name, summary = folder_ / summary_name;
     const std::string rows = series_csv(scan_->samples, scan_->rates);
     const std::string there_are = fs::exists(series) ? base::read_whole_file(series) : "";
-    // A kill may have come between the journal and the table, which 'rift resume' begins anew.
+    // A kill may have come between the journal and the table, which 'rift resume' rewrites.
     const bool behind =
         result_.run.condition == RunCondition::unfinished && !mend_ && rows.starts_with(there_are);
     table(series_name, rows, there_are == rows || behind);
     if (!scan_->summary_json) {
       if (!fs::exists(summary)) return;
-      found(summary_name, mend_ ? Found::removed : Found::damaged,
-            fmt::format("the journal has no end, so that this is of another run or of an earlier end{}",
-                        mend_ ? ": put aside" : ""));
+      found(
+          summary_name, mend_ ? Found::removed : Found::damaged,
+          fmt::format("the journal has no end record, so this belongs to another run or to an earlier end{}",
+                      mend_ ? ": moved aside" : ""));
       if (mend_) move_aside(summary);
       return;
     }
@@ -241,7 +244,7 @@ class Verifier {
     }
     const auto expected = json_or_discarded(*scan_->summary_json);
     if (expected.is_discarded())
-      return found(summary_name, Found::damaged, "the journal's summary is no JSON that can be read");
+      return found(summary_name, Found::damaged, "the journal's summary is not valid JSON");
     const auto there =
         fs::exists(summary) ? json_or_discarded(base::read_whole_file(summary)) : nlohmann::ordered_json();
     table(summary_name, base::json_text(expected, 2) + "\n", there == expected);
@@ -260,11 +263,11 @@ class Verifier {
 const char* name_of(Found found) {
   switch (found) {
     case Found::intact:
-      return "sound";
+      return "intact";
     case Found::missing:
       return "missing";
     case Found::mended:
-      return "mended";
+      return "rebuilt";
     case Found::damaged:
       return "damaged";
     case Found::removed:

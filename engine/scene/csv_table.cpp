@@ -100,7 +100,7 @@ class TableReader {
  private:
   void say(int line, std::string text) {
     if (table_.problems.size() < most_csv_problems) return table_.problems.push_back({line, std::move(text)});
-    if (!is_done_) table_.problems.push_back({line, "and so on: the rows from here on were not read"});
+    if (!is_done_) table_.problems.push_back({line, "and so on: the following rows were not read"});
     is_done_ = true;
   }
   /// A defect that the other rows are likely to share: it is named once.
@@ -178,11 +178,12 @@ class TableReader {
     for (std::size_t k = 0; k < header_.title.size(); ++k)
       if (header_.title[k].wanted) needed = k + 1;
     if (cells > header_.title.size() || cells < needed)
-      return say(row.line, fmt::format("{} {}, where the header has {}{}", cells,
-                                       cells == 1 ? "column" : "columns", header_.title.size(),
-                                       header_.separator == ',' && cells > header_.title.size()
-                                           ? ": decimals have a point, or a cell with a comma wants quotes"
-                                           : ""));
+      return say(row.line,
+                 fmt::format("{} {}, where the header has {}{}", cells, cells == 1 ? "column" : "columns",
+                             header_.title.size(),
+                             header_.separator == ',' && cells > header_.title.size()
+                                 ? ": use a decimal point, or put a cell that holds a comma in quotes"
+                                 : ""));
     if (table_.line.size() == most_rows_)
       return say_of_all(row.line, fmt::format("more than {} rows: thin them out", most_rows_));
     table_.line.push_back(row.line);
@@ -196,11 +197,11 @@ class TableReader {
     if (cell.empty()) return say(line, fmt::format("{} is empty", column.name));
     std::optional<double> number = number_of_cell(cell);
     if (!number && cell.find(',') != std::string_view::npos)
-      return say_of_all(line, shown_cell() + " is no number: decimals have a point");
+      return say_of_all(line, shown_cell() + " is not a number: use a decimal point");
     if (!number && column.dimension == Dimension::time && cell.find(':') != std::string_view::npos)
       return say_of_all(line,
                         shown_cell() + " is a time of day: write the time since the first row, such as 0.25");
-    if (!number) return say(line, shown_cell() + " is no number");
+    if (!number) return say(line, shown_cell() + " is not a number");
     if (!std::isfinite(*number)) return say(line, shown_cell() + " is not finite");
     if (column.dimension != Dimension::none && title.unit != column.plain_unit) {
       const auto in_si = read_quantity(fmt::format("{} {}", cell, title.unit), column.dimension);

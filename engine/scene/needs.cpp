@@ -37,13 +37,13 @@ std::vector<std::string> left_out(const Scene& scene) {
   if (!needs.damage_zone) lines.emplace_back("damage zone: technique = simple");
   if (!needs.ramp) lines.emplace_back("ramp: method = static, the pre-stress is one solve");
   if (!needs.moving_grip && !needs.ramp)
-    lines.emplace_back("moving grip: no loading.curve, the grips hold while the crack runs");
-  if (!needs.corotation)
-    lines.emplace_back(
-        "corotation: kinematics = linear, beam axes and elements' quaternions stay as they are");
+    lines.emplace_back("moving grip: no loading.curve, the grips stand still while the crack runs");
+  if (!needs.corotation) lines.emplace_back("corotation: kinematics = linear, the beam axes stay fixed");
   if (!needs.contact) lines.emplace_back("contact: no friction, the crack's faces do not touch");
   if (!needs.step_energies)
-    lines.emplace_back("books of every step: nothing is dissipated or pulled, energies are read at samples");
+    lines.emplace_back(
+        "energy balance of every step: no dissipation and no external work, energies are computed at samples "
+        "only");
   if (!needs.frames) {
     lines.emplace_back(scene.output.frames == 0 ? "frames: frames = 0, no fields are written"
                                                 : "frames: fields = [], no fields are written");

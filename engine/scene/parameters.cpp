@@ -26,19 +26,20 @@ std::vector<Parameter> specimen_rows() {
        "plate",
        [](Scene& s) -> Slot { return &s.specimen.shape; },
        "Shape of the specimen. Plates, and blocks of any thickness, are gripped along their bottom and their "
-       "top "
-       "and cracked; cylinders are pressed (`rift calibrate`); `rift pack` fills them all.",
+       "top and cracked; cylinders are compressed (`rift calibrate`); `rift pack` fills them all.",
        none,
        {},
        {"plate", "block", "cylinder", "sphere", "periodic"}},
       {"specimen.length", "200 mm", [](Scene& s) -> Slot { return &s.specimen.length; },
-       "Length L of the plate along x, the way of the crack; the diameter of a cylinder or a sphere.", length,
-       above(0, 100)},
+       "Length L of the plate along x, the direction of the crack; the diameter of a cylinder or a sphere.",
+       length, above(0, 100)},
       {"specimen.height", "40 mm", [](Scene& s) -> Slot { return &s.specimen.height; },
        "Height H of the plate along y, between the grips; of a cylinder along its axis.", length,
        above(0, 100)},
       {"specimen.layers", "2", [](Scene& s) -> Slot { return &s.specimen.layers; },
-       "Elements through the thickness; fixes the thickness. Excludes `thickness`.", none, above(0, 100)},
+       "Elements through the thickness, which follows from `layers` and `elements`: another number of "
+       "elements gives another thickness. Excludes `thickness`.",
+       none, above(0, 100)},
       {"specimen.thickness", "", [](Scene& s) -> Slot { return &s.specimen.thickness; },
        "Thickness B of the plate along z, in place of `layers`; of a block or a periodic box.", length,
        above(0, 100)},
@@ -76,21 +77,20 @@ std::vector<Parameter> material_rows() {
       {"material.plane",
        "stress",
        [](Scene& s) -> Slot { return &s.material.plane; },
-       "Plane elasticity in which constants, wave speeds and references are read.",
+       "Plane stress or plane strain, for elastic constants, wave speeds and theoretical references.",
        none,
        {},
        {"stress", "strain"}},
       {"material.rayleigh_speed", "2200 m/s", [](Scene& s) -> Slot { return &s.material.rayleigh_speed; },
-       "Rayleigh speed c_r, from which the density follows. Excludes `density`.", speed, above(0, 1e5)},
+       "Rayleigh speed c_R, from which the density follows. Excludes `density`.", speed, above(0, 1e5)},
       {"material.density", "", [](Scene& s) -> Slot { return &s.material.density; },
        "Density, from which the Rayleigh speed follows, in place of `rayleigh_speed`.", density,
        above(0, 1e5)},
       {"material.stiffness",
        "in-situ",
        [](Scene& s) -> Slot { return &s.material.stiffness; },
-       "Beams: scaled to this specimen's own modulus, the paper's bulk set, calibrated to E and nu by "
-       "cylinders "
-       "in compression (`rift calibrate`), or the `micro_*` given.",
+       "Stiffness of the beams: scaled so that this specimen has E, the paper's bulk set, calibrated to E "
+       "and ν by cylinders in compression (`rift calibrate`), or given by the `micro_*` keys.",
        none,
        {},
        {"in-situ", "bulk", "calibrated", "explicit"}},
@@ -107,23 +107,23 @@ std::vector<Parameter> material_rows() {
 std::vector<Parameter> loading_rows() {
   return {
       {"loading.displacement", "2 mm", [](Scene& s) -> Slot { return &s.loading.displacement; },
-       "Displacement of the top face along y, held while the crack runs; below 0 the plate is pressed, which "
-       "needs `crack.friction`.",
+       "Displacement of the top face along y, held while the crack runs; below 0 the plate is compressed, "
+       "which needs `crack.friction`.",
        length, closed(-10, 10)},
       {"loading.force", "", [](Scene& s) -> Slot { return &s.loading.force; },
-       "Pull of the top grip along y as the crack starts, in place of the displacement, which follows from "
-       "it.",
+       "Force of the top grip along y when the crack starts, in place of the displacement, which then "
+       "follows from the force.",
        Dimension::force, closed(-1e9, 1e9)},
       {"loading.curve", "", [](Scene& s) -> Slot { return &s.loading.curve; },
-       "A measured load in place of both: rows of time and displacement or force, or a CSV file, by the "
-       "clock "
-       "of `crack.history` (without one the run's). The plate is at rest under the load of the crack's first "
-       "moment; a displacement then goes on while the crack runs, a force leaves the grips where they are."},
+       "A measured load in place of both: rows of time and displacement or force, or a CSV file, in the time "
+       "of `crack.history` (without a history in the time of the run). The plate is at rest under the load "
+       "at the start of the crack; a displacement then continues while the crack runs, a force leaves the "
+       "grips where they are."},
       {"loading.shear", "0", [](Scene& s) -> Slot { return &s.loading.shear; },
        "The top face moves along x too, by this many times the displacement.", none, closed(-1000, 1000)},
       {"loading.tilt", "0", [](Scene& s) -> Slot { return &s.loading.tilt; },
-       "The top face opens unevenly: by this fraction of the displacement more at the right end and less at "
-       "the left one. A crack then finds more, or less, on its way.",
+       "Uneven opening of the top face: this fraction of the displacement more at the right end and less at "
+       "the left end, so that the stored energy varies along the crack.",
        none, inside(-1, 1)},
       {"loading.method",
        "static",
@@ -137,43 +137,42 @@ std::vector<Parameter> loading_rows() {
       {"loading.hold_steps", "10000", [](Scene& s) -> Slot { return &s.loading.hold_steps; },
        "Steps of stabilisation after the ramp.", none, closed(0, 1e8)},
       {"loading.ramp_beta", "0.9", [](Scene& s) -> Slot { return &s.loading.ramp_beta; },
-       "Numerical damping while ramping and holding; taken out before the crack starts.", none, above(0, 1)},
+       "Numerical damping during ramp and stabilisation; switched off before the crack starts.", none,
+       above(0, 1)},
   };
 }
 
 std::vector<Parameter> crack_rows() {
   return {
       {"crack.velocity", "0.5 c_r", [](Scene& s) -> Slot { return &s.crack.velocity; },
-       "Velocity of the tip, always with a unit; in pieces: \"0.2 c_r until 40 mm, 0.6 c_r\"."},
+       "Velocity of the tip, always with a unit; piecewise constant as in \"0.2 c_r until 40 mm, 0.6 c_r\"."},
       {"crack.history", "", [](Scene& s) -> Slot { return &s.crack.history; },
-       "A measured history in place of the velocity: rows of time and tip position, and the position's "
-       "standard uncertainty where it is known; or a CSV file of them."},
+       "A measured history in place of the velocity: rows of time and tip position, with the standard "
+       "uncertainty of the position where it is known; or a CSV file of them."},
       {"crack.smoothing",
        "monotone",
        [](Scene& s) -> Slot { return &s.crack.smoothing; },
-       "How the history becomes the tip's course: a monotone penalised spline, as smooth as the "
-       "uncertainties "
-       "(without them: cross-validation) allow; or straight lines from row to row.",
+       "How the measured rows are smoothed: by a monotone penalised spline, as smooth as the uncertainties "
+       "(without them: cross-validation) allow; or not at all, with straight lines between the rows.",
        none,
        {},
        {"monotone", "none"}},
       {"crack.history_gap", "10", [](Scene& s) -> Slot { return &s.crack.history_gap; },
-       "A longer time between two rows of the history, in times of their median, is taken for missing rows.",
-       none, above(1, 1e6)},
+       "Rows count as missing where the time between two rows exceeds this many median intervals.", none,
+       above(1, 1e6)},
       {"crack.toughness", "", [](Scene& s) -> Slot { return &s.crack.toughness; },
-       "Critical release rate against velocity or position, as rows or a CSV file: the crack then runs by "
-       "itself, as fast as what is released allows, from `velocity` on."},
+       "Critical release rate against velocity or position, as rows or a CSV file: the crack is then "
+       "predicted: its velocity follows from the energy released, beginning with `velocity`."},
       {"crack.toughness_window", "12", [](Scene& s) -> Slot { return &s.crack.toughness_window; },
-       "Way of the tip, in mean radii, over which the release rate of a crack that runs by itself is "
-       "smoothed; "
-       "its velocity is found anew every sixth of it.",
+       "Distance, in mean radii, over which the release rate of a predicted crack is averaged; its velocity "
+       "is updated every sixth of this distance.",
        none, closed(1, 1000)},
       {"crack.path", "0.5 H", [](Scene& s) -> Slot { return &s.crack.path; },
        "Line of the crack: straight along x at a height, or through points, as a list or a CSV file."},
       {"crack.path_shape",
        "polyline",
        [](Scene& s) -> Slot { return &s.crack.path_shape; },
-       "Through the points straight, with kinks; or by a centripetal Catmull-Rom spline.",
+       "How the points are joined: by straight lines, or by a centripetal Catmull-Rom spline.",
        none,
        {},
        {"polyline", "spline"}},
@@ -201,9 +200,9 @@ std::vector<Parameter> crack_rows() {
       {"crack.damage_zone_ratio", "1", [](Scene& s) -> Slot { return &s.crack.damage_zone_ratio; },
        "Length of the damage zone r_l, in mean radii.", none, above(0, 1000)},
       {"crack.friction", "", [](Scene& s) -> Slot { return &s.crack.friction; },
-       "Coulomb friction of the crack's faces, which press on each other where they meet; 0 for none. "
-       "Without "
-       "it they do not touch, as in the paper, and pass through each other.",
+       "Coulomb friction of the crack's faces, which are in contact where they meet; 0 for contact without "
+       "friction. Without the key there is no contact, as in the paper, and the faces pass through each "
+       "other.",
        none, closed(0, 100)},
   };
 }
@@ -220,7 +219,7 @@ std::vector<Parameter> damping_rows() {
        {},
        {"none", "surface", "all"}},
       {"damping.surface_width", "1.5", [](Scene& s) -> Slot { return &s.damping.surface_width; },
-       "A beam with an end this near to the path, in mean radii, is near the crack surface.", none,
+       "Beams with an end within this distance of the path, in mean radii, are near the crack surface.", none,
        above(0, 100)},
   };
 }
@@ -237,13 +236,14 @@ std::vector<Parameter> solver_rows() {
       {"solver.precision",
        "double",
        [](Scene& s) -> Slot { return &s.solver.precision; },
-       "Numbers of the state, which holds changes since the pre-stress; the books are in double always.",
+       "Precision of the state, which holds changes since the pre-stress; the energy balance is always in "
+       "double precision.",
        none,
        {},
        {"double", "single"}},
       {"solver.dt", "", [](Scene& s) -> Slot { return &s.solver.dt; },
-       "Time step; without it and `dt_fraction` chosen from the critical step and the damage zone.", time,
-       above(0, 1)},
+       "Time step; without `dt` and `dt_fraction` it is chosen from the critical step and the damage zone.",
+       time, above(0, 1)},
       {"solver.dt_fraction", "", [](Scene& s) -> Slot { return &s.solver.dt_fraction; },
        "Time step as a fraction of the undamped critical step, in place of `dt`.", none, inside(0, 1)},
       {"solver.beta", "1", [](Scene& s) -> Slot { return &s.solver.beta; },
@@ -254,7 +254,8 @@ std::vector<Parameter> solver_rows() {
 std::vector<Parameter> output_rows() {
   return {
       {"output.samples", "400", [](Scene& s) -> Slot { return &s.output.samples; },
-       "Samples of the energies and the release rate over the run, at least; a power of two of steps apart.",
+       "Least number of samples of energies and release rate over the run; samples are a power of two of "
+       "steps apart.",
        none, closed(10, 1e6)},
       {"output.frames", "40", [](Scene& s) -> Slot { return &s.output.frames; },
        "Frames of the fields over the run; 0 for none.", none, closed(0, 1e5)},
@@ -266,9 +267,9 @@ std::vector<Parameter> output_rows() {
        {},
        {"displacement", "velocity", "damage", "energy"}},
       {"output.window", "", [](Scene& s) -> Slot { return &s.output.window; },
-       "Window of the plateau as two fractions of the length; without it [0.2, 0.4], or [0.4, 0.6] above 0.8 "
-       "c_r; with two tips from five damage zones (simple: five mean radii) past the start to the first "
-       "echo.",
+       "Measuring window as two fractions of the length; by default [0.2, 0.4], or [0.4, 0.6] above 0.8 c_R; "
+       "with two tips from five damage zones (simple: five mean radii) past the start to the first boundary "
+       "reflection.",
        none, closed(0, 1)},
       {"output.g_i0_reference",
        "strip",
@@ -284,7 +285,7 @@ std::vector<Parameter> output_rows() {
        "at "
        "every sample."},
       {"output.gauge_length", "8", [](Scene& s) -> Slot { return &s.output.gauge_length; },
-       "Diameter of a gauge, in mean radii: what it shows is the best plane through the elements under it.",
+       "Diameter of a gauge, in mean radii; it reads the least-squares plane through the elements under it.",
        none, closed(4, 1000)},
   };
 }
@@ -293,20 +294,21 @@ std::vector<Parameter> calibration_rows() {
   return {
       {"calibration.sizes", "[500, 1000, 2000, 4000, 7500, 15000, 25000, 35000]",
        [](Scene& s) -> Slot { return &s.calibration.sizes; },
-       "Elements of the cylinders that show how E and nu converge.", none, closed(100, 5e6)},
+       "Numbers of elements of the cylinders that show the convergence of E and ν.", none, closed(100, 5e6)},
       {"calibration.packings", "5", [](Scene& s) -> Slot { return &s.calibration.packings; },
-       "Packings of each size, of seeds that follow each other.", none, closed(1, 100)},
+       "Packings for each size, with consecutive seeds.", none, closed(1, 100)},
       {"calibration.elements", "15000", [](Scene& s) -> Slot { return &s.calibration.elements; },
        "Elements of the cylinders that scan the beams' radius ratio.", none, closed(100, 5e6)},
       {"calibration.radius_ratios", "[0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.65, 0.8, 1]",
        [](Scene& s) -> Slot { return &s.calibration.radius_ratios; },
-       "Radii of the scanned beams over the mean radius of their two elements, r_mu.", none, closed(0.05, 1)},
+       "Radius ratios r_µ of the scanned beams: radius over the mean radius of their two elements.", none,
+       closed(0.05, 1)},
   };
 }
 
 std::vector<Parameter> film_rows() {
   return {
-      {"film.title", "", [](Scene& s) -> Slot { return Word{&s.film.title}; }, "Title over the film."},
+      {"film.title", "", [](Scene& s) -> Slot { return Word{&s.film.title}; }, "Title above the film."},
       {"film.field",
        "uy",
        [](Scene& s) -> Slot { return Word{&s.film.field}; },
@@ -324,7 +326,7 @@ std::vector<Parameter> film_rows() {
       {"film.camera",
        "plate",
        [](Scene& s) -> Slot { return Word{&s.film.camera}; },
-       "The whole plate; a close-up that follows the tip; or from the side, what leaves the plane.",
+       "The whole plate; a close-up that follows the tip; or a side view of the out-of-plane displacement.",
        none,
        {},
        {"plate", "tip", "side"}},
@@ -336,12 +338,12 @@ std::vector<Parameter> film_rows() {
        {},
        {"none", "crossing", "all"}},
       {"film.magnification", "1", [](Scene& s) -> Slot { return &s.film.magnification; },
-       "Magnification of the displacements; from the side only of those out of the plane.", none,
+       "Magnification of the displacements; in the side view of the out-of-plane displacements only.", none,
        closed(0, 1000)},
       {"film.close_up", "20 mm", [](Scene& s) -> Slot { return &s.film.close_up; },
-       "Height of what a close-up shows.", length, above(0, 100)},
+       "Height of the region that a close-up shows.", length, above(0, 100)},
       {"film.chart", "true", [](Scene& s) -> Slot { return &s.film.chart; },
-       "Whether the energy budget grows in a chart under the picture."},
+       "Whether a chart of the energy budget is drawn below the picture."},
       {"film.boundaries", "false", [](Scene& s) -> Slot { return &s.film.boundaries; },
        "Whether grips, measures and the crack's path are drawn around the plate."},
   };

@@ -90,7 +90,7 @@ void drop_rivals(Reading& reading, const std::string& key) {
   for (const std::string& rival : rivals_of(key))
     std::erase_if(reading.given, [&](const Given& given) {
       if (given.row->key != rival || given.origin.file == "--set") return false;
-      reading.preset.notes.push_back(fmt::format("--set {} takes the place of {} = {} ({}:{})", key, rival,
+      reading.preset.notes.push_back(fmt::format("--set {} replaces {} = {} ({}:{})", key, rival,
                                                  given.origin.value, given.origin.file, given.origin.line));
       return true;
     });

@@ -90,9 +90,9 @@ constexpr std::string_view opening = R"(# Parameters
 
 <!-- Made from the parameter table (engine/scene/parameters.cpp); a test keeps it up to date. -->
 
-A preset is a TOML file with the tables below; a key that is not there has its default.
+A preset is a TOML file with the tables below; a missing key has its default.
 Any key can be set on the command line by its full name: `--set crack.velocity='0.3 c_r'`.
-`--set` replaces what the preset says of that key and of the keys that it excludes, with a note: `--set specimen.thickness='3 mm'` on a preset with `layers` takes their place.
+`--set` replaces the value of that key in the preset and removes the keys that it excludes, with a note: `--set specimen.thickness='3 mm'` replaces `layers` of the preset.
 `rift run PRESET --print-config` prints the effective preset.
 
 Quantities are numbers in SI units or text with a unit:
@@ -105,7 +105,7 @@ constexpr std::string_view crack_words = R"(
 The velocity of the crack always carries its unit, `c_r` (the Rayleigh speed) or a unit of speed; a bare number is an error.
 The path is straight at a height, a fraction of it (`"0.5 H"`) or a length; or goes through points, a list `[["0 mm", "20 mm"], ["80 mm", "30 mm"]]` or a CSV file.
 
-`history`, `path`, `toughness` and `loading.curve` take a list of rows or the name of a CSV file, which is found from the preset's folder (`--set`: from where you are). Its header names columns and units:
+`history`, `path`, `toughness` and `loading.curve` take a list of rows or the name of a CSV file, whose path is relative to the preset's folder (with `--set`: to the working folder). Its header names columns and units:
 
 | key | columns |
 |---|---|
@@ -114,19 +114,19 @@ The path is straight at a height, a fraction of it (`"0.5 H"`) or a length; or g
 | `toughness` | `velocity` (`c_r` or a speed) or `position`, and `release_rate` |
 | `loading.curve` | `time`, and `displacement` or `force` |
 
-Files are read as spreadsheets, cameras and instruments write them: UTF-8 with or without a byte order mark, lines ended as on Unix or Windows, columns parted by semicolons, tabs, commas or bars (or as a first line `sep=;` says), cells in quotes, separators at the end of lines. Names are read in capitals and small letters; a unit stands in brackets (`Time [us]`, `time (us)`), behind a slash (`t / µs`), behind an underscore (`time_us`), or in the row below. Up to 100 lines before the header, columns beside, lines that begin with `#` and rows without anything in them are left out. Decimals have a point, and times count from near 0: a decimal comma, a time of day, a clock's time stamp and another encoding are named once, with what to do. A file holds at most 64 MiB and 100,000 rows (a path 10,000; a curve of `rift measure --against` 1,000,000).
+Files are read as spreadsheets, cameras and instruments write them: UTF-8 with or without a byte order mark, lines ended as on Unix or Windows, columns separated by semicolons, tabs, commas or bars (or as given in a first line `sep=;`), cells in quotes, separators at the end of lines. Names are case-insensitive; a unit stands in brackets (`Time [us]`, `time (us)`), behind a slash (`t / µs`), behind an underscore (`time_us`), or in the row below. Up to 100 lines before the header, unknown columns, lines that begin with `#` and empty rows are ignored. Numbers have a decimal point, and times count from near 0: a decimal comma, a time of day, a time stamp and another encoding are reported once, with the remedy. A file holds at most 64 MiB and 100,000 rows (a path 10,000; a curve of `rift measure --against` 1,000,000).
 
-The effective preset of a run holds the rows themselves. Nothing is sorted, filled in or dropped: each defect is an error that names file and line; frames that seem to be missing, and a path that crosses itself, are noted.
+The effective preset of a run holds the rows themselves. Rows are not sorted, filled in or dropped: each defect is an error with file and line; frames that seem to be missing, and a path that crosses itself, give a note.
 )";
 
 constexpr std::string_view scenario_words = R"(
 ## Studies and lanes
 
-A preset may ask for many scenarios. Each is the preset's own scene with the values of some axes put in its place, checked as if they stood under their keys.
+A preset may ask for many scenarios. Each is the preset's scene with other values of some axes, checked like the keys themselves.
 
 `[study]` has one list of values per axis and stands for all their combinations, the first list varying slowest.
-Combinations that are physically one scenario are one: with `technique = "simple"` there is no damage zone, so `relaxation` and `damage_zone_ratio` do not count; without a damped region `damping_alpha` is 0, and with `damping_alpha = 0` there is no damped region.
-`[[study.rows]]` are scenarios written out, a table each; what a row does not name is as in the preset. They come after the grid.
+Combinations that are physically the same scenario are computed once: with `technique = "simple"` there is no damage zone, so `relaxation` and `damage_zone_ratio` do not apply; without a damped region `damping_alpha` is 0, and with `damping_alpha = 0` there is no damped region.
+`[[study.rows]]` lists single scenarios, a table each; axes that a row does not name are as in the preset. They follow the grid.
 
 ```toml
 [study]
@@ -151,9 +151,9 @@ technique = "simple"
 damage_zone_ratio = 4
 ```
 
-A preset has a study or lanes, not both. `--set` changes what they start from; of a key that they vary it is an error. Two rows or two lanes with the same scenario are an error as well.
+A preset has a study or lanes, not both. `--set` changes the scene that they start from; for a key that they vary it is an error. Two rows or two lanes with the same scenario are an error as well.
 
-`[[steering]]` changes a lane of a run while its crack runs: a table each, with the `lane` (from 0; 0 where it is not named), the `step` of that lane after which the change is made, and one or more of `technique`, `relaxation`, `damage_zone_ratio`, `damping_alpha` and `crack_velocity`. The workbench writes such tables (`steering.toml`); beams that the damage zone has reached keep the law that they began with.
+`[[steering]]` changes a lane of a run while its crack runs: a table each, with the `lane` (from 0; 0 where it is not named), the `step` of that lane after which the change is made, and one or more of `technique`, `relaxation`, `damage_zone_ratio`, `damping_alpha` and `crack_velocity`. The workbench writes such tables (`steering.toml`); beams that the damage zone has already reached keep their law.
 
 ```toml
 [[steering]]

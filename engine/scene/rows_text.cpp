@@ -57,7 +57,7 @@ Parsed<VelocityPiece> read_piece(std::string_view text) {
 std::string order_problem(const std::vector<VelocityPiece>& pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool last = i + 1 == pieces.size();
-    if (last && pieces[i].until) return "the last piece goes on to the end: leave its 'until' out";
+    if (last && pieces[i].until) return "the last piece extends to the end: leave its 'until' out";
     if (!last && !pieces[i].until)
       return "every piece but the last needs an 'until', such as \"0.2 c_r until 40 mm\"";
     if (!last && i > 0 && *pieces[i].until <= *pieces[i - 1].until)
@@ -69,7 +69,7 @@ std::string order_problem(const std::vector<VelocityPiece>& pieces) {
 }  // namespace
 
 Parsed<std::vector<VelocityPiece>> read_velocity(std::string_view text) {
-  if (has_decimal_comma(text)) return {{}, "decimals have a point, as in \"0.5 c_r\""};
+  if (has_decimal_comma(text)) return {{}, "use a decimal point, as in \"0.5 c_r\""};
   std::vector<VelocityPiece> pieces;
   const bool several = text.find(',') != std::string_view::npos;
   for (bool more = true; more;) {
@@ -99,7 +99,7 @@ std::string velocity_text(const std::vector<VelocityPiece>& velocity) {
 
 Parsed<CrackLine> read_path(std::string_view text) {
   text = trimmed(text);
-  if (has_decimal_comma(text)) return {{}, "decimals have a point, as in \"0.5 H\""};
+  if (has_decimal_comma(text)) return {{}, "use a decimal point, as in \"0.5 H\""};
   if (const auto fraction = fraction_of(text, "H")) {
     if (!(*fraction > 0.0 && *fraction < 1.0)) return {{}, "must lie in (0, 1) H"};
     return {CrackLine{*fraction, true}, {}};

@@ -103,8 +103,8 @@ std::vector<Setting> read_axis(ScenarioReading& reading, const Axis& axis, const
     } else if (earlier->second == shown(item)) {
       reading.say(issue_of(reading, entry, shown(item) + " twice"));
     } else {
-      reading.say(
-          issue_of(reading, entry, fmt::format("{} and {} are one value", earlier->second, shown(item))));
+      reading.say(issue_of(reading, entry,
+                           fmt::format("{} and {} are the same value", earlier->second, shown(item))));
     }
   }
   return settings;

@@ -184,7 +184,7 @@ void check_values(ScenarioReading& reading, const std::vector<std::vector<Settin
     const Mention& mention = *std::find_if(reading.mentions.begin(), reading.mentions.end(),
                                            [&](const Mention& m) { return m.axis == &axis; });
     reading.say({reading.file(), mention.line, fmt::format("study.{}", axis.name),
-                 fmt::format("{} is in no scenario: all have {}", shown(lost->value), reason_of(axis)),
+                 fmt::format("{} applies to no scenario: all have {}", shown(lost->value), reason_of(axis)),
                  mention.value});
   }
 }

@@ -27,7 +27,7 @@ std::string names_of_steerable() {
 /// One velocity that holds to the end takes over at the tip.
 std::string turn_to(std::vector<VelocityPiece>& before, const std::vector<VelocityPiece>& wished,
                     double tip) {
-  if (wished.size() != 1) return "expected one velocity, which holds from now on";
+  if (wished.size() != 1) return "expected one velocity";
   std::vector<VelocityPiece> pieces;
   for (const VelocityPiece& piece : before) {
     pieces.push_back(piece);
@@ -80,7 +80,7 @@ void take_row(SteeringReader& reading, const TomlRow& row) {
   for (const TomlEntry& entry : row.entries) {
     if (entry.name == "lane" || entry.name == "step") continue;
     if (!is_steerable(entry.name)) {
-      reading.say(entry, fmt::format("cannot be steered: what can is {}", names_of_steerable()));
+      reading.say(entry, fmt::format("cannot be steered: the steerable keys are {}", names_of_steerable()));
       continue;
     }
     Change change{static_cast<int>(lane), step.value_or(0), entry.name, text_of(entry.value)};
@@ -109,8 +109,8 @@ std::span<const std::string_view> steerable_axes() { return steerable; }
 std::string steer(Scene& scene, const Change& change, double tip) {
   const Axis* axis = find_axis(change.axis);
   if (axis == nullptr || !is_steerable(change.axis))
-    return fmt::format("cannot be steered: what can is {}", names_of_steerable());
-  if (!applies(scene, *axis)) return "means nothing to a simple release: change technique first";
+    return fmt::format("cannot be steered: the steerable keys are {}", names_of_steerable());
+  if (!applies(scene, *axis)) return "does not apply to simple release: change the technique first";
   Scene wished = scene;
   if (std::string wrong = assign(wished, parameter_of(*axis), value_from_text(change.value)); !wrong.empty())
     return wrong;

@@ -185,8 +185,7 @@ TomlDocument read_toml(std::string_view text) {
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
     std::string cause = printable(error.description(), 200);
-    if (gives_decimal_comma(line_numbered(text, static_cast<int>(at.line))))
-      cause += ": decimals have a point";
+    if (gives_decimal_comma(line_numbered(text, static_cast<int>(at.line)))) cause += ": use a decimal point";
     return {{}, {}, {}, TomlError{static_cast<int>(at.line), static_cast<int>(at.column), std::move(cause)}};
   }
 }

@@ -53,7 +53,7 @@ std::optional<double> number_in(const Value& value) {
 std::string wrong_type(std::string_view expected, const Value& value) {
   const auto* text = std::get_if<std::string>(&value.held);
   return fmt::format("expected {}, got {}{}", expected, kind_of(value),
-                     text && has_decimal_comma(*text) ? ": decimals have a point" : "");
+                     text && has_decimal_comma(*text) ? ": use a decimal point" : "");
 }
 
 namespace {
@@ -179,7 +179,7 @@ Parsed<double> read_quantity(std::string_view text, Dimension dimension) {
   }
   if (!std::isfinite(number)) return {{}, "must be a finite number"};
   if (has_decimal_comma(text))
-    return {{}, fmt::format("decimals have a point, as in \"{}\"", with_points(text))};
+    return {{}, fmt::format("use a decimal point, as in \"{}\"", with_points(text))};
 
   const std::string_view digits(text.data(), static_cast<std::size_t>(end - text.data()));
   const std::string_view name = trimmed(text.substr(digits.size()));

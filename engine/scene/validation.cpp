@@ -81,7 +81,7 @@ void check_damping(Checks& c) {
   }
 }
 
-/// Which keys a shape takes; false where its sizes cannot be told.
+/// Which keys a shape takes; false where its sizes are not valid.
 bool check_shape(Checks& c) {
   if (!c.valid({"specimen.shape"})) return false;
   const packing::Shape shape = c.scene.specimen.shape;
@@ -91,7 +91,7 @@ bool check_shape(Checks& c) {
   if (shape != packing::Shape::plate)
     excluded("specimen.layers", "goes with specimen.shape = \"plate\" only");
   if (shape == packing::Shape::cylinder || shape == packing::Shape::sphere)
-    excluded("specimen.thickness", "is that of a box: of a round shape specimen.length is the diameter");
+    excluded("specimen.thickness", "applies to boxes only: the diameter of a round shape is specimen.length");
   if (shape == packing::Shape::sphere) excluded("specimen.height", "a sphere has one size, specimen.length");
   if (!needs_calibration(c.scene))
     for (const char* key :
@@ -182,7 +182,7 @@ void check_loading(Checks& c) {
   const char* key = !loading.curve.row.empty() ? "loading.curve"
                     : force                    ? "loading.force"
                                                : "loading.displacement";
-  if (load == 0.0) c.say(key, "0 strains nothing");
+  if (load == 0.0) c.say(key, "must not be 0: the plate would not be strained");
   if (load < 0.0 && !c.scene.crack.friction)
     c.say(key, "below 0 needs crack.friction: the faces of the crack would pass through each other");
 }
@@ -211,7 +211,7 @@ void check_rows(Checks& c) {
     c.say("crack.path_shape", "goes with a crack.path through points only");
 }
 
-/// Whether c_r can be told at all.
+/// Whether c_R follows from the material at all.
 bool knows_rayleigh_speed(const Checks& c) {
   const bool both = c.given("material.density") && c.given("material.rayleigh_speed");
   return !both && c.valid({"material.young_modulus", "material.poisson_ratio", "material.plane",
@@ -253,8 +253,8 @@ bool check_ends(Checks& c) {
     return false;
   }
   if (!crack.history.empty() && measured_end(c.scene) > path_length) {
-    c.say("crack.history",
-          fmt::format("goes on to {}, beyond {}", millimetres(measured_end(c.scene)), end_of_plate(c.scene)));
+    c.say("crack.history", fmt::format("continues to {}, beyond {}", millimetres(measured_end(c.scene)),
+                                       end_of_plate(c.scene)));
     return false;
   }
   if (!crack.end) return true;
@@ -269,18 +269,16 @@ bool check_ends(Checks& c) {
   return true;
 }
 
-/// Two tips have a window of their own only where five damage zones end well before the first echo.
+/// Two tips have a default window only where five damage zones end well before the first boundary reflection.
 bool check_window_of_two(Checks& c) {
   if (c.scene.crack.tips != 2 || c.given("output.window")) return true;
   if (!c.scene.crack.history.empty() || !c.scene.crack.toughness.row.empty()) return true;
   if (!c.scene.crack.path.point.empty()) {
-    c.say("crack.path",
-          "goes through points, so that two tips have no window of their own: give output.window");
+    c.say("crack.path", "goes through points, so two tips have no default window: give output.window");
     return false;
   }
   if (c.scene.crack.velocity.size() > 1) {
-    c.say("crack.velocity",
-          "changes on the way, so that two tips have no window of their own: give output.window");
+    c.say("crack.velocity", "changes along the path, so two tips have no default window: give output.window");
     return false;
   }
   if (!c.valid({"specimen.height", "specimen.layers", "specimen.thickness", "specimen.elements",
@@ -295,9 +293,8 @@ bool check_window_of_two(Checks& c) {
   const bool progressive = c.scene.crack.technique == fracture::Technique::progressive;
   c.say(progressive ? "crack.damage_zone_ratio" : "specimen.elements",
         fmt::format("leaves two tips (crack.tips) no window: five {} end at a half length of {}, the first "
-                    "echo is back at "
-                    "{}, and {} are needed between: raise specimen.elements, or height and length, or give "
-                    "output.window",
+                    "boundary reflection returns at {}, and {} are needed between: raise specimen.elements, "
+                    "or height and length, or give output.window",
                     progressive ? "damage zones" : "mean radii", millimetres(lower * length),
                     millimetres(upper * length), millimetres(least)));
   return false;
@@ -332,7 +329,7 @@ void check_pieces(Checks& c) {
   const double start = c.scene.crack.start, end = crack_end(c.scene);
   for (const VelocityPiece& piece : c.scene.crack.velocity) {
     if (!piece.until || (*piece.until > start && *piece.until < end)) continue;
-    c.say("crack.velocity", fmt::format("'until {}' lies outside the crack's way, {} to {}",
+    c.say("crack.velocity", fmt::format("'until {}' lies outside the crack's path, {} to {}",
                                         millimetres(*piece.until), millimetres(start), millimetres(end)));
   }
 }
@@ -351,7 +348,8 @@ void check_crack_way(Checks& c) {
 void check_reference(Checks& c) {
   if (!c.valid({"crack.tips", "output.g_i0_reference"})) return;
   if (c.scene.output.g_i0_reference == ReleaseRateReference::griffith && c.scene.crack.tips != 2)
-    c.say("output.g_i0_reference", "goes with crack.tips = 2 only: it is that of a central crack");
+    c.say("output.g_i0_reference",
+          "goes with crack.tips = 2 only, because it is the reference of a central crack");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct Rows {
   void say(std::size_t row, std::string text) {
     issues.push_back(issue_at_row(preset, key, row, std::move(text)));
     if (issues.size() == most_of_rows)
-      issues.push_back(issue_at_row(preset, key, row, "and so on: the rows from here on were not looked at"));
+      issues.push_back(issue_at_row(preset, key, row, "and so on: the following rows were not checked"));
   }
   bool is_full() const { return issues.size() > most_of_rows; }
 };
@@ -57,8 +57,8 @@ void check_position(Rows& r, std::size_t k, const history::HistoryPoint& before,
   if (noise > 0.0 && smoothed)
     text +=
         fmt::format(", more than {:g} standard uncertainties of the step, {}", forgiven, length_text(noise));
-  if (noise > 0.0 && !smoothed) text += ": noise asks for crack.smoothing = \"monotone\"";
-  if (noise == 0.0 && smoothed) text += ": for noise give a column uncertainty";
+  if (noise > 0.0 && !smoothed) text += ": noisy rows need crack.smoothing = \"monotone\"";
+  if (noise == 0.0 && smoothed) text += ": noisy rows need a column uncertainty";
   r.say(k, std::move(text));
 }
 
@@ -193,12 +193,12 @@ std::vector<Issue> load_issues(const Preset& preset) {
                       needed > start ? "the history does" : "the crack starts", time_text(needed)));
   for (std::size_t k = 0; k < curve.row.size() && grip_moves(preset.scene) && !r.is_full(); ++k)
     if (curve.row[k][0] > start && curve.row[k][1] < 0.0 && !preset.scene.crack.friction)
-      r.say(k, fmt::format(
-                   "{} presses the plate while the crack runs, which needs crack.friction: its faces would "
-                   "pass through each other",
-                   length_text(curve.row[k][1])));
+      r.say(k, fmt::format("{} compresses the plate while the crack runs, which needs crack.friction: the "
+                           "faces would pass through each other",
+                           length_text(curve.row[k][1])));
   if (r.issues.empty() && load_at(curve, start) == 0.0)
-    r.issues.push_back(issue_at(preset, "loading.curve", "0 as the crack starts strains nothing"));
+    r.issues.push_back(
+        issue_at(preset, "loading.curve", "is 0 when the crack starts: the plate would not be strained"));
   return std::move(r.issues);
 }
 
@@ -245,10 +245,12 @@ std::string note_on_missing_rows(const Preset& preset) {
   if (missing == 0 || static_cast<double>(even) < evenly * static_cast<double>(rows.size() - 1)) return {};
   if (places > most_places) where += fmt::format(" and at {} more places", places - most_places);
   const auto from = preset.rows.find("crack.history");
-  return fmt::format("{}: {} of every {} {} to be missing: {}; the course is drawn through their neighbours",
-                     from == preset.rows.end() ? "crack.history" : from->second.file,
-                     missing == 1 ? "1 row" : fmt::format("{} rows", missing),
-                     rounded_text(usual, Dimension::time), missing == 1 ? "seems" : "seem", where);
+  return fmt::format(
+      "{}: {} of every {} {} to be missing: {}; the smoothed history is interpolated between their "
+      "neighbours",
+      from == preset.rows.end() ? "crack.history" : from->second.file,
+      missing == 1 ? "1 row" : fmt::format("{} rows", missing), rounded_text(usual, Dimension::time),
+      missing == 1 ? "seems" : "seem", where);
 }
 
 using Point = std::array<double, 2>;
@@ -306,7 +308,7 @@ std::string note_on_path(const Scene& scene) {
   if (!crossing) return {};
   return fmt::format(
       "crack.path crosses itself at ({}, {}), {} and again {} along it: each beam is released at the first "
-      "crossing, and what the loop encloses comes loose",
+      "crossing, and the part inside the loop comes loose",
       length(crossing->at[0]), length(crossing->at[1]), length(crossing->first), length(crossing->second));
 }
 

@@ -45,7 +45,7 @@ MarchNotes march_notes(const std::string& text) try {
   MarchNotes notes = json;
   for (const LaneResult& lane : notes.lane)
     if (lane.outcome < Outcome::finished || lane.outcome > Outcome::diverged)
-      throw std::invalid_argument("its notes tell of an outcome that there is not");
+      throw std::invalid_argument("its notes name an unknown outcome");
   return notes;
 } catch (const nlohmann::json::exception& error) {
   throw std::invalid_argument(std::string("its notes are not of a checkpoint: ") + error.what());
@@ -83,7 +83,7 @@ void append_row(std::vector<double>& numbers, const Sample& row) {
 Sample row_from(const double* numbers) {
   const auto whole = [](double x, double most) {
     if (!(x >= 0.0 && x <= most) || x != std::trunc(x))
-      throw std::invalid_argument("a row of it has a step, a phase or a lane that there is not");
+      throw std::invalid_argument("one of its rows has an invalid step, phase or lane");
     return x;
   };
   Sample row;

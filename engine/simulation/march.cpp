@@ -78,11 +78,11 @@ std::string what_is_wrong(const scene::Scene::Solver& solver, const LaneResult& 
   const bool exact = solver.kinematics == lattice::Kinematics::linear &&
                      solver.precision == ensemble::Precision::double_precision;
   if (!(std::abs(now.residual) <= (exact ? 1e-6 : 0.1)))
-    return fmt::format("the books are open by {:.3g} of the energy", now.residual);
+    return fmt::format("the balance error is {:.3g} of the largest energy", now.residual);
   const double held = now.elastic_j + now.kinetic_translation_j + now.kinetic_rotation_j;
   const double put_in = lane.energy_at_crack_start + std::max(0.0, now.work_external_j);
   if (held > more_than_there_is * put_in && put_in > 0.0)
-    return fmt::format("the lattice holds {:.3g} times the energy that was put into it", held / put_in);
+    return fmt::format("the lattice holds {:.3g} times the energy supplied to it", held / put_in);
   return "";
 }
 
@@ -105,8 +105,8 @@ std::string where_it_diverges(const lattice::Lattice& lattice, ensemble::Ensembl
     const double energy = ensemble.beam_energy(b, lane);
     if (!(energy <= most)) most = energy, beam = b;
   }
-  return fmt::format(", {} element {}, and of its beams {} is strained most",
-                     lost ? "lost first is" : "fastest is", worst, beam);
+  return fmt::format(", {} element {}, and its most strained beam is {}",
+                     lost ? "the first without a finite energy is" : "the fastest is", worst, beam);
 }
 
 }  // namespace

@@ -64,9 +64,10 @@ void Run::carry_out(SteeringCommands& commands) {
     LaneSlot* slot = slot_of(change.lane);
     if (slot) change.step = steps(*slot);
     const bool by_itself = slot && !plan(*slot).scene.crack.toughness.row.empty();
-    const std::string refused = !slot                                          ? "its crack does not run"
-                                : by_itself && change.axis == "crack_velocity" ? "the crack runs by itself"
-                                                                               : make(*slot, change);
+    const std::string refused = !slot ? "its crack is not running"
+                                : by_itself && change.axis == "crack_velocity"
+                                    ? "the velocity of this crack is predicted"
+                                    : make(*slot, change);
     if (observer_.changed) observer_.changed(change, refused);
   }
   for (const int scenario : commands.frames)
@@ -170,7 +171,7 @@ void Run::stop_tip(LaneSlot& slot) {
 
 void Run::make_own_change(LaneSlot& slot, std::string_view axis, const std::string& value) {
   const std::string refused = make(slot, {slot.scenario, steps(slot), std::string(axis), value});
-  if (!refused.empty()) throw std::logic_error("a crack that runs by itself: " + refused);
+  if (!refused.empty()) throw std::logic_error("predicted crack: " + refused);
 }
 
 results::Checkpoint Run::checkpoint() {
@@ -233,9 +234,10 @@ void Run::check_fit(const MarchNotes& notes) const {
   if (notes.dt != prepared_.step.dt) refuse("is of another time step");
   const int scenarios = static_cast<int>(lane_.size());
   if (notes.next_scenario < 0 || notes.next_scenario > scenarios)
-    refuse("waits for a scenario that is not there");
+    refuse("names a waiting scenario that does not exist");
   for (const LaneSlot& slot : notes.seats)
-    if (slot.scenario < -1 || slot.scenario >= scenarios) refuse("marches a scenario that is not there");
+    if (slot.scenario < -1 || slot.scenario >= scenarios)
+      refuse("names a marching scenario that does not exist");
   if (notes.instructions != result_.instructions)
     refuse(fmt::format("was made with {} and this machine marches with {}: the bits would differ",
                        notes.instructions, result_.instructions));

@@ -219,10 +219,9 @@ Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& l
   p.preset = preset;
   const scene::Scene& scene = p.preset.scene;
   if (!scene::can_crack(scene))
-    throw scene::InputError(
-        {scene::issue_at(p.preset, "specimen.shape",
-                         "cannot be cracked: plates and blocks are; 'rift pack' fills the other shapes, "
-                         "'rift calibrate' presses cylinders")});
+    throw scene::InputError({scene::issue_at(p.preset, "specimen.shape",
+                                             "cannot be cracked: plates and blocks are; 'rift pack' fills "
+                                             "the other shapes, 'rift calibrate' compresses cylinders")});
   p.density = scene::density(scene);
   p.rayleigh_speed = scene::rayleigh_speed(scene);
   p.path = path_of(scene);

@@ -126,9 +126,9 @@ double displacement_under(double force, Statics& statics, const lattice::Lattice
   const double unit_force = lattice::grip_force(lattice, present, lattice::Kinematics::linear,
                                                 statics.unit(present, notch, {1.0, l.tilt, l.shear}));
   if (!(unit_force > 0.0))
-    throw lattice::StaticsError(
-        l.shear != 0.0 ? "no displacement with this loading.shear pulls: the plate turns the other way"
-                       : "the notch leaves the grips nothing to pull");
+    throw lattice::StaticsError(l.shear != 0.0
+                                    ? "with this loading.shear no displacement pulls the grip along y"
+                                    : "the notch cuts the plate, and the grips have nothing to pull");
   double displacement = force / unit_force;
   const lattice::Kinematics kinematics = statics.scene.solver.kinematics;
   if (kinematics == lattice::Kinematics::linear) return displacement;
@@ -138,7 +138,7 @@ double displacement_under(double force, Statics& statics, const lattice::Lattice
     if (std::abs(pull - force) <= good * std::abs(force)) return displacement;
     displacement *= force / pull;
   }
-  throw lattice::StaticsError(fmt::format("no displacement holds a force of {:g} N", force));
+  throw lattice::StaticsError(fmt::format("no displacement gives a force of {:g} N", force));
 }
 
 /// @param[in] strip  energy of the pre-stressed strip over its area [J/m2]

@@ -161,7 +161,7 @@ RunResult result_of_run(const std::filesystem::path& folder) {
 
 std::string no_locks_note(const std::filesystem::path& folder) {
   return fmt::format(
-      "the file system of {} has no locks: nothing keeps another process from writing into it meanwhile",
+      "the file system of {} has no locks: another process could write into it at the same time",
       folder.string());
 }
 

@@ -98,7 +98,7 @@ void record_cylinders(const scene::Preset& preset, const std::filesystem::path& 
     scenery.add(specimen, pressed(specimen));
     if (progress &&
         !progress(static_cast<double>(k + 1) / static_cast<double>(scene.calibration.sizes.size())))
-      throw base::Interrupted("pressing cylinders");
+      throw base::Interrupted("compressing cylinders");
   }
   results::RunWriter writer(folder, header_for(preset, scenery, build), scenery.geometry);
   writer.frame(scenery.frame);

@@ -69,7 +69,7 @@ std::string change_lane(LanePlan& lane, const scene::Change& change, const Prepa
                      lattice_speed(prepared, lane.scene.crack.velocity.back().speed, lane.units));
     const double steps = steps_of_crack(lane.scenario.history, prepared.step.dt, lane.crack_end);
     if (!(steps <= most_steps))
-      return fmt::format("makes a run of {:.4g} steps, at most {:g} are taken", steps, most_steps);
+      return fmt::format("makes a run of {:.4g} steps; the limit is {:g}", steps, most_steps);
     plan_anew(lane, prepared, step);
   } else {
     fracture::change_law(lane.scenario, release_law(lane.scene, prepared.lattice), tip);

@@ -136,8 +136,8 @@ void add_energy_balance(results::LaneSummary& s, const Prepared& p, const LanePl
   s.energy_contact_j = last.contact_j;
   s.work_external_j = last.work_external_j;
   s.ledger_residual = r.worst_residual;
-  s.ledger_closes =
-      r.worst_residual <= ledger_limit(lane.scene.solver.kinematics, lane.scene.solver.precision);
+  s.ledger_limit = ledger_limit(lane.scene.solver.kinematics, lane.scene.solver.precision);
+  s.ledger_closes = r.worst_residual <= s.ledger_limit;
   s.prestress_energy_over_static =
       ramped ? r.energy_at_crack_start / (p.static_energy * lane.units.energy) : 1.0;
   s.prestress_kinetic_fraction = ramped ? r.prestress_kinetic : 0.0;

@@ -57,8 +57,8 @@ Observed crack_along(const lattice::Lattice& lattice, const fracture::CrackPath&
   seen.claims.push_back({"beams released", double(least), double(most), double(released)});
   seen.claims.push_back(claim_near("of the beams that the path crosses",
                                    released / static_cast<double>(beams.size()), 1.0, 0.0));
-  seen.claims.push_back(
-      claim_near("energy that they took over that of the books", taken / s.balance(0).fracture, 1.0, 1e-9));
+  seen.claims.push_back(claim_near("sum of their energies over the fracture energy of the balance",
+                                   taken / s.balance(0).fracture, 1.0, 1e-9));
   seen.ending = seen.residual <= seen.limit ? CaseEnd::closes : CaseEnd::open;
   return seen;
 }
@@ -74,7 +74,7 @@ double energy_pulled(const lattice::Lattice& lattice) {
 Observed halves_apart(ensemble::Precision precision) {
   const lattice::Lattice lattice = small_block(4, 6, 2, true), whole = small_block(4, 6, 2);
   Observed seen = vibrate_freely(lattice, 0.9 * lattice::stable_step(lattice).critical, 2000, precision);
-  seen.claims.push_back(claim_near("energy when pulled over that of the block in one piece",
+  seen.claims.push_back(claim_near("energy when pulled over that of the uncut block",
                                    energy_pulled(lattice) / energy_pulled(whole), 0.0, 1e-15));
   return seen;
 }
@@ -150,7 +150,7 @@ void add_paths(Cases& cases) {
   // aslant, where rounding decides to which side a centre on the path belongs, 40 if all belong to one.
   add("through the rows", {{{0, 4.0 * r}, {12 * r, 4.0 * r}}}, 12 * r, 68, 68);
   add("along a row of beams", {{{0, 4.5 * r}, {12 * r, 4.5 * r}}}, 12 * r, 68, 68);
-  add("through the elements' centres, aslant", {{{0, 2.0 * r}, {5 * r, 7.0 * r}}}, 7 * r, 40, 48);
+  add("through the elements' centres, inclined", {{{0, 2.0 * r}, {5 * r, 7.0 * r}}}, 7 * r, 40, 48);
   add("leaving the plate", {{{0, 4.0 * r}, {6 * r, 4.0 * r}, {18 * r, 16.0 * r}}}, 20 * r, 66, 66);
   add("crossing itself",
       {{{0, 3.0 * r}, {8 * r, 3.1 * r}, {8.2 * r, 5.1 * r}, {4.1 * r, 5.0 * r}, {4.3 * r, 2.0 * r}}}, 17 * r,

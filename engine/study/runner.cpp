@@ -166,7 +166,7 @@ void march_pass(Study& study, const simulation::Prepared& prepared, std::span<co
       prepared, observer,
       {.threads = study.options.threads, .lanes = lanes, .checkpoint_s = study.options.checkpoint_s}, keeping,
       from ? &*from : nullptr, note);
-  if (!note.empty()) study.cache.notes.push_back(note + ": the pass began anew");
+  if (!note.empty()) study.cache.notes.push_back(note + ": the pass starts from the beginning");
   study.cost_done += cost;
   if (!study.stopped) simulation::forget_march(keeping.folder);
 }

@@ -46,7 +46,7 @@ std::string difference(const Json& there, const StudyManifest& ours) {
   if (text_of(there, "version") != ours.version)
     return fmt::format("a study of rift {}, this is rift {}", text_of(there, "version"), ours.version);
   if (text_of(there, "instruction_set") != ours.instruction_set)
-    return fmt::format("a study computed with {0}, this is {1}: RIFT_SIMD={0} goes on with it",
+    return fmt::format("a study computed with {0}, this is {1}: RIFT_SIMD={0} continues it",
                        text_of(there, "instruction_set"), ours.instruction_set);
   if (text_of(there, "hash") != ours.hash)
     return fmt::format("another study (of {}, {} scenarios)", text_of(there, "preset"),
@@ -85,14 +85,14 @@ void open_study(const fs::path& folder, const StudyManifest& manifest, std::vect
     const bool sound = there.is_object() && !text_of(there, "hash").empty();
     if (sound) {
       if (const std::string why = difference(there, manifest); !why.empty())
-        throw results::FolderExists(
-            fmt::format("{} holds {}; nothing was changed, choose another with --out", folder.string(), why));
+        throw results::FolderExists(fmt::format(
+            "{} holds {}; nothing was changed: choose another folder with --out", folder.string(), why));
       return base::make_folder(folder / "runs");
     }
-    notes.push_back(fmt::format("{}: damaged, written anew", file.string()));
+    notes.push_back(fmt::format("{} was damaged and has been rewritten", file.string()));
   } else if (anything) {
     throw results::FolderExists(
-        fmt::format("{} is not empty and holds no study; choose another with --out", folder.string()));
+        fmt::format("{} is not empty and holds no study: choose another folder with --out", folder.string()));
   }
   base::write_whole_file(file, base::json_text(to_json(manifest), 2) + "\n");
   base::make_folder(folder / "runs");
@@ -118,7 +118,7 @@ std::optional<results::LaneSummary> read_result(const fs::path& folder, const st
   const fs::path series = series_file(file);
   if (whole && fs::exists(series) && hash_text(base::read_whole_file(series)) == text_of(j, "series_hash"))
     return results::lane_summary_of(j.at("scenario"));
-  notes.push_back(fmt::format("{}: damaged, computed again", (whole ? series : file).string()));
+  notes.push_back(fmt::format("{} is damaged and is computed again", (whole ? series : file).string()));
   return std::nullopt;
 }
 
@@ -161,10 +161,11 @@ StoredStudy read_study(const fs::path& folder) {
   const fs::path file = folder / study_name;
   const Json manifest = results::json_or_discarded(base::read_whole_file(file));
   if (!manifest.is_object() || !manifest.contains("scenarios") || !manifest["scenarios"].is_array())
-    refuse_study(file, "is damaged: 'rift study' with the same preset writes it anew");
+    refuse_study(file, "is damaged: 'rift study' with the same preset rewrites it");
   const std::string text = text_of(manifest, "preset_text");
   if (text.empty())
-    refuse_study(file, "holds no preset, as before rift 0.2: 'rift study' with its preset goes on with it");
+    refuse_study(file,
+                 "holds no preset (written before rift 0.2): 'rift study' with its preset continues it");
   StoredStudy study;
   study.preset = scene::read_preset_text(text, text_of(manifest, "preset"));
   if (!study.preset.issues.empty()) throw scene::InputError(study.preset.issues);

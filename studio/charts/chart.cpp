@@ -52,7 +52,7 @@ template <class AnyChart>  // Chart, ChartGrid or HeatMap
 DrawnChart draw(const AnyChart& chart, const fs::path& given, const std::string& name) {
   assert(is_chart_name(name));
   const fs::path folder = given.empty() ? fs::path(".") : given;
-  if (!has_points(chart)) throw base::WorldError("draw", folder / name, "it has no points");
+  if (!has_points(chart)) throw base::WorldError("draw", folder / name, "the chart has no points");
   base::make_folder(folder);
   DrawnChart drawn{folder / (name + ".svg"),
                    folder / (name + ".png"),

@@ -11,9 +11,7 @@
 
 namespace rift::studio {
 
-ChartSeries echo_marks() {
-  return {"first reflection at the tip", {}, {}, {}, ChartSeries::Style::points, -1};
-}
+ChartSeries echo_marks() { return {"first boundary reflection", {}, {}, {}, ChartSeries::Style::points, -1}; }
 
 void mark_echo(ChartSeries& marks, const ChartSeries& curve, double echo) {
   if (curve.x.size() < 2 || !(echo >= curve.x.front() && echo <= curve.x.back())) return;

@@ -37,7 +37,8 @@ void run_gnuplot(const std::string& outputs, const fs::path& picture, const fs::
   base::ChildProcess gnuplot({"gnuplot", "--default-settings", "-e", outputs, script.filename().string()},
                              {.folder = script.parent_path()});
   const base::ChildProcess::End& end = gnuplot.wait();
-  if (end.signal != 0) throw WorldError("draw", picture, fmt::format("signal {} ended gnuplot", end.signal));
+  if (end.signal != 0)
+    throw WorldError("draw", picture, fmt::format("gnuplot was ended by signal {}", end.signal));
   if (end.code != 0)
     throw WorldError("draw", picture,
                      fmt::format("gnuplot on {}: {}", script.string(), on_one_line(gnuplot.said())));
@@ -53,9 +54,9 @@ void run_gnuplot(const std::string& outputs, const fs::path& picture, const fs::
 /// gnuplot does not notice a full disk: a picture must have its end.
 void require_end(const fs::path& picture, std::string_view end) {
   const std::string bytes = base::read_whole_file(picture);
-  if (bytes.empty()) throw WorldError("draw", picture, "gnuplot left it empty");
+  if (bytes.empty()) throw WorldError("draw", picture, "gnuplot wrote an empty file");
   if (bytes.size() < 16 || bytes.find(end, bytes.size() - 16) == std::string::npos)
-    throw WorldError("draw", picture, "gnuplot left it incomplete (is the disk full?)");
+    throw WorldError("draw", picture, "gnuplot wrote an incomplete file (is the disk full?)");
 }
 
 void replace_all(std::string& text, std::string_view what, std::string_view by) {

@@ -37,7 +37,7 @@ void check_one_scene(const scene::Preset& preset) {
   if (preset.study.empty() && preset.lanes.empty()) return;
   refuse(preset.name,
          fmt::format(
-             "holds {}: 'rift accuracy' varies one scene by itself, a preset without [study] and [[lanes]]",
+             "holds {}: 'rift accuracy' varies one scene and takes a preset without [study] and [[lanes]]",
              preset.study.empty() ? "lanes" : "a study"));
 }
 
@@ -56,12 +56,14 @@ void open_folder(const fs::path& folder, const scene::Preset& preset) {
     if (there == results::read_json(base::json_text(mark), file))
       return;  // a name that is no UTF-8 is kept as text is
     throw results::FolderExists(
-        fmt::format("{} holds the accuracy of another scene; nothing was changed, choose another with --out",
+        fmt::format("{} holds the results of 'rift accuracy' for another scene; nothing was changed: choose "
+                    "another folder with --out",
                     folder.string()));
   }
   if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored))
-    throw results::FolderExists(
-        fmt::format("{} is not empty and holds no accuracy; choose another with --out", folder.string()));
+    throw results::FolderExists(fmt::format(
+        "{} is not empty and holds no results of 'rift accuracy': choose another folder with --out",
+        folder.string()));
   base::make_folder(folder);
   base::write_whole_file(file, base::json_text(mark, 2) + "\n");
 }
@@ -118,9 +120,10 @@ ExitCode compute(const AccuracyCommand& command, const scene::Preset& preset,
   };
   accuracy::AccuracyRun run = accuracy::run_cases(plan, options, packings.cache, build_info(), observer);
   if (run.outcome == simulation::Outcome::stopped) {
-    session.message(fmt::format("{}; {} of {} variants are kept in {}: the same command goes on from here",
-                                session.ran_out_of_budget() ? "the budget ran out" : "stopped",
-                                run.computed + run.found, run.results.size(), folder.string()));
+    session.message(
+        fmt::format("{}; {} of {} variants are stored in {}: the same command continues from there",
+                    session.ran_out_of_budget() ? "the budget ran out" : "stopped", run.computed + run.found,
+                    run.results.size(), folder.string()));
     return session.stopped();
   }
   AccuracyReport report{.preset = preset.name,
@@ -145,7 +148,7 @@ ExitCode compute(const AccuracyCommand& command, const scene::Preset& preset,
   const ExitCode files = session.write_or_say([&] { write_accuracy_report(report, folder); });
   session.print_result(accuracy_json(report), [&] {
     base::print_text(accuracy_text(report, session.color()));
-    base::print("{} computed, {} found, {} in all; {}/  table.csv, report.html, charts\n", run.computed,
+    base::print("{} computed, {} reused, {} in total; {}/  table.csv, report.html, charts\n", run.computed,
                 run.found, duration_text(report.wall_s), folder.string());
   });
   return files != ExitCode::done ? files : session.ended(run.outcome);
@@ -161,8 +164,8 @@ ExitCode accuracy(const AccuracyCommand& command) {
   const double seconds = accuracy::estimated_seconds(plan);
   if (seconds > long_s && !command.yes && !budget)
     refuse("rift accuracy",
-           fmt::format("about {} from nothing (at 100 M beam-steps/s): --yes starts it, --budget TIME does "
-                       "what fits, --quick or --elements with smaller numbers take less",
+           fmt::format("this takes about {} with an empty cache (at 100 M beam-steps/s): --yes starts it, "
+                       "--budget TIME computes what fits, --quick or smaller --elements take less",
                        duration_text(seconds)));
   const fs::path folder = command.out.empty()
                               ? fs::path(fs::path(command.preset).stem().string() + "_accuracy")
@@ -174,8 +177,10 @@ ExitCode accuracy(const AccuracyCommand& command) {
 }  // namespace
 
 void add_accuracy(CLI::App& app, ExitCode& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "accuracy", "Error against run time: what a scene's step, precision, elements, ... cost and buy");
+  CLI::App& command =
+      *app.add_subcommand("accuracy",
+                          "Error and run time of a scene against time step, precision, number of elements, "
+                          "...; recommends the cheapest setting within a tolerance");
   const auto options = std::make_shared<AccuracyCommand>();
   add_scene_options(command, *options);
   command.add_option("--out", options->out,
@@ -185,16 +190,18 @@ void add_accuracy(CLI::App& app, ExitCode& exit_code) {
       ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
   command
-      .add_option("--elements", options->elements,
-                  "Numbers of elements to try, such as 1250,5000,20000,80000 (default: what is affordable)")
+      .add_option(
+          "--elements", options->elements,
+          "Numbers of elements to compare, such as 1250,5000,20000,80000 (default: chosen by their cost)")
       ->delimiter(',')
       ->check(CLI::Range(100, 5'000'000));
-  command.add_option("--seeds", options->seeds, "Specimens of each number of elements")
+  command.add_option("--seeds", options->seeds, "Specimens for each number of elements")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   command.add_flag("--quick", options->quick, "The same scene with a fourth of the elements, and no ramp");
-  command.add_option("--budget", options->budget, "Stop after this time (\"10 min\"); the next call goes on");
-  command.add_flag("--yes", options->yes, "Start what takes more than 10 minutes without being asked");
+  command.add_option("--budget", options->budget,
+                     "Stop after this time (\"10 min\"); the same command continues");
+  command.add_flag("--yes", options->yes, "Start even where it takes more than 10 minutes");
   command.callback([options, &exit_code] { exit_code = accuracy(*options); });
 }
 

@@ -4,8 +4,10 @@
 #include "engine/simulation/summary.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
+#include "studio/text/table.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -135,15 +137,22 @@ void print_peaks(const ensemble::MachinePeaks& peaks, int threads) {
               1e-9 * peaks.flops_single);
 }
 
-void print_row(const ensemble::BenchResult& r, const ensemble::BenchResult& base,
-               const ensemble::MachinePeaks& peaks) {
-  base::print(
-      "  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>7.1f} ({:.0f}-{:.0f}){:>9.1f}{:>8.2f} x{:>7.0f} B{:>5.0f} %{:>5.0f} "
-      "%\n",
-      r.of.name, scene::word_of("solver.precision", r.of.precision), r.of.scenarios, r.of.threads,
-      r.of.elements, 1e-6 * r.median(), 1e-6 * r.beam_steps_per_s.front(), 1e-6 * r.beam_steps_per_s.back(),
-      1e-6 * r.element_steps_per_s, r.median() / base.median(), r.bytes_per_beam,
-      100 * r.median() * r.bytes_per_beam / peaks.memory_bytes_per_s, 100 * share_of_arithmetic(r, peaks));
+std::vector<std::string> row_of(const ensemble::BenchResult& r, const ensemble::BenchResult& base,
+                                const ensemble::MachinePeaks& peaks) {
+  const auto percent = [](double share) { return fmt::format("{:.0f}", 100 * share); };
+  return {r.of.name,
+          scene::word_of("solver.precision", r.of.precision),
+          fmt::format("{}", r.of.scenarios),
+          fmt::format("{}", r.of.threads),
+          fmt::format("{}", r.of.elements),
+          fmt::format("{:.1f}", 1e-6 * r.median()),
+          fmt::format("{:.0f}", 1e-6 * r.beam_steps_per_s.front()),
+          fmt::format("{:.0f}", 1e-6 * r.beam_steps_per_s.back()),
+          fmt::format("{:.1f}", 1e-6 * r.element_steps_per_s),
+          fmt::format("{:.2f}", r.median() / base.median()),
+          fmt::format("{:.0f}", r.bytes_per_beam),
+          percent(r.median() * r.bytes_per_beam / peaks.memory_bytes_per_s),
+          percent(share_of_arithmetic(r, peaks))};
 }
 
 /// What a row's ratio is against: the plain path on the same lattice, or the bare kernel of as many
@@ -194,7 +203,8 @@ Json json_of(const PrecisionError& e) {
 
 void print_precision(const PrecisionError& e) {
   base::print(
-      "  single against double, {}: ratio {:.5f} against {:.5f} ({:+.1e}), books to {:.1e} against {:.1e}\n",
+      "  single against double, {}: ratio {:.5f} against {:.5f} ({:+.1e}), balance error {:.1e} against "
+      "{:.1e}\n",
       e.kinematics, e.ratio_single, e.ratio_double, e.ratio_single - e.ratio_double, e.residual_single,
       e.residual_double);
 }
@@ -212,7 +222,7 @@ ExitCode bench(const BenchOptions& options) {
     for (const char* kinematics : {"linear", "corotational"})
       if (session.goes_on()) errors.push_back(precision_error(kinematics, threads, session));
   if (!session.goes_on()) {
-    session.message("stopped; nothing was kept");
+    session.message("stopped; no result was stored");
     return session.stopped();
   }
   Json precision = Json::array(), rows = Json::array();
@@ -228,16 +238,18 @@ ExitCode bench(const BenchOptions& options) {
     base::print_text(heading(version_text(), session.color()) + "\n");
     print_peaks(alone, 1);
     if (threads > 1) print_peaks(together, threads);
-    base::print("  {:<26}{:<8}{:>3}{:>4}{:>8}  {:>21}{:>7}{:>9}{:>9}{:>7}{:>7}\n", "kernel", "state", "L",
-                "T", "N", "M beam-steps/s (least-most)", "M el.-", options.needs ? "of bare" : "of plain",
-                "a beam", "mem.", "flops");
+    Table table{{"kernel", "precision", "L", "T", "N", "M beam-steps/s", "least", "most", "M element-steps/s",
+                 options.needs ? "over bare" : "over plain", "B/beam", "memory %", "flops %"},
+                {}};
     for (const ensemble::BenchResult& r : results)
-      print_row(r, base_of(results, r, options.needs), peaks_of(r));
+      table.rows.push_back(row_of(r, base_of(results, r, options.needs), peaks_of(r)));
+    base::print_text(plain_table(table, session.color()));
     base::print(
-        "  L scenarios side by side, T threads, N elements; medians of {} runs of {:g} s; whole steps.\n"
-        "  A beam: compulsory traffic a beam and scenario; mem., flops: share of what this machine was "
-        "measured to do.\n",
-        options.runs, options.seconds);
+        "  L scenarios side by side, T threads, N elements; whole steps, medians of {} repetitions of {:g} "
+        "s.\n"
+        "  \"over {}\" is the speed over that of the {} kernel. B/beam: least memory traffic per beam and "
+        "scenario.\n  memory %, flops %: of the peaks measured on this machine.\n",
+        options.runs, options.seconds, options.needs ? "bare" : "plain", options.needs ? "bare" : "plain");
     for (const PrecisionError& e : errors) print_precision(e);
   });
   return ExitCode::done;
@@ -249,16 +261,19 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("bench", "Element-steps/s and beam-steps/s of the kernels on this machine");
   const auto options = std::make_shared<BenchOptions>();
-  command.add_option("--elements", options->elements, "Sizes, such as 5000,20000,80000,320000")
+  command.add_option("--elements", options->elements, "Numbers of elements, such as 5000,20000,80000,320000")
       ->delimiter(',')
       ->check(CLI::Range(1000, 2'000'000));
   command
-      .add_option("--threads", options->threads,
-                  "Threads beside one (default: one per CPU that this process may use)")
+      .add_option(
+          "--threads", options->threads,
+          "Number of threads compared with one thread (default: one per CPU that this process may use)")
       ->check(CLI::Range(1, 1024));
-  command.add_option("--runs", options->runs, "Runs of each kernel")->check(CLI::Range(1, 1000));
-  command.add_option("--seconds", options->seconds, "Length of a run")->check(CLI::Range(0.001, 100.0));
-  command.add_flag("--needs", options->needs, "What each piece costs that a scene may leave out");
+  command.add_option("--runs", options->runs, "Repetitions of each measurement")->check(CLI::Range(1, 1000));
+  command.add_option("--seconds", options->seconds, "Duration of a repetition [s]")
+      ->check(CLI::Range(0.001, 100.0));
+  command.add_flag("--needs", options->needs,
+                   "Cost of each part that a scene may leave out (damping, corotational beams, ...)");
   command.add_flag("--json", options->json, "The result as JSON on stdout");
   add_quiet(command, *options);
   add_color_option(command, options->color);

@@ -32,7 +32,7 @@ scene::Preset preset_for(const CalibrateOptions& options) {
       options.preset.empty() ? scene::read_preset_text(cylinders, "rift calibrate", overrides)
                              : scene::read_preset(resolve_preset(options.preset), overrides));
   if (preset.scene.specimen.shape != packing::Shape::cylinder)
-    refuse(scene::issue_at(preset, "specimen.shape", "must be \"cylinder\": that is what is pressed"));
+    refuse(scene::issue_at(preset, "specimen.shape", "must be \"cylinder\", the shape that is compressed"));
   return preset;
 }
 
@@ -77,7 +77,7 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
     return ExitCode::done;
   };
   try {
-    return session.until_stopped(work, "; what was computed is in the cache");
+    return session.until_stopped(work, "; the finished parts are in the cache");
   } catch (const calibration::OutOfReach& error) {
     refuse(scene::issue_at(preset, "material.poisson_ratio", error.what()));
   } catch (const packing::PackingError& error) {
@@ -89,7 +89,7 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
 
 void add_calibrate(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "calibrate", "The beams that make a material of given E and nu, by cylinders in compression");
+      "calibrate", "Beam parameters of a material of given E and ν, from cylinders in compression");
   const auto options = std::make_shared<CalibrateOptions>();
   add_report_options(command, *options, "convergence, scans, periodic boxes, charts and material.toml");
   command.add_option("--young", options->young, "Young's modulus E, such as \"3.2 GPa\"");

@@ -26,21 +26,23 @@ void print_measured(const Json& j, bool color) {
   const auto number = [&](const char* name) {
     return j.at(name).is_number() ? j.at(name).get<double>() : std::numeric_limits<double>::quiet_NaN();
   };
-  base::print_text("\n" + heading("measured on this specimen", color) + "\n");
+  base::print_text("\n" + heading("Measured on this specimen", color) + "\n");
   for (const char* way : {"along", "across"})
-    base::print("  {:<16}E {:.2f} GPa, nu {:.3f}\n", fmt::format("pulled {}", way),
+    base::print("  {:<16}E {:.2f} GPa, ν {:.3f}\n", fmt::format("pulled {}", way),
                 number(fmt::format("measured_young_modulus_{}_pa", way).c_str()) / 1e9,
                 number(fmt::format("measured_poisson_ratio_{}", way).c_str()));
   for (const char* kind : {"dilatational", "shear", "rayleigh"}) {
     const double measured = number(fmt::format("measured_{}_speed_m_s", kind).c_str()),
                  nominal = number(fmt::format("nominal_{}_speed_m_s", kind).c_str());
-    base::print("  {:<16}{:.0f} m/s, the material's {:.0f}: {:.3f} of it\n", kind, measured, nominal,
+    base::print("  {:<16}{:.0f} m/s; the material has {:.0f} m/s, ratio {:.3f}\n", kind, measured, nominal,
                 measured / nominal);
   }
-  base::print("  {:<16}G/G_I0 = {:.4f} over the window, released progressively and infinitely slowly\n",
+  base::print("  {:<16}G/G_I0 = {:.4f} over the window, for infinitely slow progressive release\n",
               "quasi-static", number("ratio_quasi_static"));
   base::print_text(
-      "\n" + heading("speed over that of the longest wave, by wavelength over mean radius", color) + "\n");
+      "\n" +
+      heading("Dispersion: wavelength over mean radius, wave speed over that of the longest wave", color) +
+      "\n");
   for (const Json& wave : j.at("waves")) {
     const auto kind = wave.at("kind").get<std::string>();
     base::print(
@@ -82,12 +84,12 @@ ExitCode check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& app, ExitCode& exit_code) {
-  CLI::App& command =
-      *app.add_subcommand("check", "Dry run: what follows from a preset, its step, cost, what it leaves out");
+  CLI::App& command = *app.add_subcommand(
+      "check", "Dry run: derived quantities, time step, cost, and what the scene leaves out");
   const auto options = std::make_shared<CheckOptions>();
   add_scene_options(command, *options);
   command.add_flag("--measure", options->measure,
-                   "Also E, nu and wave speeds of this very specimen, by pulls and by waves thrown into it, "
+                   "Also measure E, ν and the wave speeds of this specimen, by static pulls and by waves, "
                    "and the release rate of an infinitely slow crack");
   command.callback([options, &exit_code] { exit_code = check(*options); });
 }

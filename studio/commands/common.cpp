@@ -2,8 +2,10 @@
 
 #include "engine/base/files.hpp"
 #include "engine/ensemble/instruction_set.hpp"
+#include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/study/store.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -105,6 +107,18 @@ fs::path resolve_preset(const std::string& preset) {
   refuse_preset(preset);
 }
 
+void check_is_run(const std::string& run) {
+  std::error_code ignored;
+  const fs::path folder(run), below = folder / "run";
+  if (fs::exists(folder / results::journal_name, ignored)) return;
+  if (fs::exists(folder / study::study_name, ignored))
+    refuse(run, fmt::format("holds a study, not a run: its results are in table.csv and runs/; 'rift study "
+                            "PRESET --out {}' verifies and completes them",
+                            run));
+  if (fs::exists(below / results::journal_name, ignored))
+    refuse(run, fmt::format("holds an experiment, not a run: its run is {}", below.string()));
+}
+
 void check_report(const fs::path& folder, bool force, ReportKind kind) {
   if (fs::is_empty(folder)) return;
   const bool report =
@@ -112,11 +126,10 @@ void check_report(const fs::path& folder, bool force, ReportKind kind) {
   const bool cut_off = !report && is_cut_off(folder, kind);
   if ((report || cut_off) && force) return;
   if (cut_off)
-    throw results::FolderExists(
-        fmt::format("{} holds what is left of {} that did not come to its end; --force begins it anew",
-                    folder.string(), kind.has_run ? "an experiment" : "a report"));
+    throw results::FolderExists(fmt::format("{} holds {} that was interrupted; --force starts it again",
+                                            folder.string(), kind.has_run ? "an experiment" : "a report"));
   throw results::FolderExists(fmt::format("{} exists and is not empty; --force replaces an earlier report{}",
-                                          folder.string(), report ? "" : ", and this is none"));
+                                          folder.string(), report ? "" : ", and the folder holds none"));
 }
 
 ReportFolder::ReportFolder(const fs::path& folder, bool force, ReportKind kind)

@@ -29,6 +29,10 @@ std::filesystem::path own_presets_folder();
 /// ("quickstart") or among the user's own. Throws InputError, with the nearest name, where there is none.
 std::filesystem::path resolve_preset(const std::string& preset);
 
+/// Throws InputError where the folder holds a study or an experiment in place of a run, saying what to do.
+/// Other folders are left to the command, which says what is wrong with them.
+void check_is_run(const std::string& run);
+
 /// What distinguishes a kind of report.
 struct ReportKind {
   const char* own = "";  // a file that only they have; empty where there is none
@@ -40,7 +44,7 @@ struct ReportKind {
 /// that.
 void check_report(const std::filesystem::path& folder, bool force, ReportKind kind = {});
 
-/// The folder of a report: made and owned before the work, given back if nothing came of it.
+/// The folder of a report: made and owned before the work, removed again if the work fails.
 class ReportFolder {
  public:
   /// Throws as check_report(), and WorldError where it cannot be made or written to or another process writes

@@ -29,12 +29,13 @@ struct ExperimentOptions : SceneOptions {
 
 void check_one_history(const scene::Preset& preset) {
   if (!preset.study.empty() || !preset.lanes.empty())
-    refuse(preset.name, "holds lanes or a study: 'rift experiment' is of one measured crack");
+    refuse(preset.name, "holds lanes or a study: 'rift experiment' takes one measured crack");
   if (preset.scene.crack.history.empty())
     refuse(preset.name,
            "has no crack.history: 'rift experiment' needs a measured one, such as --set "
            "crack.history=measured.csv");
-  if (preset.scene.crack.tips != 1) refuse(preset.name, "has two tips: 'rift experiment' reads one");
+  if (preset.scene.crack.tips != 1)
+    refuse(preset.name, "has two tips: 'rift experiment' takes a crack with one tip");
 }
 
 /// The critical rate to lay over the charts, read as crack.toughness is.
@@ -48,7 +49,7 @@ fracture::CriticalRate read_truth(const std::string& file) {
 }
 
 std::string smoothing_text(const scene::Scene& scene, const history::SmoothedHistory& course) {
-  if (scene.crack.smoothing == history::Smoothing::none) return "straight lines from row to row";
+  if (scene.crack.smoothing == history::Smoothing::none) return "straight lines between the rows";
   return fmt::format("monotone penalised spline, {:.0f} degrees of freedom for {} rows",
                      course.degrees_of_freedom, scene.crack.history.size());
 }
@@ -63,12 +64,13 @@ std::string command_text(const ExperimentOptions& options) {
 /// does. @return what is left
 std::string keep_parts(const fs::path& folder) {
   if (experiment::holds_parts(folder))
-    return fmt::format("; what was computed is kept in {}: the same command goes on", folder.string());
+    return fmt::format("; the finished parts are stored in {}: the same command continues from there",
+                       folder.string());
   experiment::forget_parts(folder);
   std::error_code ignored;
   for (const fs::path& empty : {folder / "run", folder})
     if (fs::is_empty(empty, ignored)) fs::remove(empty, ignored);
-  return "; nothing was kept: the same command starts anew";
+  return "; nothing was stored: the same command starts from the beginning";
 }
 
 ExitCode experiment(ExperimentOptions& options) {
@@ -96,7 +98,7 @@ ExitCode experiment(ExperimentOptions& options) {
                           .rows = preset.scene.crack.history,
                           .smoothing = {},
                           .truth = truth,
-                          .truth_name = "laid over",
+                          .truth_name = "reference",
                           .wall_s = 0};
   options.film->begin(folder / "run", false);
   try {
@@ -131,7 +133,7 @@ ExitCode experiment(ExperimentOptions& options) {
 
 void add_experiment(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "experiment", "From a measured crack history to the critical release rate that the material showed");
+      "experiment", "Critical dynamic energy release rate G_IDc along a measured crack history");
   const auto options = std::make_shared<ExperimentOptions>();
   add_scene_options(command, *options);
   options->film = std::make_unique<FilmOfRun>(command);
@@ -139,18 +141,19 @@ void add_experiment(CLI::App& app, ExitCode& exit_code) {
   command.add_flag("--force", options->force, "Replace the results that are in the folder");
   command
       .add_option("--resamples", options->parts.resamples,
-                  "Histories drawn anew from their noise, for the band")
+                  "Resampled histories (parametric bootstrap) for the uncertainty from noise")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command.add_option("--specimens", options->parts.specimens, "Packings, for the band")
+  command.add_option("--specimens", options->parts.specimens, "Packings for the uncertainty from packing")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command.add_option("--against", options->truth,
-                     "A critical release rate to compare with: a CSV file as crack.toughness takes it");
+  command.add_option(
+      "--against", options->truth,
+      "Reference curve of the critical release rate, a CSV file in the form of crack.toughness");
   command.add_option("--budget", options->budget,
-                     "Stop after this time (\"2 h\") with exit code 4; the same command goes on");
+                     "Stop after this time (\"2 h\") with exit code 4; the same command continues");
   command.add_flag("--no-application", options->no_application,
-                   "Leave out the crack that runs by itself with what was found");
+                   "Skip the forward check, a predicted crack driven by the identified G_IDc");
   command.callback([options, &exit_code] { exit_code = experiment(*options); });
 }
 

@@ -38,6 +38,7 @@ void add_export(CLI::App& app, ExitCode& exit_code) {
       ->check(CLI::IsMember({"csv", "paraview", "pvd", "ovito"}));
   command.callback([options, &exit_code] {
     ProgressLine line(progress_style(false, false));
+    check_is_run(options->run);
     line.show("export", 0.0);
     const std::filesystem::path made = exports.at(options->to)(options->run);
     line.clear();

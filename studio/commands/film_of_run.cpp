@@ -50,32 +50,35 @@ void read_size(FilmOptions& options, std::vector<std::string>& notes) {
   width += width % 2;
   height += height % 2;
   notes.push_back(
-      fmt::format("--size {}: drawn as {}x{}, for films need even numbers", options.size, width, height));
+      fmt::format("--size {}: drawn as {}x{}, because films need even numbers", options.size, width, height));
 }
 
 }  // namespace
 
 void add_film_options(CLI::App& command, FilmOptions& options) {
   viz::Request& request = options.request;
-  const std::string group = "How it looks (what is not said is as the preset's [film] has it)";
+  const std::string group = "Appearance (unset options default to the preset's [film])";
   const auto add = [&](const char* name, auto& value, const char* text) {
     return command.add_option(name, value, text)->group(group);
   };
   add("--field", request.field, "Field of the colours")->check(CLI::IsMember(names_of(viz::fields())));
   add("--colours", request.colours, "Colour map")->check(CLI::IsMember(names_of(viz::colour_maps())));
-  add("--range", options.range, "Ends of the colours in the shown unit, such as 0,2 (default: of all panes)");
+  add("--range", options.range,
+      "Range of the colour bar in its unit, such as 0,2 (default: the range of all panes)");
   add("--camera", request.camera,
-      "plate: all of it; tip: a close-up that follows the tip; side: what leaves the plane")
+      "plate: the whole plate; tip: a close-up that follows the tip; side: the out-of-plane displacement")
       ->check(CLI::IsMember({"plate", "tip", "side"}));
   add("--beams", request.beams, "Beams drawn: none, those on the crack's path, all")
       ->check(CLI::IsMember({"none", "crossing", "all"}));
-  add("--magnification", request.magnification, "Of the displacements")->check(CLI::Range(0.0, 1000.0));
+  add("--magnification", request.magnification, "Magnification of the displacements")
+      ->check(CLI::Range(0.0, 1000.0));
   add("--close-up", request.close_up_m, "Height of a close-up [m]")->check(CLI::Range(1e-6, 100.0));
-  add("--title", request.title, "Title over the picture");
-  command.add_flag("--no-chart", options.no_chart, "No energy budget under the picture")->group(group);
-  command.add_flag("--large-text", request.large_text, "For lecture halls")->group(group);
+  add("--title", request.title, "Title above the picture");
+  command.add_flag("--no-chart", options.no_chart, "Leave out the chart of the energy budget")->group(group);
+  command.add_flag("--large-text", request.large_text, "Large text for lecture halls")->group(group);
   add("--size", options.size, "Width and height in pixels")->capture_default_str();
-  add("--fps", options.fps, "Frames a second (default: a film of about 8 s)")->check(CLI::Range(0.1, 240.0));
+  add("--fps", options.fps, "Frames per second (default: a film of about 8 s)")
+      ->check(CLI::Range(0.1, 240.0));
   add("--gl", options.gl, "OpenGL: osmesa, egl, or auto for the first that works")
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}))
       ->capture_default_str();
@@ -89,7 +92,7 @@ std::vector<std::string> read_look(FilmOptions& options) {
     std::array<double, 2> range{};
     if (!read_two(options.range, ',', range[0], range[1]) || !(range[0] < range[1]))
       throw viz::BadRequest(
-          fmt::format("--range {}: expected two numbers that rise, such as 0,2", options.range));
+          fmt::format("--range {}: expected two ascending numbers such as 0,2", options.range));
     options.request.range = range;
   }
   return notes;
@@ -178,7 +181,7 @@ struct FilmOfRun::Maker {
     try {
       make();
     } catch (const viz::Stopped&) {
-      result.trouble = "stopped; nothing half-made is left";
+      result.trouble = "stopped; no incomplete file is left";
     } catch (const std::exception& error) {
       result.trouble = base::plain_text(error);
     }
@@ -187,7 +190,7 @@ struct FilmOfRun::Maker {
 };
 
 FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
-  command.add_flag("--render", maker_->asked, "Make a film, while the run goes on as far as can be");
+  command.add_flag("--render", maker_->asked, "Make a film, rendered during the run where possible");
   command.add_option("--film", maker_->film,
                      "The film's file: .mp4, .webm or .gif (default: in the run's folder)");
   add_film_options(command, maker_->options);
@@ -215,21 +218,21 @@ std::string FilmOfRun::trouble_with(const scene::Preset& preset, bool force) {
   if (!maker_->film.empty() && !viz::is_film_name(maker_->film))
     return fmt::format("--film {}: must end in .mp4, .webm or .gif", maker_->film);
   if (!force && !maker_->film.empty() && fs::exists(maker_->film))
-    return fmt::format("{} is there already: --force replaces it", maker_->film);
+    return fmt::format("{} exists already: --force replaces it", maker_->film);
   try {
     if (!maker_->film.empty()) base::check_target(maker_->film);
   } catch (const base::WorldError& error) {
     return error.what();
   }
   if (scene.output.frames < 2)
-    return fmt::format("--render: output.frames = {} makes no film", scene.output.frames);
+    return fmt::format("--render: output.frames = {} is too few for a film", scene.output.frames);
   if (!stored(field->stored))
     return fmt::format("--render: output.fields has no \"{}\", which the field {} needs", field->stored,
                        field->name);
   if (beams != "none" && !stored("damage"))
     return "--render: output.fields has no \"damage\", which beams need";
   if (preset.lanes.size() > 4)
-    return "--render: a frame shows up to four lanes; make the film by rift render --lane";
+    return "--render: a frame shows up to four lanes; make the film with 'rift render --lane'";
   return "";
 }
 

@@ -111,7 +111,7 @@ std::string man_page_of_all(const CLI::App& app) {
   page += R"(.SH EXIT STATUS
 .TP
 0
-The command has done what was asked for.
+The command has succeeded.
 .TP
 1
 The disk, the network, a library or another program has failed.
@@ -123,7 +123,7 @@ The input is wrong: a preset, an option, a file.
 A computation has diverged.
 .TP
 4
-The time of \-\-budget is over; the same command goes on.
+The time of \-\-budget is over; the same command continues.
 .TP
 128+n
 Signal n has stopped the command.

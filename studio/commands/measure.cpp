@@ -1,5 +1,4 @@
 #include "engine/base/files.hpp"
-#include "engine/results/archive.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
@@ -36,7 +35,7 @@ std::string command_text(const MeasureOptions& options) {
   return text;
 }
 
-/// In the run's folder, anew each time, or elsewhere, where nothing else may be.
+/// In the run's folder, where it is replaced each time, or in a folder of its own.
 fs::path folder_of(const MeasureOptions& options) {
   if (!options.out.empty()) return options.out;
   return fs::path(options.run) / (options.instruments.lane > 0
@@ -99,23 +98,15 @@ void lay_over(InstrumentsReport& report, const std::vector<std::string>& files) 
   for (const std::string& file : files)
     for (measurement::Trace& trace : measurement::read_traces(file, report.trace)) {
       for (const measurement::Trace& other : report.measured)
-        if (other.name == trace.name) refuse(file, trace.name + " is in an earlier file too");
+        if (other.name == trace.name) refuse(file, trace.name + " is already given by an earlier file");
       report.measured.push_back(std::move(trace));
     }
 }
 
-/// An experiment keeps its run in a folder below.
-void check_run(const std::string& run) {
-  const fs::path below = fs::path(run) / "run";
-  if (fs::exists(fs::path(run) / results::journal_name)) return;
-  if (fs::exists(below / results::journal_name))
-    refuse(run, "holds no run: did you mean " + below.string() + "?");
-  (void)simulation::preset_of_run(run);  // says why
-}
-
 ExitCode measure(const MeasureOptions& options) {
   check(options.instruments);
-  check_run(options.run);
+  check_is_run(options.run);
+  (void)simulation::preset_of_run(options.run);  // a folder without a run is refused before one is made in it
   base::OwnedFolder owned(folder_of(options), [&](const fs::path& there) {
     if (!options.out.empty()) check_report(there, options.force, {.own = "stress_intensity.csv"});
   });
@@ -134,7 +125,7 @@ ExitCode measure(const MeasureOptions& options) {
     file.keep();
     return ExitCode::done;
   };
-  if (const ExitCode code = session.until_stopped(work, "; nothing was kept"); code != ExitCode::done)
+  if (const ExitCode code = session.until_stopped(work, "; nothing was stored"); code != ExitCode::done)
     return code;
   const ExitCode code = session.write_or_say([&] { write_instruments_report(report, owned.path()); });
   session.print_result(instruments_json(report), [&] {
@@ -148,29 +139,28 @@ ExitCode measure(const MeasureOptions& options) {
 
 void add_measure(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "measure",
-      "What a test's instruments would have shown of a run: grip force, gauges, a camera's fields, K");
+      "measure", "Virtual instruments of a run: grip force, gauges, camera fields, stress intensity factors");
   const auto options = std::make_shared<MeasureOptions>();
   measurement::InstrumentOptions& instruments = options->instruments;
-  command.add_option("run", options->run, "Folder of the run, unfinished ones too")->required();
+  command.add_option("run", options->run, "Folder of the run, which may be unfinished")->required();
   command.add_option(
       "--against", options->against,
-      "Measured curves to lay over: a CSV file such as \"time [us];grip_force [N]\" (repeatable)");
-  command.add_option("--lane", instruments.lane, "Which lane")
+      "Measured curves to compare with: a CSV file such as \"time [us];grip_force [N]\" (repeatable)");
+  command.add_option("--lane", instruments.lane, "Lane that is read")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   const auto radii = CLI::Range(0.5, 1000.0);
   command.add_option("--grid", instruments.grid, "Distance of the camera's points, in mean radii")
       ->check(radii)
       ->capture_default_str();
-  command.add_option("--subset", instruments.subset, "Radius that each point is read over, in mean radii")
+  command.add_option("--subset", instruments.subset, "Radius of the subset around each point, in mean radii")
       ->check(radii)
       ->capture_default_str();
   command
       .add_option("--inner", instruments.inner, "Inner radius of the ring that K is fitted to, in mean radii")
       ->check(radii)
       ->capture_default_str();
-  command.add_option("--outer", instruments.outer, "Its outer radius, in mean radii")
+  command.add_option("--outer", instruments.outer, "Outer radius of that ring, in mean radii")
       ->check(radii)
       ->capture_default_str();
   command.add_option("--out", options->out, "Folder of the results (default: RUN/measure)");

@@ -66,8 +66,9 @@ ExitCode pack_specimen(const ReportOptions& options) {
 }  // namespace
 
 void add_pack(CLI::App& app, ExitCode& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "pack", "Fill a plate, block, cylinder, sphere or periodic box with elements, and show how they lie");
+  CLI::App& command = *app.add_subcommand("pack",
+                                          "Fill a plate, block, cylinder, sphere or periodic box with "
+                                          "elements, and report the structure of the packing");
   const auto options = std::make_shared<ReportOptions>();
   add_report_options(command, *options, "statistics, charts and the elements as a table");
   command.callback([options, &exit_code] { exit_code = pack_specimen(*options); });

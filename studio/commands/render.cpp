@@ -41,25 +41,25 @@ std::vector<double> times_of(const RenderOptions& options, const viz::Plan& plan
   std::copy_if(plan.times_s.begin(), plan.times_s.end(), std::back_inserter(times),
                [&](double t) { return t >= from && t <= to; });
   if (times.empty())
-    throw viz::BadRequest(fmt::format("no moment is stored from {} to {}: there are those from {} to {}",
-                                      scene::quantity_text(from, scene::Dimension::time),
-                                      scene::quantity_text(to, scene::Dimension::time),
-                                      scene::rounded_text(plan.times_s.front(), scene::Dimension::time),
-                                      scene::rounded_text(plan.times_s.back(), scene::Dimension::time)));
+    throw viz::BadRequest(fmt::format(
+        "no frame is stored from {} to {}: the stored frames reach from {} to {}",
+        scene::quantity_text(from, scene::Dimension::time), scene::quantity_text(to, scene::Dimension::time),
+        scene::rounded_text(plan.times_s.front(), scene::Dimension::time),
+        scene::rounded_text(plan.times_s.back(), scene::Dimension::time)));
   return options.frames > 0 ? viz::evenly_chosen(times, options.frames) : times;
 }
 
 /// Before anything is drawn: a file that is there is kept without --force, and a new one needs its folder.
 void check_file(const fs::path& path, bool force) {
   if (!force && fs::exists(path))
-    throw results::FolderExists(fmt::format("{} is there already: --force replaces it", path.string()));
+    throw results::FolderExists(fmt::format("{} exists already: --force replaces it", path.string()));
   base::check_target(path);
 }
 
 /// A folder of pictures, which is made where it is not there.
 void check_folder_of_pictures(const fs::path& path, bool force) {
   if (force || !fs::exists(path) || (fs::is_directory(path) && fs::is_empty(path))) return;
-  throw results::FolderExists(fmt::format("{} is there already: --force replaces it", path.string()));
+  throw results::FolderExists(fmt::format("{} exists already: --force replaces it", path.string()));
 }
 
 /// Shows how many frames are drawn; Ctrl-C is heard there.
@@ -154,14 +154,17 @@ ExitCode draw(const RenderOptions& options, const viz::Plan& plan, Session& sess
 ExitCode render(RenderOptions options) try {
   for (const std::string& note : read_look(options.look)) base::message("rift render: {}\n", note);
   check_files(options);
-  for (const std::string& run : options.runs) options.look.request.runs.emplace_back(run);
+  for (const std::string& run : options.runs) {
+    check_is_run(run);
+    options.look.request.runs.emplace_back(run);
+  }
   const viz::Plan plan = viz::plan_of(options.look.request);
   for (const std::string& note : plan.notes) base::message("rift render: {}\n", note);
   Session session("rift render", options);
   try {
     return draw(options, plan, session);
   } catch (const viz::Stopped&) {
-    session.message("stopped; nothing half-made is left");
+    session.message("stopped; no incomplete file is left");
     return session.stopped();
   }
 } catch (const viz::BadRequest& mistake) {
@@ -176,25 +179,27 @@ void add_render(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<RenderOptions>();
   command
       .add_option("run", options->runs,
-                  "Folders of one to four runs, drawn on one clock and one scale of colours")
+                  "Folders of one to four runs, drawn with one clock and one colour scale")
       ->required();
   command
-      .add_option("--lane", options->look.request.lanes, "Lane of each run; again for more (default: all)")
+      .add_option("--lane", options->look.request.lanes,
+                  "Lane of each run; repeat the option for more lanes (default: all)")
       ->check(CLI::NonNegativeNumber);
   command.add_option("--film", options->film,
                      "Film: .mp4, .webm or .gif (default: film_FIELD.mp4 in the run's folder)");
   command
-      .add_option("--frames", options->frames, "Frames, evenly chosen from the stored moments (default: all)")
+      .add_option("--frames", options->frames,
+                  "Number of frames, chosen evenly from the stored ones (default: all)")
       ->check(CLI::Range(1, 1000000));
   command.add_option("--from", options->from, "Film and pictures from this time of the crack on: \"12 us\"");
   command.add_option("--to", options->to, "Film and pictures up to this time of the crack");
   command.add_option("--png", options->pictures, "Folder for the frames as pictures");
-  command.add_option("--at", options->at, "One picture, at this fraction of the moments")
+  command.add_option("--at", options->at, "One picture, at this fraction of the stored frames")
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--picture", options->picture, "File of the one picture (default: in the run's folder)");
   command.add_flag("--poster", options->poster,
-                   "A picture with large text when six tenths of the way are cut");
-  command.add_flag("--force", options->force, "Replace what is there");
+                   "A picture with large text, where the crack has run six tenths of its path");
+  command.add_flag("--force", options->force, "Replace existing files");
   command.add_flag("--quiet", options->quiet, "No progress");
   command.add_flag("--json", options->json, "Progress as JSON lines on standard error");
   add_film_options(command, options->look);

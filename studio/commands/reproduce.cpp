@@ -4,7 +4,6 @@
 #include "engine/lattice/lattice.hpp"
 #include "engine/measurement/specimen_properties.hpp"
 #include "engine/scene/issue.hpp"
-#include "engine/measurement/specimen_properties.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
@@ -65,7 +64,7 @@ void check_folder(const fs::path& folder) {
   if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored) ||
       fs::is_directory(folder / "runs", ignored) || fs::exists(folder / "reproduction.md", ignored))
     return;
-  refuse("rift reproduce", fmt::format("'{}' is there and holds something else: choose another --out",
+  refuse("rift reproduce", fmt::format("'{}' exists and holds other files: choose another folder with --out",
                                        scene::printable(folder.string())));
 }
 
@@ -253,8 +252,9 @@ ExitCode reproduce(const ReproduceOptions& options) {
   Session session("rift reproduce", options);
   const study::StudyResult result = compute(options, study, session);
   if (result.outcome == simulation::Outcome::stopped) {
-    session.message(fmt::format("stopped; {} of {} scenarios are kept in {}: the same call goes on",
-                                result.computed + result.found, study.preset.study.size(), options.out));
+    session.message(
+        fmt::format("stopped; {} of {} scenarios are stored in {}: the same command continues from there",
+                    result.computed + result.found, study.preset.study.size(), options.out));
     return session.stopped();
   }
   Reproduction report{.build = build_info(),
@@ -271,20 +271,21 @@ ExitCode reproduce(const ReproduceOptions& options) {
     write_reproduction(report, options.out, session);
     return session.ended(result.outcome);
   };
-  return session.until_stopped(work, "; what was computed is kept in " + options.out);
+  return session.until_stopped(work, "; the finished scenarios are stored in " + options.out);
 }
 
 }  // namespace
 
 void add_reproduce(CLI::App& app, ExitCode& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "reproduce", "The paper's figures and claims, each judged by what is measured here");
+  CLI::App& command =
+      *app.add_subcommand("reproduce", "The paper's figures and claims, each recomputed and judged");
   const auto options = std::make_shared<ReproduceOptions>();
   command.add_option(
       "names", options->names,
-      "fig07, sec4_longer, ...: the claims to judge; all (default); beyond: what the paper does not have");
+      "Claims to judge, such as fig07 or sec4_longer; all (default); beyond: questions beyond the paper");
   command.add_flag("--quick", options->quick, "The same plate with 5,000 elements, a minute or two");
-  command.add_option("--out", options->out, "Folder of runs, charts and report; continued if it is there")
+  command
+      .add_option("--out", options->out, "Folder of runs, charts and report; an existing one is continued")
       ->capture_default_str();
   add_threads(command, *options);
   add_no_cache(command, *options);

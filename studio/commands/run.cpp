@@ -63,7 +63,7 @@ void print_run(const Session& session, const nlohmann::ordered_json& summary, co
     base::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
                 folder.string());
     if (!film.empty()) base::print("  {:<22}{}\n", "film", film);
-    if (any_stopped) base::print("  {:<22}rift resume {}\n", "to go on", folder.string());
+    if (any_stopped) base::print("  {:<22}rift resume {}\n", "resume with", folder.string());
   });
 }
 
@@ -72,7 +72,7 @@ void print_run(const Session& session, const nlohmann::ordered_json& summary, co
 /// @param what  "stopped while packing";  @param then  what the folder is like now
 void say_nothing_kept(Session& session, const std::string& what, const char* then) {
   session.message(
-      fmt::format("{}{}: {}", what, session.ran_out_of_budget() ? " as the budget ran out" : "", then));
+      fmt::format("{}{}: {}", what, session.ran_out_of_budget() ? " because the budget ran out" : "", then));
 }
 
 bool wants_panel(const SessionOptions& options, bool plain) {
@@ -95,7 +95,7 @@ std::optional<simulation::Recorded> resume_plainly(const ResumeOptions& options,
   if (!note.empty()) session.message(note);
   return ran;
 } catch (const base::Interrupted& interrupted) {
-  say_nothing_kept(session, interrupted.what(), "the run is as it was, and the same command goes on");
+  say_nothing_kept(session, interrupted.what(), "the run is unchanged, and the same command continues it");
   return std::nullopt;
 }
 
@@ -112,15 +112,16 @@ std::optional<simulation::Recorded> resume_live(const ResumeOptions& options, co
 
 ExitCode resume(const ResumeOptions& options) {
   const std::optional<double> budget = read_budget("rift resume", options.budget);
+  check_is_run(options.run);
   if (results::is_folder_being_written(options.run))
     throw base::WorldError("resume", options.run, "another process is writing it");
   if (simulation::complete_end(options.run)) {
-    base::message("rift resume: {} had come to its end; the files of its end are made from its journal\n",
+    base::message("rift resume: {} is already finished; its missing files were rebuilt from the journal\n",
                   options.run);
     return ExitCode::done;
   }
   if (simulation::has_ended(options.run)) {
-    base::message("rift resume: {} has come to its end: nothing is left of it\n", options.run);
+    base::message("rift resume: {} is already finished; there is nothing to resume\n", options.run);
     return ExitCode::done;
   }
   const scene::Preset preset = simulation::preset_of_run(options.run);
@@ -140,7 +141,7 @@ ExitCode resume(const ResumeOptions& options) {
 
 // rift run
 
-constexpr const char* nothing_written = "nothing was written, and the same command starts anew";
+constexpr const char* nothing_written = "nothing was written; the same command starts from the beginning";
 
 /// Whether the folder holds a run that the same command has begun under a budget: a command with one goes on
 /// with it.
@@ -202,8 +203,8 @@ std::optional<simulation::Recorded> run_live(const RunOptions& options, const sc
 scene::Preset read_run(const RunOptions& options) {
   scene::Preset preset = read_scene(options);
   if (!options.replay.empty() && preset.steering.empty())
-    refuse(options.replay,
-           fmt::format("holds no [[steering]]: a run that was steered leaves a {}", results::steering_name));
+    refuse(options.replay, fmt::format("holds no [[steering]] table; a steered run writes one into its {}",
+                                       results::steering_name));
   return preset;
 }
 
@@ -246,8 +247,8 @@ ExitCode run(const RunOptions& options) {
 }  // namespace
 
 void add_run(CLI::App& app, ExitCode& exit_code) {
-  CLI::App& command =
-      *app.add_subcommand("run", "One scene: a plate, a crack, its dynamic energy release rate");
+  CLI::App& command = *app.add_subcommand(
+      "run", "Compute one scene: a crack through a plate and its dynamic energy release rate");
   const auto options = std::make_shared<RunOptions>();
   add_scene_options(command, *options);
   options->film = std::make_unique<FilmOfRun>(command);
@@ -258,13 +259,13 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
       ->capture_default_str();
   command.add_option("--budget", options->budget,
                      "Stop after this time (\"2 h\") with exit code 4: the same command, or 'rift resume', "
-                     "goes on from its checkpoint; before the first step nothing is written");
-  command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
+                     "continues from the checkpoint; before the first step nothing is written");
+  command.add_flag("--plain", options->plain, "Print progress line by line instead of the live panel");
   command.add_flag("--force", options->force, "Replace the run that is in the folder");
   CLI::Option* preset = command.get_option("preset");
-  CLI::Option* replay = command.add_option(
-      "--replay", options->replay,
-      fmt::format("Repeat a run that was steered, to the bit: its {}", results::steering_name));
+  CLI::Option* replay =
+      command.add_option("--replay", options->replay,
+                         fmt::format("Repeat a steered run bit for bit from its {}", results::steering_name));
   preset->required(false)->excludes(replay);
   command.callback([options, preset, &exit_code] {
     if (options->preset.empty() && options->replay.empty()) throw CLI::RequiredError(preset->get_name());
@@ -274,15 +275,15 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
 }
 
 void add_resume(CLI::App& app, ExitCode& exit_code) {
-  CLI::App& command =
-      *app.add_subcommand("resume", "Go on with a run that was stopped or killed, to the same bits");
+  CLI::App& command = *app.add_subcommand(
+      "resume", "Resume a run that was stopped or killed; the results are the same to the bit");
   const auto options = std::make_shared<ResumeOptions>();
   command.add_option("run", options->run, "Folder of the run")->required();
   add_threads(command, *options);
   command.add_option(
       "--budget", options->budget,
-      "Stop after this time (\"2 h\") with a checkpoint and exit code 4; the same command goes on");
-  command.add_flag("--plain", options->plain, "Lines of progress in place of the live panel");
+      "Stop after this time (\"2 h\") with a checkpoint and exit code 4; the same command continues");
+  command.add_flag("--plain", options->plain, "Print progress line by line instead of the live panel");
   add_quiet(command, *options);
   add_json(command, *options);
   add_no_cache(command, *options);

@@ -51,7 +51,7 @@ void add_report_options(CLI::App& command, ReportOptions& options, const std::st
   add_scene_options(command, options);
   command.get_option("preset")->required(false);
   command.add_option("--out", options.out, "Folder of a report: " + holds);
-  command.add_flag("--force", options.force, "Replace what a former run left in the folder");
+  command.add_flag("--force", options.force, "Replace the results of an earlier run in the folder");
 }
 
 scene::Preset without_mistakes(scene::Preset preset) {

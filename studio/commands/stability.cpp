@@ -54,10 +54,10 @@ ExitCode stability(const StabilityOptions& options) {
 
 void add_stability(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "stability", "The suite of stiff and extreme cases: what each must come to, and what it comes to");
+      "stability", "Suite of stiff and extreme cases: the expected and the observed outcome of each");
   const auto options = std::make_shared<StabilityOptions>();
   command.add_flag("--quick", options->suite.quick,
-                   "10,000 steps of free vibration in place of a million, and no cracks below 0.01 c_r");
+                   "10,000 steps of free vibration in place of a million, and no cracks below 0.01 c_R");
   command.add_option("--only", options->suite.only, "Families whose name contains this");
   command.add_option("--out", options->out,
                      "Folder for report.html, table.csv, claims.csv, summary.json and charts");

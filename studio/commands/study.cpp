@@ -54,9 +54,9 @@ void check_holds_study(const scene::Preset& preset) {
   if (!preset.study.empty()) return;
   const std::string what =
       preset.lanes.empty()
-          ? "no [study] in it: write a table [study] with a list of values per axis, such as crack_velocity "
+          ? "holds no [study]: write a table [study] with a list of values per axis, such as crack_velocity "
             "= [\"0.3 c_r\", \"0.5 c_r\"] and seed = [1, 2]; 'rift run' runs one scene"
-          : "lanes and no [study] in it: 'rift run' runs them, [[study.rows]] makes a study of them";
+          : "holds lanes and no [study]: 'rift run' runs them, and [[study.rows]] makes a study of them";
   refuse(preset.name, what);
 }
 
@@ -105,15 +105,16 @@ void print_tables(const StudyCommand& command, const study::StudyResult& result,
                   bool color) {
   const Table table = scenario_table(result.rows), seeds = seed_table(result.rows);
   if (!table.rows.empty()) base::print_text(plain_table(table, color) + "\n");
-  if (!seeds.rows.empty()) base::print_text("means over the specimens\n" + plain_table(seeds, color) + "\n");
+  if (!seeds.rows.empty())
+    base::print_text("mean ± scatter between specimens\n" + plain_table(seeds, color) + "\n");
   if (table.rows.size() < result.rows.size())
     base::print("{} of {} scenarios are not computed yet\n", result.rows.size() - table.rows.size(),
                 result.rows.size());
-  base::print("{} computed, {} found, {} in all; {}/  {}\n", result.computed, result.found,
+  base::print("{} computed, {} reused, {} in total; {}/  {}\n", result.computed, result.found,
               duration_text(result.wall_s), folder.string(), files_in(folder));
   if (!command.shard.empty())
     base::print(
-        "when all parts have ended, the same command without --shard writes table, charts and report\n");
+        "when all parts have ended, the same command without --shard writes the table, charts and report\n");
 }
 
 std::string command_text(const StudyCommand& command) {
@@ -151,7 +152,7 @@ ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const
   session.print_result(Json{{"preset", preset.name}, {"scenarios", to_json(result.rows)}},
                        [&] { print_tables(command, result, options.folder, session.color()); });
   if (result.outcome == simulation::Outcome::stopped) {
-    session.message(fmt::format("{}; the same command goes on from here",
+    session.message(fmt::format("{}; the same command continues from here",
                                 session.ran_out_of_budget() ? "the budget ran out" : "stopped"));
     return session.stopped();
   }
@@ -172,8 +173,8 @@ ExitCode study(const StudyCommand& command) {
   options.shards = shard.of;
   const double seconds = estimated_seconds(preset, options, build_info());
   if (seconds > long_study_s && !command.yes && !budget)
-    refuse("rift study", fmt::format("about {} for what is missing (at 100 M beams/s, lanes side by side): "
-                                     "--yes starts it, --budget TIME does what fits",
+    refuse("rift study", fmt::format("the missing scenarios take about {} (at 100 M beam-steps/s, lanes side "
+                                     "by side): --yes starts them, --budget TIME computes what fits",
                                      duration_text(seconds)));
   return compute(command, preset, options, budget);
 }
@@ -181,17 +182,19 @@ ExitCode study(const StudyCommand& command) {
 }  // namespace
 
 void add_study(CLI::App& app, ExitCode& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "study", "The scenarios of a preset's [study]: table, charts, report; goes on where it was");
+  CLI::App& command = *app.add_subcommand("study",
+                                          "Compute the scenarios of a preset's [study]: table, charts, "
+                                          "report; an interrupted study is continued");
   const auto options = std::make_shared<StudyCommand>();
   add_scene_options(command, *options);
   command.add_option(
       "--out", options->out,
       "Folder of the study (default: studies/NAME); one that holds the same study is continued");
   command.add_option("--shard", options->shard,
-                     "i/n: compute the i-th part of n only; a call without it gathers all parts");
-  command.add_option("--budget", options->budget, "Stop after this time (\"10 min\"); the next call goes on");
-  command.add_flag("--yes", options->yes, "Start a study of more than 10 minutes without being asked");
+                     "i/n: compute only the i-th of n parts; a call without --shard gathers all parts");
+  command.add_option("--budget", options->budget,
+                     "Stop after this time (\"10 min\"); the same command continues");
+  command.add_flag("--yes", options->yes, "Start even a study of more than 10 minutes");
   command.callback([options, &exit_code] { exit_code = study(*options); });
 }
 

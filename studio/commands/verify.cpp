@@ -22,15 +22,16 @@ struct VerifyOptions {
 };
 
 std::string verdict(const results::Verification& v, const std::string& run) {
-  if (v.running) return fmt::format("{} is going on; it was looked at, nothing was changed", run);
-  if (!results::is_whole(v))
-    return fmt::format("{}: something is lost or missing; what is whole is kept", run);
+  if (v.running)
+    return fmt::format("{} is still being computed: it was checked, and nothing was changed", run);
+  if (!results::is_whole(v)) return fmt::format("{} has lost data or files; all undamaged data is kept", run);
   if (v.run.condition == results::RunCondition::unfinished)
-    return fmt::format("{} is whole so far and has not ended: 'rift resume {}' goes on", run, run);
-  return fmt::format("{} is whole", run);
+    return fmt::format("{} is undamaged and unfinished: 'rift resume {}' continues it", run, run);
+  return fmt::format("{} is complete and undamaged", run);
 }
 
 ExitCode verify(const VerifyOptions& options) {
+  check_is_run(options.run);
   ProgressLine line(progress_style(false, options.json));
   line.show("verify", 0.0);
   const results::Verification v = results::verify_run(options.run, !options.check_only);
@@ -45,7 +46,7 @@ ExitCode verify(const VerifyOptions& options) {
                                      {"files", files}};
     base::print_text(base::json_text(all, 2) + "\n");
   } else {
-    Table table{{"file", "is", ""}, {}};
+    Table table{{"file", "state", ""}, {}};
     for (const results::Finding& f : v.files)
       table.rows.push_back({f.file, results::name_of(f.found), f.text});
     base::print_text(plain_table(table, wants_color(options.color, stdout)) + "\n");
@@ -58,10 +59,10 @@ ExitCode verify(const VerifyOptions& options) {
 
 void add_verify(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "verify", "Look at every file of a run by its checksums; make anew what can be, save what is whole");
+      "verify", "Verify the checksums of every file of a run; repair or rebuild damaged files");
   const auto options = std::make_shared<VerifyOptions>();
   command.add_option("run", options->run, "Folder of the run")->required();
-  command.add_flag("--check-only", options->check_only, "Change nothing");
+  command.add_flag("--check-only", options->check_only, "Report only, change nothing");
   command.add_flag("--json", options->json, "The result as JSON on stdout");
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = verify(*options); });

@@ -1,3 +1,5 @@
+#include "engine/base/world_error.hpp"
+#include "engine/results/run_folder.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_panel.hpp"
 #include "studio/terminal/event_loop.hpp"
@@ -16,6 +18,9 @@ struct WatchOptions : SessionOptions {
 };
 
 ExitCode watch(const WatchOptions& options) {
+  check_is_run(options.run);
+  if (const results::RunState state = results::inspect_run(options.run); state.header_json.empty())
+    throw base::WorldError("watch", options.run, state.reason);
   if (const std::string why = Terminal::why_not(); !why.empty()) {
     base::message(
         "rift watch: needs a terminal, and this is {0}; without one, look at {1}/series.csv or rift render "
@@ -31,7 +36,8 @@ ExitCode watch(const WatchOptions& options) {
 }  // namespace
 
 void add_watch(CLI::App& app, ExitCode& exit_code) {
-  CLI::App& command = *app.add_subcommand("watch", "A live panel of a run that goes on elsewhere, read only");
+  CLI::App& command =
+      *app.add_subcommand("watch", "Live panel of a run that another process computes, read only");
   const auto options = std::make_shared<WatchOptions>();
   command.add_option("run", options->run, "Folder of the run")->required();
   add_color_option(command, options->color);

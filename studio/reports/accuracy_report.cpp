@@ -32,7 +32,7 @@ std::string remark(const accuracy::Accuracy& accuracy, const accuracy::AccuracyL
   if (position == accuracy.recommended)
     remarks.emplace_back("recommended");
   else if (std::find(accuracy.front.begin(), accuracy.front.end(), position) != accuracy.front.end())
-    remarks.emplace_back("on the front");
+    remarks.emplace_back("efficient");
   return fmt::format("{}", fmt::join(remarks, ", "));
 }
 
@@ -67,7 +67,8 @@ Json line_json(const accuracy::AccuracyLine& line) {
 }  // namespace
 
 Table accuracy_table(const accuracy::Accuracy& accuracy) {
-  Table table{.head = {"knob", "variant", "ratio", "error", "±", "converged", "to Broberg", "wall [s]", ""},
+  Table table{.head = {"parameter", "variant", "ratio", "error", "std. uncertainty", "total error",
+                       "diff. to Broberg", "wall [s]", ""},
               .rows = {}};
   accuracy::Factor last = accuracy::Factor::scene;
   for (std::size_t k = 0; k < accuracy.lines.size(); ++k) {
@@ -76,7 +77,7 @@ Table accuracy_table(const accuracy::Accuracy& accuracy) {
     last = line.factor;
     if (!line.cannot_be.empty()) {
       table.rows.push_back(
-          {factor, line.label, "-", "-", "-", "-", "-", "-", "cannot be: " + line.cannot_be});
+          {factor, line.label, "-", "-", "-", "-", "-", "-", "not computed: " + line.cannot_be});
       continue;
     }
     table.rows.push_back(
@@ -103,31 +104,33 @@ std::string recommendation_text(const AccuracyReport& report) {
 
 std::string lattice_text(const AccuracyReport& report) {
   const accuracy::Accuracy& a = report.accuracy;
-  std::string text = "the finest one that was tried, so that its own error is not known";
+  std::string text = "it is the finest one compared, so its own error is not known";
   if (std::isfinite(a.lattice_error)) {
     const bool resolved = std::abs(a.lattice_error) > 2.0 * a.lattice_uncertainty;
-    text = fmt::format("error {} ± {:.4f} against the finest one{}", error_text(a.lattice_error),
-                       a.lattice_uncertainty, resolved ? "" : ", below the scatter");
+    text = fmt::format("error {} (standard uncertainty {:.4f}) compared with the finest lattice{}",
+                       error_text(a.lattice_error), a.lattice_uncertainty,
+                       resolved ? "" : ", below the scatter");
   }
   text += scatter_text(a);
   if (!std::isfinite(a.lattice_error)) return text;
-  if (a.recommended_whole < 0) return text + "; no variant is known to keep to the goal with it";
+  if (a.recommended_whole < 0) return text + "; including it, no variant is known to be within the goal";
   const accuracy::AccuracyLine& line = a.lines[a.recommended_whole];
-  text += fmt::format("; with it, the cheapest within the goal is {}: {} in {:.2f} s", line.label,
-                      error_text(line.converged), line.wall_s);
-  return text +
-         (line.reference ? ", the finest itself" : fmt::format(" (± {:.4f})", line.converged_uncertainty));
+  text += fmt::format("; including it, the cheapest variant within the goal is {}: {} in {:.2f} s",
+                      line.label, error_text(line.converged), line.wall_s);
+  return text + (line.reference ? ", the finest lattice"
+                                : fmt::format(" (standard uncertainty {:.4f})", line.converged_uncertainty));
 }
 
 std::string accuracy_text(const AccuracyReport& report, bool color) {
   std::string text = plain_table(accuracy_table(report.accuracy), color) + "\n";
   text +=
-      "error: against what the knob is compared with; converged: against the converged reference, all parts "
-      "together\n";
+      "error: difference to the reference of the parameter (below); total error: difference to the converged "
+      "ratio, all parts together\nefficient: no other variant has both a smaller error and a shorter run "
+      "time\n";
   for (const std::string& line : accuracy::reference_texts(report.accuracy)) text += "  " + line + "\n";
   for (const std::string& note : report.notes) text += "  note: " + note + "\n";
   text += "recommended on this lattice: " + recommendation_text(report) + "\n";
-  return text + "the lattice itself: " + lattice_text(report) + "\n";
+  return text + "error of the lattice: " + lattice_text(report) + "\n";
 }
 
 Json accuracy_rows(const AccuracyReport& report) {
@@ -173,14 +176,15 @@ Json accuracy_json(const AccuracyReport& report) {
 
 void write_accuracy_report(const AccuracyReport& report, const std::filesystem::path& folder) {
   std::string compared = html_paragraph(
-      "\"error\" is against what the knob is compared with, and nothing else; \"converged\" is against the "
-      "converged reference, all parts together; the distance to Broberg's theory is no error of the "
-      "computation and is kept apart. Wall times are those of the march alone, each variant by itself: "
-      "packing and static solve are cached.");
+      "\"error\" is the difference to the reference of the parameter alone; \"total error\" is the "
+      "difference to the converged ratio, all parts together. The difference to Broberg's theory is no error "
+      "of the computation and has a column of its own. An efficient variant is one for which no other has "
+      "both a smaller error and a shorter run time. Wall times are those of the march alone, each variant "
+      "computed separately: packing and static solve are cached.");
   for (const std::string& line : accuracy::reference_texts(report.accuracy)) compared += html_paragraph(line);
   for (const std::string& note : report.notes) compared += html_paragraph("Note: " + note);
   const std::string recommended = html_paragraph("On this lattice: " + recommendation_text(report)) +
-                                  html_paragraph("The lattice itself: " + lattice_text(report));
+                                  html_paragraph("Error of the lattice: " + lattice_text(report));
   std::vector<scene::Scene> scenes;
   for (const accuracy::CaseResult& result : report.results) scenes.push_back(result.setup.scene);
   write_report({.title = "Error against run time of " + preset_in_titles(report.preset),
@@ -213,14 +217,14 @@ struct LogSeries {
 
 std::string left_out_text(int count) {
   if (count == 0) return {};
-  return fmt::format(" {} with an error below {:g}, the references among them, cannot be drawn.", count,
+  return fmt::format(" Not drawn: {} with an error below {:g}, among them the references.", count,
                      smallest_drawn);
 }
 
 const char* series_label(accuracy::Factor factor) {
   switch (factor) {
     case accuracy::Factor::scene:
-      return "the scene as it is";
+      return "the scene unchanged";
     case accuracy::Factor::time_step:
       return "time step, double";
     case accuracy::Factor::precision:
@@ -305,7 +309,7 @@ ChartSeries order_line(const ChartSeries& steps, double order, const std::string
 }
 
 NamedChart error_step(const accuracy::Accuracy& accuracy) {
-  Chart chart{.title = "Error of the time step, on one and the same specimen",
+  Chart chart{.title = "Error of the time step on one specimen",
               .x_label = "time step over the critical one [-]",
               .y_label = "|error of G_{ID}/G_{I0}| against the converged step [-]",
               .log_x = true,
@@ -322,11 +326,12 @@ NamedChart error_step(const accuracy::Accuracy& accuracy) {
     left_out += points.left_out;
     if (!points.series.x.empty()) chart.series.push_back(std::move(points.series));
   }
-  std::string caption = "Error of the release rate over the step in parts of the critical one.";
+  std::string caption =
+      "Error of the release-rate ratio against the time step, in fractions of the critical step.";
   for (const accuracy::FactorReference& r : accuracy.reference) {
     if (r.factor != accuracy::Factor::time_step || chart.series.empty()) continue;
     const accuracy::Convergence& c = r.convergence;
-    caption += " In double: " + c.text + ".";
+    caption += " In double precision: " + c.text + ".";
     ChartSeries& in_double = chart.series.front();
     if (c.clean) in_double.label = fmt::format("double, observed order {:.2f}", c.order);
     chart.series.push_back(c.clean ? order_line(in_double, c.order, fmt::format("order {:.2f}", c.order))
@@ -356,8 +361,8 @@ NamedChart ratio_elements(const std::vector<accuracy::CaseResult>& results,
     if (std::isfinite(broberg)) chart.series.push_back(level("Broberg", broberg, first, last));
   }
   return {"ratio_elements",
-          "Ratio over the number of elements, mean of the specimens at each; bars: their standard deviation, "
-          "each specimen being packed at random.",
+          "Ratio against the number of elements, mean of the specimens; bars: standard deviation between "
+          "specimens, each a random packing.",
           std::move(chart)};
 }
 

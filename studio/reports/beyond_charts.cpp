@@ -112,7 +112,7 @@ Chart wake_chart(const std::string& title,
                  const std::vector<std::pair<std::string, study::SummaryRow>>& rows) {
   Chart chart{.title = title,
               .x_label = "coherence length of the motion [mean radii]",
-              .y_label = "share of the kinetic energy behind the tip [-]",
+              .y_label = "fraction of the kinetic energy behind the tip [-]",
               .y_range = {.min = 0.0},
               .log_x = true};
   int colour = 0;

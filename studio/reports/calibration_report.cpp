@@ -19,8 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* left_out =
-    "Left out: a scan of E_mu, for every modulus is proportional to it; a scan of nu_mu, which changes E and "
-    "nu by less than 0.5 %.";
+    "Left out: a scan of E_µ, because every modulus is proportional to it; a scan of ν_µ, which changes E "
+    "and ν by less than 0.5 %.";
 
 Json json_of(const calibration::Scattered& s) { return {{"mean", s.mean}, {"deviation", s.deviation}}; }
 
@@ -28,7 +28,7 @@ Json json_of(const calibration::Scattered& s) { return {{"mean", s.mean}, {"devi
 Table table_of(const calibration::CalibrationStudy& study) {
   constexpr double micro = lattice::bulk_micro_material.young_modulus / 1e9;
   Table table{{"specimens", "elements", "packings", "core coordination", "solid fraction", "E [GPa]",
-               "E, ends [GPa]", "nu", "anisotropy"},
+               "E, ends [GPa]", "ν", "anisotropy"},
               {}};
   const auto mean_of = [](const auto& all, const auto& of) {
     std::vector<double> values;
@@ -62,7 +62,7 @@ Table table_of(const calibration::CalibrationStudy& study) {
 }
 
 Table scan_table(const calibration::CalibrationStudy& study) {
-  Table table{{"r_mu", "nu_mu", "E_M / E_mu", "nu"}, {}};
+  Table table{{"r_µ", "ν_µ", "E_M / E_µ", "ν"}, {}};
   const auto add = [&](const std::vector<calibration::CylinderResult>& cylinders) {
     const auto young = calibration::young_of(cylinders), nu = calibration::poisson_of(cylinders);
     for (std::size_t k = 0; k < young.size(); ++k)
@@ -94,9 +94,10 @@ Table tensor_table(const calibration::CalibrationStudy& study) {
 std::string material_block(const Calibration& c) {
   const lattice::MicroMaterial& m = c.beams.micro;
   return fmt::format(
-      "# Calibrated by {} cylinders of {} elements at a coordination of {:g}: E = {:.4g} GPa, nu = {:.4f}\n"
-      "[material]\nyoung_modulus = \"{:.10g} GPa\"\npoisson_ratio = {:.10g}\nstiffness = \"explicit\"\n"
-      "micro_young_modulus = \"{:.10g} GPa\"\nmicro_poisson_ratio = {:.10g}\nmicro_radius_ratio = {:.10g}\n",
+      "# Calibrated by {} cylinders of {} elements at a coordination of {:g}: E = {:.4g} GPa, ν = "
+      "{:.4f}\n[material]\nyoung_modulus = \"{:.10g} GPa\"\npoisson_ratio = {:.10g}\nstiffness = "
+      "\"explicit\"\nmicro_young_modulus = \"{:.10g} GPa\"\nmicro_poisson_ratio = "
+      "{:.10g}\nmicro_radius_ratio = {:.10g}\n",
       c.scene.calibration.packings, c.scene.calibration.elements, c.scene.specimen.coordination,
       c.beams.young_modulus.mean / 1e9, c.beams.poisson_ratio.mean, c.scene.material.young_modulus / 1e9,
       c.scene.material.poisson_ratio, m.young_modulus / 1e9, m.poisson_ratio, m.radius_ratio);
@@ -104,20 +105,23 @@ std::string material_block(const Calibration& c) {
 
 std::string calibration_text(const Calibration& c, bool color) {
   const calibration::Calibrated& b = c.beams;
-  std::string text = heading(fmt::format("E = {:.4g} GPa, nu = {:g}", c.scene.material.young_modulus / 1e9,
+  std::string text = heading(fmt::format("E = {:.4g} GPa, ν = {:g}", c.scene.material.young_modulus / 1e9,
                                          c.scene.material.poisson_ratio),
                              color) +
                      "\n";
-  text += fmt::format("  E_mu        {} GPa\n",
+  text += fmt::format("  E_µ         {} GPa between packings\n",
                       scatter_cell(b.micro.young_modulus / 1e9, b.micro_young_deviation / 1e9, 2));
-  text += fmt::format("  nu_mu       {:g}\n", b.micro.poisson_ratio);
-  text += fmt::format("  r_mu        {}\n", scatter_cell(b.micro.radius_ratio, b.radius_ratio_deviation, 4));
-  text += fmt::format("  of a single packing: the scatter over {} cylinders of {} elements, which show\n",
-                      c.scene.calibration.packings, c.scene.calibration.elements);
-  text += fmt::format("  E           {} GPa\n",
+  text += fmt::format("  ν_µ         {:g}\n", b.micro.poisson_ratio);
+  text += fmt::format("  r_µ         {} between packings\n",
+                      scatter_cell(b.micro.radius_ratio, b.radius_ratio_deviation, 4));
+  text += fmt::format(
+      "  ± is the standard deviation between {} cylinders of {} elements, whose measured constants are\n",
+      c.scene.calibration.packings, c.scene.calibration.elements);
+  text += fmt::format("  E           {} GPa between packings\n",
                       scatter_cell(b.young_modulus.mean / 1e9, b.young_modulus.deviation / 1e9, 3));
-  text += fmt::format("  nu          {}\n", scatter_cell(b.poisson_ratio.mean, b.poisson_ratio.deviation, 4));
-  text += fmt::format("  attainable  nu from {:.3f} to {:.3f}\n", b.attainable[0], b.attainable[1]);
+  text += fmt::format("  ν           {} between packings\n",
+                      scatter_cell(b.poisson_ratio.mean, b.poisson_ratio.deviation, 4));
+  text += fmt::format("  attainable  ν from {:.3f} to {:.3f}\n", b.attainable[0], b.attainable[1]);
   return text + fmt::format("  {}\n\n", left_out) + material_block(c);
 }
 
@@ -154,9 +158,10 @@ void write_calibration_report(const Calibration& c, const std::filesystem::path&
                  {"table.csv", rows_csv(rows)},
                  {"material.toml", material_block(c)}},
        .sections = {{"Answer", html_lines(calibration_text(c, false))},
-                    {"Specimens, with the paper's beams (E_mu = 356 GPa, nu_mu = 0.3, r_mu = 0.3)",
+                    {"Specimens with the paper's beams (E_µ = 356 GPa, ν_µ = 0.3, r_µ = 0.3); ± is the "
+                     "scatter between packings",
                      table_of(*c.study)},
-                    {"Scan of the beams", scan_table(*c.study)},
+                    {"Scan of the beams; ± is the scatter between packings", scan_table(*c.study)},
                     {"Stiffness tensor of a periodic box", tensor_table(*c.study)},
                     {"Charts", calibration_charts(rows, lattice::bulk_micro_material.young_modulus)}}},
       folder);
@@ -236,8 +241,8 @@ NamedChart poisson_against_size(const std::vector<Json>& rows) {
 
 NamedChart young_against_core(const std::vector<Json>& rows, double micro) {
   return {"calibration_core",
-          "A coordination of 6 over all elements, which have fewer contacts at the walls, leaves more of "
-          "them to the core the smaller the cylinder: this, not the number of elements, is what E follows.",
+          "Elements at the walls have fewer contacts. At a mean coordination of 6 the core of a smaller "
+          "cylinder therefore has a higher coordination, on which E depends, not on the number of elements.",
           Chart{.title = "Young's modulus against the coordination of the core",
                 .x_label = "coordination away from the walls [-]",
                 .y_label = "E_M [GPa]",
@@ -262,7 +267,8 @@ NamedChart young_of_scan(const std::vector<Json>& rows) {
 
 NamedChart poisson_of_scan(const std::vector<Json>& rows) {
   return {
-      "calibration_scan_poisson", "ν follows r_µ and hardly depends on ν_µ, which only twists beams.",
+      "calibration_scan_poisson",
+      "ν follows r_µ and hardly depends on ν_µ, which acts on the twist of the beams only.",
       Chart{.title = "Scan of the beams' radius: Poisson's ratio",
             .x_label = "radius ratio r_µ [-]",
             .y_label = "ν_M [-]",

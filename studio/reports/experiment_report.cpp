@@ -41,17 +41,17 @@ Means means_of(const experiment::Experiment& e) {
 /// Of what was asked for; what was not is no zero.
 std::string uncertainty_text(const experiment::Experiment& e, const Means& m) {
   std::string text = e.resamples == 0
-                         ? std::string("noise not asked for")
-                         : fmt::format("noise {:.1f} % ({} histories", 100 * m.noise, e.resamples);
+                         ? std::string("noise not evaluated (0 resamples)")
+                         : fmt::format("noise {:.1f} % ({} resamples", 100 * m.noise, e.resamples);
   if (e.resamples > 0 && e.resamples < e.resamples_asked)
-    text += fmt::format(" of {}: the others are no crack's", e.resamples_asked);
+    text += fmt::format(" of {}: the others give no valid crack", e.resamples_asked);
   if (e.resamples > 0) text += ")";
-  text += e.specimens == 1 ? std::string(", packing not asked for")
+  text += e.specimens == 1 ? std::string(", packing scatter not evaluated (1 specimen)")
                            : fmt::format(", packing {:.1f} % ({} specimens)", 100 * m.packing, e.specimens);
   return text + fmt::format(", window {:.1f} %", 100 * m.window);
 }
 
-/// How far what was found is from the critical rate laid over it.
+/// Difference of the identified critical rate to the reference.
 struct Distance {
   double mean = 0, largest = 0;  // of |found / truth - 1|
   double within = 0;  // share of the points whose band of two standard uncertainties holds the truth
@@ -72,23 +72,23 @@ Distance distance_from_truth(const ExperimentReport& report, bool corrected) {
 
 std::string truth_text(const ExperimentReport& report, bool corrected) {
   const Distance d = distance_from_truth(report, corrected);
-  return fmt::format("{:.1f} % off on average, {:.1f} % at most; within the band at {:.0f} % of the points",
-                     100 * d.mean, 100 * d.largest, 100 * d.within);
+  return fmt::format(
+      "difference {:.1f} % on average, {:.1f} % at most; within the band at {:.0f} % of the points",
+      100 * d.mean, 100 * d.largest, 100 * d.within);
 }
 
 std::string application_text(const experiment::Experiment& e) {
   constexpr double hardly = 0.1;  // that the law rises over its velocities
   const experiment::Application& a = e.application;
-  if (a.along.empty()) return "arrested before its first point";
+  if (a.along.empty()) return "the predicted crack arrested before the first point";
   std::string text = fmt::format(
-      "velocity off by {:.1f} % (rms; {:.1f} % by the band), tip by at most {:.2f} mm, what it releases by "
-      "{:.1f} %",
+      "predicted velocity differs by {:.1f} % rms ({:.1f} % expected from the uncertainty), tip position by "
+      "at most {:.2f} mm, energy released by {:.1f} %",
       100 * a.velocity_error, 100 * a.velocity_expected, 1e3 * a.worst_lag, 100 * a.rate_error);
   if (std::isfinite(a.arrested_m)) text += fmt::format("; arrested at {:.4g} mm", 1e3 * a.arrested_m);
   const double rises = e.law.back()[1] / e.law.front()[1] - 1.0;
   if (rises < hardly)
-    text += fmt::format("; its G_c rises by {:.0f} % only, which leaves the velocity nearly undecided",
-                        100 * rises);
+    text += fmt::format("; G_c rises by {:.0f} % only, so the velocity is poorly determined", 100 * rises);
   return text;
 }
 
@@ -98,18 +98,21 @@ Table conclusions(const ExperimentReport& report) {
   const Means m = means_of(e);
   Table table{
       {"", ""},
-      {{"course", fmt::format("{}; rows scatter by {:.3g} mm", report.smoothing, 1e3 * e.course.scatter)},
-       {"standard uncertainty", uncertainty_text(e, m) + "; the ± above is twice all of it"},
-       {"read quasi-statically", fmt::format("G_I0 is {:.3f} times the G_IDc of the paper's reading, {:.3f} "
-                                             "times the corrected one, on average",
-                                             m.over_static, m.corrected_over_static)}}};
+      {{"smoothed history", fmt::format("{}; the measured rows scatter around it by {:.3g} mm",
+                                        report.smoothing, 1e3 * e.course.scatter)},
+       {"standard uncertainty",
+        uncertainty_text(e, m) + "; each ± in the table is two standard uncertainties"},
+       {"quasi-static reading",
+        fmt::format(
+            "G_I0 is on average {:.3f} times G_IDc as in the paper and {:.3f} times the corrected G_IDc",
+            m.over_static, m.corrected_over_static)}}};
   if (!report.truth.row.empty()) {
-    table.rows.push_back({report.truth_name + ", as paper", truth_text(report, false)});
+    table.rows.push_back({report.truth_name + ", as in the paper", truth_text(report, false)});
     table.rows.push_back({report.truth_name + ", corrected", truth_text(report, true)});
   }
   if (!e.application.along.empty() || std::isfinite(e.application.arrested_m))
-    table.rows.push_back({"given back", application_text(e)});
-  table.rows.push_back({"books", fmt::format("close to {:.1e} of the energy", e.worst_residual)});
+    table.rows.push_back({"forward check", application_text(e)});
+  table.rows.push_back({"balance error", fmt::format("{:.1e} of the largest energy", e.worst_residual)});
   return table;
 }
 
@@ -127,8 +130,8 @@ std::string csv_of(const experiment::Experiment& e) {
 /// A table that crack.toughness reads: its columns are apart by semicolons, as measured ones are.
 std::string toughness_csv(const ExperimentReport& report, bool by_position) {
   std::string csv =
-      fmt::format("# G_IDc of {}, as the paper reads it{}: for crack.toughness\n{};release_rate [J/m2]\n",
-                  base::escaped(report.preset), by_position ? "" : ", made to rise",
+      fmt::format("# G_IDc of {}, as in the paper{}: for crack.toughness\n{};release_rate [J/m2]\n",
+                  base::escaped(report.preset), by_position ? "" : ", monotone fit",
                   by_position ? "position [m]" : "velocity [c_r]");
   if (by_position)
     for (const experiment::CriticalPoint& p : report.experiment.along)
@@ -140,7 +143,7 @@ std::string toughness_csv(const ExperimentReport& report, bool by_position) {
 
 /// A dozen of the points.
 Table experiment_table(const ExperimentReport& report) {
-  Table table{{"tip [mm]", "time [µs]", "v [c_R]", "G_I0 [kJ/m²]", "G_IDc, as paper", "corrected",
+  Table table{{"tip [mm]", "time [µs]", "v [c_R]", "G_I0 [kJ/m²]", "G_IDc ± 2u, paper", "corrected ± 2u",
                "efficiency", "G_IDc/G_I0"},
               {}};
   const std::vector<experiment::CriticalPoint>& along = report.experiment.along;
@@ -226,27 +229,27 @@ NamedChart history_chart(const ExperimentReport& report) {
         return ChartPoint{1e6 * row.time, 1e3 * row.position,
                           row.uncertainty > 0.0 ? 1e3 * row.uncertainty : NAN};
       });
-  ChartSeries course{.label = "course"};
+  ChartSeries course{.label = "smoothed history"};
   const history::SmoothedHistory& c = report.experiment.course;
   const double duration = report.rows.back().time - report.rows.front().time;
   for (int k = 0; k <= 200; ++k) {
     const double t = duration * k / 200;
     course.add(1e6 * (c.first_time + t), 1e3 * history::tip_at(c.history, t));
   }
-  return {"history",
-          fmt::format(
-              "What was measured, and the course made of it ({}): the rows scatter around it by {:.3g} mm{}.",
-              report.smoothing, 1e3 * c.scatter,
-              c.chi2 > 0.0 ? fmt::format(", χ² {:.2f} a row", c.chi2) : std::string()),
-          Chart{.title = "The measured crack and the course through it",
-                .x_label = "time [µs]",
-                .y_label = "tip position [mm]",
-                .series = {std::move(rows), std::move(course)}}};
+  return {
+      "history",
+      fmt::format("Measured rows and the smoothed history ({}): the rows scatter around it by {:.3g} mm{}.",
+                  report.smoothing, 1e3 * c.scatter,
+                  c.chi2 > 0.0 ? fmt::format(", χ² {:.2f} per row", c.chi2) : std::string()),
+      Chart{.title = "Measured crack history",
+            .x_label = "time [µs]",
+            .y_label = "tip position [mm]",
+            .series = {std::move(rows), std::move(course)}}};
 }
 
 NamedChart velocity_chart(const ExperimentReport& report) {
   const experiment::Experiment& e = report.experiment;
-  ChartSeries band{.label = "band", .style = Style::band}, line{.label = "course"},
+  ChartSeries band{.label = "band", .style = Style::band}, line{.label = "smoothed history"},
       raw{.label = "differences of rows", .style = Style::points, .colour = 1};
   double top = 0.0;
   for (std::size_t k = 0; k < e.along.size(); ++k) {
@@ -261,7 +264,7 @@ NamedChart velocity_chart(const ExperimentReport& report) {
     raw.add(0.5e6 * (a.time + b.time), (b.position - a.position) / (b.time - a.time) / e.rayleigh_speed);
   }
   return {"velocity",
-          "The course's velocity, its band of two standard deviations from the histories drawn anew, and the "
+          "Velocity of the smoothed history, its band of two standard deviations over the resamples, and the "
           "differences of neighbouring rows.",
           Chart{.title = "Velocity of the crack along its course",
                 .x_label = "time [µs]",
@@ -287,11 +290,11 @@ std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x
     add("", Style::band, 0, paper, [](const Point& p) { return p.uncertainty; });
     add("", Style::band, 1, corrected, [](const Point& p) { return p.corrected_uncertainty; });
   }
-  add("G_{IDc}, as the paper", style, 0, paper);
+  add("G_{IDc}, as in the paper", style, 0, paper);
   add("G_{IDc}, corrected", style, 1, corrected);
   add("quasi-static G_{I0}", lines ? Style::dashed : style, 2, [](const Point& p) { return p.quasi_static; });
   if (!lines)
-    all.push_back(series_of("monotone fit", Style::line, 0, e.law, [](const auto& at) {
+    all.push_back(series_of("monotone fit (isotonic regression)", Style::line, 0, e.law, [](const auto& at) {
       return ChartPoint{at[0], 1e-3 * at[1]};
     }));
   if (!report.truth.row.empty())
@@ -305,9 +308,8 @@ NamedChart rate_chart(const ExperimentReport& report, const char* name, const ch
                       const char* x_label, const Along& x, Style style) {
   return {
       name,
-      std::string(
-          "What the lattice's damage zone takes (as the paper reads it), the same over the lattice's "
-          "efficiency at that velocity, and what a crack without waves would release under the same grips.") +
+      std::string("Energy dissipated in the damage zone (as in the paper), the same divided by the lattice "
+                  "efficiency at that velocity, and the quasi-static release rate under the same grips.") +
           (style == Style::line ? " Bands: two standard uncertainties of noise, packing and window." : ""),
       Chart{.title = title,
             .x_label = x_label,
@@ -318,9 +320,9 @@ NamedChart rate_chart(const ExperimentReport& report, const char* name, const ch
 
 NamedChart efficiency_chart(const experiment::Experiment& e) {
   return {"efficiency",
-          "The share of what arrives at the tip that the damage zone takes: a crack that runs steadily "
-          "through the same lattice's strip, where all that is stored ahead arrives (Nilsson 1972).",
-          Chart{.title = "Efficiency of the lattice",
+          "Fraction of the energy flux into the tip that the damage zone dissipates, from a steady crack in "
+          "a strip of the same lattice, where all the energy stored ahead arrives at the tip (Nilsson 1972).",
+          Chart{.title = "Lattice efficiency",
                 .x_label = "velocity [c_R]",
                 .y_label = "efficiency [-]",
                 .y_range = {0.0, 1.1},
@@ -334,11 +336,10 @@ NamedChart application_chart(const experiment::Experiment& e) {
   using Point = experiment::Application::Point;
   return {
       "application",
-      fmt::format(
-          "A predicted crack with the monotone fit of G_IDc(v): its velocity differs by {:.1f} % (root of "
-          "the mean square), its tip by at most {:.2g} mm.",
-          100 * e.application.velocity_error, 1e3 * e.application.worst_lag),
-      Chart{.title = "Forward check: a crack driven by the identified G_{IDc}(v)",
+      fmt::format("Crack driven by the identified G_IDc(v) (monotone fit): its velocity differs from the "
+                  "measured one by {:.1f} % rms, its tip position by at most {:.2g} mm.",
+                  100 * e.application.velocity_error, 1e3 * e.application.worst_lag),
+      Chart{.title = "Forward check: crack driven by the identified G_{IDc}(v)",
             .x_label = "tip position [mm]",
             .y_label = "velocity [c_R]",
             .y_range = {.min = 0.0},
@@ -376,7 +377,7 @@ void write_experiment_report(const ExperimentReport& report, const std::filesyst
                           {"table.csv", csv_of(report.experiment)},
                           {"toughness_position.csv", toughness_csv(report, true)},
                           {"toughness_velocity.csv", toughness_csv(report, false)}},
-                .sections = {{"What was found", conclusions(report)},
+                .sections = {{"Results", conclusions(report)},
                              {"Charts", experiment_charts(report)},
                              {"Along the crack", experiment_table(report)}}},
                folder);

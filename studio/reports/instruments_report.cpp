@@ -54,10 +54,10 @@ const measurement::Trace& trace_named(const InstrumentsReport& report, const std
 }
 
 std::string distance_text(const measurement::Trace& measured, const measurement::TraceDistance& d) {
-  std::string text =
-      fmt::format("off by {} (rms), {} at most, at {} of its {} points", with_unit(d.rms, measured.dimension),
-                  with_unit(d.largest, measured.dimension), d.points, measured.time.size());
-  if (d.span > 0.0) text += fmt::format("; {:.1f} % of its span", 100.0 * d.rms / d.span);
+  std::string text = fmt::format("difference {} rms, {} at most, compared at {} of {} points",
+                                 with_unit(d.rms, measured.dimension),
+                                 with_unit(d.largest, measured.dimension), d.points, measured.time.size());
+  if (d.span > 0.0) text += fmt::format("; rms {:.1f} % of the measured span", 100.0 * d.rms / d.span);
   return text;
 }
 
@@ -74,13 +74,13 @@ std::string without_intensity(const std::vector<measurement::IntensityPoint>& po
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string text;
   for (const auto& [why, moments] : reasons)
-    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", moments, measurement::reason_of(why));
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", moments, measurement::reason_of(why));
   return text;
 }
 
 std::string span_text(const measurement::Trace& trace) {
   return trace.time.empty()
-             ? std::string("no time")
+             ? std::string("no times")
              : fmt::format("{:.6g} to {:.6g} µs", 1e6 * trace.time.front(), 1e6 * trace.time.back());
 }
 
@@ -110,42 +110,48 @@ Table conclusions(const InstrumentsReport& report) {
   const auto say = [&](const std::string& label, const std::string& text) {
     table.rows.push_back({label, text});
   };
-  say("camera", fmt::format("{} x {} points, each read over a circle of {:.3g} mm", seen.grid.columns,
-                            seen.grid.rows, 2e3 * seen.subset));
+  say("camera", fmt::format("{} x {} points, subset diameter {:.3g} mm", seen.grid.columns, seen.grid.rows,
+                            2e3 * seen.subset));
   const bool blind =
       std::none_of(report.field.begin(), report.field.end(), [](const measurement::SeenField& field) {
         return std::any_of(field.motion.begin(), field.motion.end(),
                            [](const auto& m) { return m.has_value(); });
       });
-  if (blind) say("", "no subset holds enough elements: widen --subset");
+  if (blind) say("", "no subset holds enough elements: enlarge --subset");
   if (!seen.finished)
-    say("unfinished", fmt::format("the run has come to {:.6g} µs so far",
+    say("unfinished", fmt::format("the run has reached {:.6g} µs",
                                   seen.samples.empty() ? 0.0 : 1e6 * seen.samples.back().time_s));
-  if (!seen.no_intensity.empty()) say("stress intensities", "none: " + seen.no_intensity);
+  if (!seen.no_intensity.empty()) say("K_I and K_II", "none: " + seen.no_intensity);
   const FieldAgainstBooks against = field_against_books(report);
   if (seen.no_intensity.empty())
-    say("ring", fmt::format("{:.3g} to {:.3g} mm around the tip, less at an edge", 1e3 * seen.ring.inner,
+    say("ring", fmt::format("{:.3g} to {:.3g} mm around the tip, smaller near an edge", 1e3 * seen.ring.inner,
                             1e3 * seen.ring.outer));
   if (const std::string why = without_intensity(seen.intensity); !why.empty()) say("moments without K", why);
-  if (seen.grip_moves) say("G_I0", "of the displacement as the crack starts, from which the grip moves on");
+  const bool never_fits =
+      !seen.intensity.empty() && std::all_of(seen.intensity.begin(), seen.intensity.end(),
+                                             [](const auto& p) { return p.why == measurement::NoFit::edge; });
+  if (never_fits)
+    say("", "the ring fits at no moment: raise specimen.elements, or lower --inner and --outer");
+  if (seen.grip_moves) say("G_I0", "refers to the displacement when the crack starts; the grip moves later");
   if (against.moments > 0)
-    say("field against books",
-        fmt::format("G of the field is {:.3f} G_I0, the damage zone takes {:.3f} of it (mean of {} moments)",
+    say("G from K",
+        fmt::format("{:.3f} times G_I0; G_ID (energy balance) is {:.3f} of it (means over {} moments)",
                     against.over_g_i0, against.taken, against.moments));
   const auto closed =
       std::count_if(seen.intensity.begin(), seen.intensity.end(),
                     [](const measurement::IntensityPoint& p) { return p.k && p.k->opening < 0.0; });
   if (closed > 0)
-    say("closed faces", fmt::format("K_I is below 0 at {} moments: faces that press are not those of the "
-                                    "fit, K_II alone means something",
-                                    closed));
+    say("closed faces",
+        fmt::format(
+            "K_I is negative at {} moments: the fit assumes free faces, so only K_II is meaningful there",
+            closed));
   if (seen.clock != 0.0)
-    say("clock", fmt::format("the measured history's: the run's plus {:.8g} µs", 1e6 * seen.clock));
+    say("clock", fmt::format("time of the measured history = time of the run + {:.8g} µs", 1e6 * seen.clock));
   for (const measurement::Trace& measured : report.measured) {
     const auto d = measurement::distance_between(trace_named(report, measured.name), measured);
     say(measured.name, d ? distance_text(measured, *d)
-                         : fmt::format("lies at {}, the run at {}: no time is in both", span_text(measured),
-                                       span_text(trace_named(report, measured.name))));
+                         : fmt::format("covers {}, the run {}: they have no time in common",
+                                       span_text(measured), span_text(trace_named(report, measured.name))));
   }
   return table;
 }
@@ -164,8 +170,8 @@ std::string intensity_csv(const measurement::Instruments& seen) {
 
 /// A dozen moments: stress intensities, and the release rate by the energy balance beside them.
 Table intensity_table(const InstrumentsReport& report) {
-  Table table{{"time [µs]", "tip [mm]", "v [c_R]", "K_I [MPa m½]", "K_II", "G, field [kJ/m²]", "G_ID, books",
-               "taken", "misfit"},
+  Table table{{"time [µs]", "tip [mm]", "v [c_R]", "K_I [MPa m½]", "K_II", "G from K [kJ/m²]",
+               "G_ID (balance)", "G_ID/G", "misfit"},
               {}};
   const std::vector<measurement::IntensityPoint>& points = report.seen.intensity;
   const std::size_t apart = std::max<std::size_t>(1, points.size() / 12);
@@ -308,7 +314,7 @@ std::vector<NamedChart> gauge_charts(const InstrumentsReport& report) {
     }
     if (!gauges.empty())
       charts.push_back(time_chart(report, kind.name, kind.title, kind.quantity, gauges,
-                                  "Virtual gauges, by their place, since the unloaded plate."));
+                                  "Virtual gauges at the given positions, relative to the unloaded plate."));
   }
   return charts;
 }
@@ -326,11 +332,11 @@ NamedChart rate_chart(const InstrumentsReport& report) {
             .y_label = "release rate [kJ/m²]",
             .y_range = {.min = 0.0},
             .series = {
-                series_of("G of the field, from K", Style::line_points, 1, points,
+                series_of("from K", Style::line_points, 1, points,
                           [](const Point& p) {
                             return ChartPoint{1e3 * p.tip, p.k ? 1e-3 * p.k->release_rate : NAN};
                           }),
-                series_of("G_{ID}, energy balance", Style::line, 0, points,
+                series_of("G_{ID} (energy balance)", Style::line, 0, points,
                           [](const Point& p) {
                             return ChartPoint{1e3 * p.tip, 1e-3 * p.g_id};
                           }),
@@ -372,7 +378,7 @@ std::vector<NamedChart> field_maps(const InstrumentsReport& report) {
       HeatMap map = map_of(report, field, value);
       map.title = fmt::format("{}, tip at {:.1f} mm", title, 1e3 * field.tip), map.value_label = label;
       maps.push_back({fmt::format("{}_{}", name, k == last ? "end" : "half_way"),
-                      "As a camera sees it; where a subset has lost its hold nothing is shown.",
+                      "Field of the virtual camera; cells whose subset holds too few elements are empty.",
                       std::move(map)});
     };
     add("displacement_y", "Displacement across the crack", "u_y [µm]",
@@ -384,17 +390,16 @@ std::vector<NamedChart> field_maps(const InstrumentsReport& report) {
   return maps;
 }
 
-/// Grip force, strains and velocities of the gauges, stress intensities and release rates, measured curves
-/// laid over.
+/// Grip force, strains and velocities of the gauges, stress intensities and release rates, and measured
+/// curves.
 std::vector<NamedChart> instrument_charts(const InstrumentsReport& report) {
-  std::vector<NamedChart> charts{time_chart(report, "grip_force", "Force of the upper grip against time",
-                                            "force", {{"grip_force", "grip"}},
-                                            "With which the upper grip pulls across the crack.")};
+  std::vector<NamedChart> charts{time_chart(report, "grip_force", "Force of the upper grip", "force",
+                                            {{"grip_force", "grip"}},
+                                            "Force of the upper grip across the crack.")};
   for (NamedChart& gauge : gauge_charts(report)) charts.push_back(std::move(gauge));
-  charts.push_back(
-      time_chart(report, "stress_intensity", "Stress intensities against time", "K",
-                 {{"k_i", "K_I"}, {"k_ii", "K_{II}"}},
-                 "Fitted to the camera's field around the tip, with the waves of a running tip."));
+  charts.push_back(time_chart(
+      report, "stress_intensity", "Stress intensity factors", "K", {{"k_i", "K_I"}, {"k_ii", "K_{II}"}},
+      "Fitted to the camera field around the tip with the fields of a steadily running tip."));
   charts.push_back(rate_chart(report));
   return charts;
 }
@@ -407,11 +412,11 @@ void write_instruments_report(const InstrumentsReport& report, const std::filesy
               .scenes = report.scenes,
               .files = {{"summary.json", base::json_text(instruments_json(report), 2) + "\n"},
                         {"stress_intensity.csv", intensity_csv(report.seen)}},
-              .sections = {{"What was seen", conclusions(report)},
+              .sections = {{"Results", conclusions(report)},
                            {"Instruments", those_with_points(instrument_charts(report))},
                            {"Field", those_with_points(field_maps(report))}}};
   if (!report.seen.intensity.empty())
-    page.sections.push_back({"Stress intensities along the crack", intensity_table(report)});
+    page.sections.push_back({"Stress intensity factors along the crack", intensity_table(report)});
   write_report(page, folder);
 }
 

@@ -21,10 +21,10 @@ NamedChart coordination_chart(const Json& summary) {
     series.add(static_cast<double>(series.x.size()),
                count.get<double>() / summary.at("elements").get<double>());
   return {"coordination",
-          "Shares of the elements by their number of contacts; contacts with walls are not counted.",
+          "Fraction of the elements by number of contacts; contacts with walls are not counted.",
           Chart{.title = "Contacts of the elements",
                 .x_label = "contacts [-]",
-                .y_label = "share of the elements [-]",
+                .y_label = "fraction of the elements [-]",
                 .y_range = {.min = 0.0},
                 .series = {std::move(series)},
                 .marks = {{summary.at("coordination"), summary.at("coordination"), "mean"}}}};
@@ -33,14 +33,14 @@ NamedChart coordination_chart(const Json& summary) {
 NamedChart pair_chart(const Json& summary) {
   return {
       "pair_correlation",
-      "Pairs of elements by their distance, over pairs of points at random in the same space.",
+      "Number of element pairs by distance, over the number of pairs of random points in the same space.",
       Chart{.title = "Pair correlation",
             .x_label = "distance over the mean diameter [-]",
             .y_label = "g [-]",
             .y_range = {.min = 0.0},
             .series = {
                 {.label = "packing", .x = summary.at("pair_distance"), .y = summary.at("pair_correlation")},
-                level("points at random", 1.0, 0.0, 2.5)}}};
+                level("random points", 1.0, 0.0, 2.5)}}};
 }
 
 }  // namespace
@@ -83,15 +83,15 @@ std::string packing_text(const Json& j, bool color) {
   row("size", fmt::format("{:.4g} x {:.4g} x {:.4g} mm", 1e3 * j.at("length_m").get<double>(),
                           1e3 * j.at("height_m").get<double>(), 1e3 * j.at("thickness_m").get<double>()));
   row("mean radius", fmt::format("{:.4g} mm", 1e3 * j.at("mean_radius_m").get<double>()));
-  row("beams", fmt::format("{}, {} elements without any load path", j.at("beams").get<long>(),
-                           j.at("rattlers").get<int>()));
+  row("beams", fmt::format("{}, {} without a load path", j.at("beams").get<long>(),
+                           base::counted(j.at("rattlers").get<int>(), "element")));
   row("coordination", fmt::format("{:.3f}", j.at("coordination").get<double>()));
   row("solid fraction", fmt::format("{:.4f}", j.at("solid_fraction").get<double>()));
   row("mean overlap", fmt::format("{:.2f} %", 100.0 * j.at("mean_overlap").get<double>()));
-  row("fabric", fmt::format("xx {:.4f}, yy {:.4f}, zz {:.4f}; off from isotropic by {:.4f}",
+  row("fabric", fmt::format("xx {:.4f}, yy {:.4f}, zz {:.4f}; deviation from isotropy {:.4f}",
                             j.at("fabric")[0][0].get<double>(), j.at("fabric")[1][1].get<double>(),
                             j.at("fabric")[2][2].get<double>(), j.at("fabric_deviation").get<double>()));
-  row("took", j.at("from_cache").get<bool>() ? std::string("found in the cache")
+  row("time", j.at("from_cache").get<bool>() ? std::string("from the cache")
                                              : duration_text(j.at("wall_packing_s").get<double>()));
   return text;
 }

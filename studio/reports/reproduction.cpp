@@ -24,16 +24,16 @@ constexpr const char* of_the_paper =
     " Every claim is judged with the paper's calibrated beams (bulk) and with beams scaled to the plate's "
     "own modulus (in-situ).";
 constexpr const char* of_our_own =
-    " These are findings of our own, with beams scaled to the plate's own modulus (in-situ).";
+    " These questions go beyond the paper; beams are scaled to the plate's own modulus (in-situ).";
 
 /// How the numbers are to be read, and where they come from.
 std::string preamble(const Reproduction& r) {
   return fmt::format(
-      "Made by `{}`, rift {}, in {}: {} scenarios, {} computed now, {} found. The plate has {} elements; "
-      "\"ratio\" is G_ID/G_I0 with damping counted in, the mean of {} specimens, and delta its distance to "
+      "Made by `{}`, rift {}, in {}: {} scenarios, {} computed now, {} reused. The plate has {} elements; "
+      "\"ratio\" is G_ID/G_I0 with damping counted, the mean of {} specimens, and delta its difference to "
       "Broberg. \"Near\" is a mean |delta| of at most {:g}, \"too low\" and \"too high\" a mean delta beyond "
-      "{:g}, \"no influence\" at most {:g}, \"quasi-constant\" a scatter along the window of at most {:g}; "
-      "not decidable is what the specimens scatter about more than that.{}",
+      "{:g}, \"no influence\" at most {:g}, \"quasi-constant\" a scatter along the window of at most {:g}; a "
+      "claim is not decidable where the specimens scatter by more than that.{}",
       r.command, r.build.version, duration_text(r.wall_s), r.scenarios, r.computed, r.found, r.elements,
       is_beyond(r) ? "the preset's" : "three", claims::near_margin, claims::offset_margin,
       claims::influence_margin, claims::constant_margin, is_beyond(r) ? of_our_own : of_the_paper);

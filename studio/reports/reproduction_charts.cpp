@@ -117,7 +117,7 @@ bool energies(Chart& chart, const claims::Evidence& evidence) {
       const double t = 1e3 * table.at("time_s")[k];
       chart.series[0].add(t, table.at("energy_elastic_j")[k]);
       chart.series[1].add(
-          t, table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_rotation_j")[k]);
+          t, table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_Rotation_j")[k]);
       chart.series[2].add(t, table.at("energy_fracture_j")[k]);
       chart.series[3].add(t, table.at("work_external_j")[k]);
     }
@@ -146,7 +146,7 @@ bool release_energies(Chart& chart, const claims::Evidence& evidence) {
 /// scheme.
 bool release_laws(Chart& chart, bool over_distance) {
   chart.x_label = over_distance ? "distance ahead of the tip (s_b - a) / L_{CZM} [-]" : "damage b / l [-]";
-  chart.y_label = "stiffness left Y_1 / Y_2 [-]";
+  chart.y_label = "remaining stiffness Y_1 / Y_2 [-]";
   chart.y_range = {0.0, 1.1};
   int colour = 0;
   for (const auto& [name, power] : {std::pair{"linear", 1.0}, {"square root", 0.5}, {"quadratic", 2.0}}) {

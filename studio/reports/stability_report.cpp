@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 std::string seen_text(const stability::Observed& seen) {
   if (seen.ending == stability::CaseEnd::diverges && seen.caught_within >= 0)
-    return fmt::format("diverges, caught in {}", seen.caught_within);
+    return fmt::format("diverges, detected within {}", seen.caught_within);
   return stability::name_of(seen.ending);
 }
 
@@ -135,8 +135,8 @@ std::string verdict(const StabilityReport& report) {
 
 /// A line per case: expected, seen in both precisions, the balance errors, growth, what was said.
 Table stability_table(const std::vector<stability::StabilityRow>& rows) {
-  Table table{{"case", "", "expected", "seen", "books, double", "single", "growth", "theory", "ratio",
-               "single", "shows", "s", ""},
+  Table table{{"case", "", "expected", "seen", "balance error, double", "single", "growth", "growth (theory)",
+               "ratio", "single", "holds", "time [s]", ""},
               {}};
   std::string family;
   for (const stability::StabilityRow& row : rows) {
@@ -156,7 +156,7 @@ Table stability_table(const std::vector<stability::StabilityRow>& rows) {
 
 /// A line per claim: what physics expects of it, and what was seen in both precisions.
 Table claims_table(const std::vector<stability::StabilityRow>& rows) {
-  Table table{{"case", "", "must show", "expected", "double", "single"}, {}};
+  Table table{{"case", "", "quantity", "expected (± tolerance)", "double", "single"}, {}};
   for (const stability::StabilityRow& row : rows) {
     bool first = true;
     for (const SeenClaim& claim : claims_of(row)) {
@@ -174,12 +174,12 @@ Table claims_table(const std::vector<stability::StabilityRow>& rows) {
 std::string stability_text(const StabilityReport& report, bool color) {
   std::string text = plain_table(stability_table(report.rows), color);
   if (const Table claims = claims_table(report.rows); !claims.rows.empty())
-    text += "\n" + heading("What each case must show", color) + "\n" + plain_table(claims, color);
+    text += "\n" + heading("Expected and observed quantities", color) + "\n" + plain_table(claims, color);
   std::string said;
   for (const stability::StabilityRow& row : report.rows)
     if (const std::string words = remark(row); !words.empty())
       said += fmt::format("  {}: {}\n    {}\n", row.family, row.name, words);
-  if (!said.empty()) text += "\n" + heading("What was said", color) + "\n" + said;
+  if (!said.empty()) text += "\n" + heading("Messages", color) + "\n" + said;
   return text + "\n" + verdict(report) + "\n";
 }
 
@@ -206,24 +206,23 @@ NamedChart growth_chart(const stability::GrowthCurve& curve) {
   double farthest = 0.0;
   for (std::size_t k = 0; k < curve.step.size(); ++k)
     farthest = std::max(farthest, std::abs(curve.seen[k] - curve.expected[k]));
-  return {
-      "growth",
-      fmt::format(
-          "A lattice of 75 elements released in its highest mode: what a step does to its amplitude, fitted "
-          "over all steps, against theory (largest distance {:.1e}). Up to the critical step nothing grows. "
-          "The bound of the stiffest element is safe at {:.4f} of it; Lanczos iteration gives {:.6f}.",
-          farthest, curve.element_bound, curve.iterated),
-      Chart{.title = "Growth of the highest mode beyond the critical step",
-            .x_label = "time step [2/ω_{max}]",
-            .y_label = "growth of the highest mode [ln per step]",
-            .series = {{.label = "theory, arcosh(2 x^2 - 1)", .x = curve.step, .y = curve.expected},
-                       {.label = "measured",
-                        .x = curve.step,
-                        .y = curve.seen,
-                        .style = ChartSeries::Style::points,
-                        .colour = 1}},
-            .marks = {{curve.element_bound, curve.element_bound, "element bound"},
-                      {curve.iterated, curve.iterated, "Lanczos"}}}};
+  return {"growth",
+          fmt::format("A lattice of 75 elements released in its highest mode: growth of its amplitude per "
+                      "step, fitted over all steps, and theory (largest difference {:.1e}). Up to the "
+                      "critical step the mode does not grow. The guaranteed-stable step of the stiffest "
+                      "element is {:.4f} of it; Lanczos iteration gives {:.6f}.",
+                      farthest, curve.element_bound, curve.iterated),
+          Chart{.title = "Stability limit of explicit integration",
+                .x_label = "time step [2/ω_{max}]",
+                .y_label = "growth of the highest mode [ln per step]",
+                .series = {{.label = "theory, arcosh(2 x^2 - 1)", .x = curve.step, .y = curve.expected},
+                           {.label = "measured",
+                            .x = curve.step,
+                            .y = curve.seen,
+                            .style = ChartSeries::Style::points,
+                            .colour = 1}},
+                .marks = {{curve.element_bound, curve.element_bound, "element bound"},
+                          {curve.iterated, curve.iterated, "Lanczos"}}}};
 }
 
 /// Case by case, in the order of the table; zero residuals cannot be drawn.
@@ -250,12 +249,10 @@ NamedChart residual_chart(const std::vector<stability::StabilityRow>& rows) {
   if (!chart.series.empty())
     for (const auto& [limit, label] : {std::pair{1e-10, "limit, double"}, std::pair{1e-3, "limit, single"}})
       chart.series.push_back(level(label, limit, 1.0, static_cast<double>(rows.size())));
-  return {
-      "residuals",
-      "Largest error of the energy balance of each case that ran to its end, over the largest energy; the "
-      "numbers are those of the table's rows. With corotational kinematics it falls as the square of the "
-      "step.",
-      std::move(chart)};
+  return {"residuals",
+          "Balance error of each finished case, relative to the largest energy; the numbers are the rows of "
+          "the table. With corotational beams it falls with the square of the step.",
+          std::move(chart)};
 }
 
 std::vector<NamedChart> stability_charts(const StabilityReport& report) {
@@ -268,7 +265,7 @@ std::vector<NamedChart> stability_charts(const StabilityReport& report) {
 }  // namespace
 
 void write_stability_report(const StabilityReport& report, const std::filesystem::path& folder) {
-  Table said{{"case", "", "said"}, {}};
+  Table said{{"case", "", "message"}, {}};
   for (const stability::StabilityRow& row : report.rows)
     if (!row.in_double.said.empty()) said.rows.push_back({row.family, row.name, row.in_double.said});
   write_report({.title = "Stiff and extreme cases: what each came to",
@@ -279,8 +276,8 @@ void write_stability_report(const StabilityReport& report, const std::filesystem
                           {"claims.csv", claims_csv(report.rows)}},
                 .sections = {{"Charts", stability_charts(report)},
                              {"Cases", stability_table(report.rows)},
-                             {"What each case must show", claims_table(report.rows)},
-                             {"What was said", said}}},
+                             {"Expected and observed quantities", claims_table(report.rows)},
+                             {"Messages", said}}},
                folder);
 }
 

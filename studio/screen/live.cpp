@@ -81,9 +81,9 @@ void draw_budget(Canvas& canvas, const Area& area, const LiveLane& lane, double 
   }
   if (y >= area.y + area.height) return;
   const bool closes = std::abs(last.residual) <= limit;
-  const std::string text = fmt::format("{:.1e} of the energy, {} {:.0e}", std::abs(last.residual),
-                                       closes ? "within" : "BEYOND", limit);
-  canvas.text(area.x, y, "residual", {closes ? Ink::good : Ink::bad, true}, area.width);
+  const std::string text =
+      fmt::format("error {:.1e}{} {:.0e}", std::abs(last.residual), closes ? ", limit" : " ABOVE", limit);
+  canvas.text(area.x, y, "balance", {closes ? Ink::good : Ink::bad, true}, area.width);
   canvas.text(area.x + names, y, text, {closes ? Ink::plain : Ink::bad, !closes}, area.width - names);
 }
 
@@ -106,7 +106,7 @@ const Column columns[] = {
      [](const LiveLane& lane) {
        return lane.samples.empty() ? "" : fmt::format("{:.3g}", kinetic_of(lane.samples.back()));
      }},
-    {"residual", 10,
+    {"bal. error", 11,
      [](const LiveLane& lane) {
        return lane.samples.empty() ? "" : fmt::format("{:.0e}", std::abs(lane.samples.back().residual));
      }},
@@ -167,8 +167,11 @@ void draw_energies(Canvas& canvas, const Area& area, const LiveLane& lane, Glyph
       curves.pop_back();
   }
   draw_curves(canvas, area,
-              {{0, (end - start) / microsecond}, {0, most_energy(lane)}, "time [us]", "energy [J]"}, curves,
-              glyphs);
+              {{0, (end - start) / microsecond},
+               {0, most_energy(lane)},
+               glyphs == Glyphs::unicode ? "time [µs]" : "time [us]",
+               "energy [J]"},
+              curves, glyphs);
 }
 
 Curve level(double value, double until) { return {{{0, value}, {until, value}}, {Ink::reference}}; }

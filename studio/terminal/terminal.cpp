@@ -196,16 +196,16 @@ bool is_utf8() { return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0; }
 
 std::string Terminal::why_not() {
   if (isatty(STDIN_FILENO) != 1 || isatty(STDOUT_FILENO) != 1) return "no terminal";
-  if (!base::in_foreground(STDIN_FILENO)) return "a terminal in whose background it was started";
+  if (!base::in_foreground(STDIN_FILENO)) return "a terminal from which it was started in the background";
   const char* kind = std::getenv("TERM");
-  if (kind == nullptr || *kind == '\0') return "a terminal of no kind (TERM is not set)";
+  if (kind == nullptr || *kind == '\0') return "a terminal of unknown type (TERM is not set)";
   if (std::strcmp(kind, "dumb") == 0) return "a terminal that cannot be drawn on (TERM=dumb)";
   int known = 0;
   if (setupterm(nullptr, STDOUT_FILENO, &known) == OK) {
     del_curterm(set_curterm(nullptr));
     return {};
   }
-  return "a terminal that is not known here (TERM=" + std::string(kind) + ")";
+  return "a terminal that this system does not know (TERM=" + std::string(kind) + ")";
 }
 
 Terminal::Terminal(bool color) {

@@ -120,10 +120,11 @@ Json derived(const simulation::Prepared& p, double seconds_per_step) {
 std::string window_text(const Json& j) {
   const auto mm = [](const Json& metres) { return 1e3 * metres.get<double>(); };
   const double at = mm(j.at("echo_free_m"));
-  const std::string echo = std::isnan(at)   ? "when the first echo is back is not known"
-                           : std::isinf(at) ? "no echo catches up with the tip"
-                                            : fmt::format("the first echo is back at {:.4g} mm", at);
-  return fmt::format("measured from {:.4g} to {:.4g} mm; {}", mm(j.at("window_m")[0]),
+  const std::string echo =
+      std::isnan(at)   ? "the first boundary reflection is not predicted for this crack"
+      : std::isinf(at) ? "no boundary reflection reaches the tip"
+                       : fmt::format("the first boundary reflection reaches the tip at {:.4g} mm", at);
+  return fmt::format("measuring window {:.4g} to {:.4g} mm; {}", mm(j.at("window_m")[0]),
                      mm(j.at("window_m")[1]), echo);
 }
 
@@ -137,38 +138,39 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
   std::vector<std::pair<std::string, std::string>> rows;
   const auto number = [&](const char* key) { return j.at(key).get<double>(); };
   const auto row = [&](const char* label, const std::string& text) { rows.emplace_back(label, text); };
-  row("lattice", fmt::format("{} elements, {} beams ({} crossed, {} damped), {} rattlers",
+  row("lattice", fmt::format("{} elements, {} beams ({} crossed, {} damped), {}",
                              base::json_text(j.at("elements")), base::json_text(j.at("beams")),
                              base::json_text(j.at("beams_crossed")), base::json_text(j.at("beams_damped")),
-                             base::json_text(j.at("rattlers"))));
+                             base::counted(j.at("rattlers").get<std::int64_t>(), "rattler")));
   row("", fmt::format("mean radius {:.4f} mm, thickness {:.4g} mm", 1e3 * number("mean_radius_m"),
                       1e3 * number("thickness_m")));
-  row("material", fmt::format("density {:.1f} kg/m³, micro modulus {:.1f} GPa", number("density_kg_m3"),
+  row("material", fmt::format("density {:.1f} kg/m³, beam modulus {:.1f} GPa", number("density_kg_m3"),
                               1e-9 * number("micro_young_modulus_pa")));
   row("waves",
       fmt::format("dilatational {:.0f}, shear {:.0f}, Rayleigh {:.0f} m/s", number("dilatational_speed_m_s"),
                   number("shear_speed_m_s"), number("rayleigh_speed_m_s")));
-  row("load", fmt::format("top grip moved by {:.4g} mm, {:.3g} % of the height; it pulls with {:.4g} N",
-                          1e3 * number("displacement_m"), 100 * number("strain"), number("grip_force_n")));
-  row("pre-stress",
-      fmt::format("{:.4g} J stored, G_I0 = {:.4g} J/m²", number("energy_stored_j"), number("g_i0_j_m2")));
+  row("load",
+      fmt::format("top grip displaced by {:.4g} mm, {:.3g} % of the height; grip force {:.4g} kN",
+                  1e3 * number("displacement_m"), 100 * number("strain"), 1e-3 * number("grip_force_n")));
+  row("pre-stress", fmt::format("{:.4g} J stored, G_I0 = {:.5g} kJ/m²", number("energy_stored_j"),
+                                1e-3 * number("g_i0_j_m2")));
   row("crack", fmt::format("{}{:.0f} m/s to {:.4g} mm in {:.4g} ms, damage zone {:.4g} mm",
                            number("tips") == 2 ? "two tips, half length at " : "", number("crack_speed_m_s"),
                            1e3 * number("crack_end_m"), 1e3 * number("fracture_time_s"),
                            1e3 * number("damage_zone_m")));
   row("", window_text(j));
-  row("step",
-      fmt::format("{:.3e} s, {:.3g} of the critical {:.3e} s (safe for certain: {:.3e} s)", number("dt_s"),
-                  number("dt_fraction"), number("dt_critical_s"), number("dt_element_bound_s")));
+  row("step", fmt::format("{:.3e} s, {:.3g} of the critical step {:.3e} s (guaranteed stable: {:.3e} s)",
+                          number("dt_s"), number("dt_fraction"), number("dt_critical_s"),
+                          number("dt_element_bound_s")));
   if (number("dt_critical_damped_s") < number("dt_critical_s"))
     row("", fmt::format("with damping the critical step is {:.4e} s", number("dt_critical_damped_s")));
   row("steps", fmt::format("{}{}", base::json_text(j.at("steps")),
                            j.at("steps_per_beam").is_null()
                                ? std::string()
-                               : fmt::format(", {:.1f} for a beam to soften", number("steps_per_beam"))));
+                               : fmt::format(", {:.1f} per beam release", number("steps_per_beam"))));
   row("cost",
       fmt::format(
-          "about {} after packing and pre-stress, {:.0f} of {:.0f} MB of memory, {:.0f} MB on disk at most",
+          "about {} after packing and pre-stress, {:.0f} of {:.0f} MB of memory, at most {:.0f} MB on disk",
           duration_text(number("wall_estimate_s")), 1e-6 * number("memory_estimate_bytes"),
           1e-6 * number("memory_available_bytes"), 1e-6 * number("disk_estimate_bytes")));
   const char* label = "left out";

@@ -1,5 +1,6 @@
 #include "studio/text/run_table.hpp"
 
+#include "engine/base/text.hpp"
 #include "studio/text/progress.hpp"
 #include "studio/text/table.hpp"
 
@@ -12,9 +13,9 @@ namespace {
 
 using results::LaneSummary;
 
-std::string by_itself(const LaneSummary& s) {
-  return !std::isnan(s.arrest_m) ? fmt::format("by itself, arrested at {:.4g} mm", 1e3 * s.arrest_m)
-                                 : "by itself";
+std::string predicted(const LaneSummary& s) {
+  return !std::isnan(s.arrest_m) ? fmt::format("predicted velocity, arrested at {:.4g} mm", 1e3 * s.arrest_m)
+                                 : "predicted velocity";
 }
 
 std::string title(const LaneSummary& s) {
@@ -26,72 +27,100 @@ std::string title(const LaneSummary& s) {
       s.damping_region == "none" ? "" : fmt::format(", damping {:g} ({})", s.damping_alpha, s.damping_region);
   const std::string faces = !std::isnan(s.friction) ? fmt::format(", friction {:g}", s.friction) : "";
   const std::string speed = !std::isnan(s.crack_velocity_over_cr)
-                                ? fmt::format("{:g} c_r", s.crack_velocity_over_cr)
+                                ? fmt::format("{:g} c_R", s.crack_velocity_over_cr)
                             : s.crack_course == "measured"  ? "measured history"
-                            : s.crack_course == "by itself" ? by_itself(s)
+                            : s.crack_course == "by itself" ? predicted(s)
                                                             : "piecewise velocity";
   const char* tips = s.tips == 2 ? ", two tips" : "";
   return fmt::format("{}{}, {}{}{}, {} stiffness", speed, tips, how, damping, faces, s.stiffness);
 }
 
-std::string ratios(const LaneSummary& s) {
-  const char* position = s.tips == 2 ? "half length" : "tip at";
-  std::string out = label_line(
-      "G_ID / G_I0", fmt::format("{} ± {}   {} {:.4g} to {:.4g} of the length",
-                                 number_cell(s.ratio, "{:.3f}"), number_cell(s.ratio_scatter, "{:.3f}"),
-                                 position, s.window_over_length[0], s.window_over_length[1]));
-  out += label_line("  released by beams", number_cell(s.ratio_fracture, "{:.3f}"));
-  out += label_line("  paper, eq. (7)", fmt::format("{} (rotational kinetic energy not counted)",
-                                                    number_cell(s.ratio_paper, "{:.3f}")));
-  out += label_line(
-      "theory", fmt::format("Broberg {}   Freund {}   strip {}   first echo back at {} of the length",
-                            number_cell(s.broberg, "{:.3f}"), number_cell(s.freund, "{:.3f}"),
-                            number_cell(s.strip, "{:g}"), number_cell(s.echo_free_over_length, "{:.3f}")));
-  const char* reference = s.g_i0_reference == "griffith" ? " (griffith, mean)" : "";
-  out += label_line("G_I0", fmt::format("{:.5g} kJ/m²{}   G_ID {} J/m²", 1e-3 * s.g_i0_j_m2, reference,
-                                        number_cell(s.g_id_j_m2, "{:.5g}")));
-  return out;
+/// Why the ratio is not defined.
+std::string why_undefined(const LaneSummary& s) {
+  if (s.outcome == "stopped") return "the run was stopped before the tip had crossed the measuring window";
+  if (s.outcome == "diverged") return "the run diverged before the tip had crossed the measuring window";
+  if (!s.steering.empty()) return "the run was steered while the tip crossed the measuring window";
+  return "the tip did not cross the measuring window";
 }
+
+std::string ratios(const LaneSummary& s) {
+  const std::string window =
+      fmt::format("{:.4g} to {:.4g} of the length", s.window_over_length[0], s.window_over_length[1]);
+  if (std::isnan(s.ratio))
+    return label_line("G_ID / G_I0", fmt::format("not defined: {}, {}", why_undefined(s), window));
+  std::string out =
+      label_line("G_ID / G_I0", fmt::format("{:.3f} ± {:.3f} along the window, {} {}", s.ratio,
+                                            s.ratio_scatter, s.tips == 2 ? "half length" : "tip at", window));
+  out += label_line("  of released beams", number_cell(s.ratio_fracture, "{:.3f}"));
+  return out + label_line("  paper, eq. (7)",
+                          fmt::format("{:.3f} with the kinetic energy of translation alone", s.ratio_paper));
+}
+
+std::string theory(const LaneSummary& s) {
+  const std::string factors =
+      std::isnan(s.broberg) ? std::string("not defined: it needs a constant velocity up to c_R")
+                            : fmt::format("Broberg {:.3f}   Freund {:.3f}   strip {}", s.broberg, s.freund,
+                                          std::isnan(s.strip) ? "not defined" : number_cell(s.strip, "{:g}"));
+  std::string out = label_line("theory", factors);
+  if (!std::isnan(s.echo_free_over_length))
+    out += label_line("", fmt::format("first boundary reflection reaches the tip at {:.3f} of the length",
+                                      s.echo_free_over_length));
+  const char* reference = s.g_i0_reference == "griffith" ? " (griffith, mean)" : "";
+  const std::string g_id =
+      std::isnan(s.g_id_j_m2) ? std::string() : fmt::format("   G_ID {:.5g} kJ/m²", 1e-3 * s.g_id_j_m2);
+  return out + label_line("G_I0", fmt::format("{:.5g} kJ/m²{}{}", 1e-3 * s.g_i0_j_m2, reference, g_id));
+}
+
+/// To two decimals, and no "-0.00".
+double hundredths(double joule) { return std::round(1e2 * joule) / 1e2 + 0.0; }
 
 std::string energy_balance(const LaneSummary& s, bool color) {
   const bool closes = s.ledger_closes;
   const char *red = color && !closes ? "\x1b[31m" : "", *plain = color && !closes ? "\x1b[0m" : "";
+  const std::string contact =
+      std::isnan(s.friction) ? ""
+                             : fmt::format(", {:.2f} contact of the faces", hundredths(s.energy_contact_j));
   std::string out = label_line(
       "energy [J]",
-      fmt::format("{:.2f} stored, now {:.2f} elastic + {:.2f} kinetic; {:.2f} fracture, {:.2f} damping",
-                  s.energy_initial_j, s.energy_elastic_j,
-                  s.energy_kinetic_translation_j + s.energy_kinetic_rotation_j, s.energy_fracture_j,
-                  s.energy_damping_j + s.energy_numerical_damping_j) +
-          (!std::isnan(s.friction) ? fmt::format(", {:.2f} between the faces", s.energy_contact_j) : ""));
-  out +=
-      label_line("books", fmt::format("{}{} to {} of the energy{}", red, closes ? "close" : "DO NOT CLOSE:",
-                                      number_cell(s.ledger_residual, "{:.1e}"), plain));
+      fmt::format(
+          "{:.2f} stored; at the end {:.2f} elastic, {:.2f} kinetic, {:.2f} fracture, {:.2f} damping{}",
+          hundredths(s.energy_initial_j), hundredths(s.energy_elastic_j),
+          hundredths(s.energy_kinetic_translation_j + s.energy_kinetic_rotation_j),
+          hundredths(s.energy_fracture_j), hundredths(s.energy_damping_j + s.energy_numerical_damping_j),
+          contact));
+  const std::string limit =
+      std::isnan(s.ledger_limit) ? std::string() : fmt::format(", limit {:.0e}", s.ledger_limit);
+  out += label_line("balance error", fmt::format("{}{} of the largest energy{}{}{}", red,
+                                                 number_cell(s.ledger_residual, "{:.1e}"), limit,
+                                                 closes ? "" : ": THE ENERGY BALANCE DOES NOT CLOSE", plain));
   if (s.prestress_method == "ramp")
-    out += label_line("ramp", fmt::format("stored energy {:.4f} of static, kinetic {:.1e} of it",
-                                          s.prestress_energy_over_static, s.prestress_kinetic_fraction));
+    out += label_line(
+        "ramp", fmt::format("stored energy {:.4f} of the static solve, kinetic {:.1e} of the stored energy",
+                            s.prestress_energy_over_static, s.prestress_kinetic_fraction));
   return out;
 }
 
 std::string lattice(const LaneSummary& s) {
-  std::string out = label_line(
-      "lattice",
-      fmt::format("{:.0f} elements, {:.0f} beams ({:.0f} crossed), {:.0f} rattlers, coordination {}",
-                  s.elements, s.beams, s.beams_crossed, s.rattlers, number_cell(s.coordination, "{:.3f}")));
+  std::string out =
+      label_line("lattice", fmt::format("{:.0f} elements, {:.0f} beams ({:.0f} crossed), {}, coordination {}",
+                                        s.elements, s.beams, s.beams_crossed,
+                                        base::counted(std::llround(s.rattlers), "rattler"),
+                                        number_cell(s.coordination, "{:.3f}")));
   out += label_line(
-      "", fmt::format("mean radius {:.4f} mm, micro modulus {:.1f} GPa, {} kg/m³", 1e3 * s.mean_radius_m,
+      "", fmt::format("mean radius {:.4f} mm, beam modulus {:.1f} GPa, {} kg/m³", 1e3 * s.mean_radius_m,
                       1e-9 * s.micro_young_modulus_pa, number_cell(s.density_kg_m3, "{:.1f}")));
-  out += label_line(
-      "step", fmt::format("{:.3e} s, {:.3g} of critical; {:.0f} steps{}", s.dt_s, s.dt_fraction, s.steps,
-                          !std::isnan(s.steps_per_beam)
-                              ? fmt::format(", {:.1f} for a beam to soften", s.steps_per_beam)
-                              : std::string()));
+  out += label_line("step", fmt::format("{:.3e} s, {:.3g} of the critical step; {:.0f} steps{}", s.dt_s,
+                                        s.dt_fraction, s.steps,
+                                        !std::isnan(s.steps_per_beam)
+                                            ? fmt::format(", {:.1f} steps per beam release", s.steps_per_beam)
+                                            : std::string()));
   return out;
 }
 
 std::string costs(const LaneSummary& s) {
   const auto cached = [](bool from_cache) { return from_cache ? " (cached)" : ""; };
   return label_line("time",
-                    fmt::format("packing {}{}, pre-stress {}{}, crack {}; {} in all, {:.0f} MB",  //
+                    fmt::format("packing {}{}, pre-stress {}{}, crack {}; {} in total, {:.0f} MB",  //
                                 duration_text(s.wall_packing_s), cached(s.packing_from_cache),
                                 duration_text(s.wall_prestress_s), cached(s.prestress_from_cache),
                                 duration_text(s.wall_fracture_s), duration_text(s.wall_total_s),
@@ -106,7 +135,7 @@ std::string costs(const LaneSummary& s) {
 std::string run_table(const LaneSummary& s, bool color) {
   std::string out = heading(title(s), color) + "\n";
   if (!s.outcome_where.empty()) out += label_line(s.outcome, s.outcome_where);
-  return out + ratios(s) + energy_balance(s, color) + lattice(s) + costs(s);
+  return out + ratios(s) + theory(s) + energy_balance(s, color) + lattice(s) + costs(s);
 }
 
 }  // namespace rift::studio

@@ -23,7 +23,7 @@ std::string BackgroundJobs::start(const std::vector<std::string>& arguments, con
   command.insert(command.end(), arguments.begin(), arguments.end());
   jobs_.push_back(
       {what, std::make_unique<base::ChildProcess>(std::move(command), base::ChildOptions{.outlives = true})});
-  return what + ": under way";
+  return what + ": in progress";
 } catch (const base::WorldError& error) {
   return error.what();
 }
@@ -34,7 +34,7 @@ std::string BackgroundJobs::report_ended() {
     if (!job.child->has_ended()) return false;
     const base::ChildProcess::End& end = job.child->wait();
     const bool well = end.code == 0;
-    const std::string words = !end.words.empty() ? end.words : well ? "done" : "no word why";
+    const std::string words = !end.words.empty() ? end.words : well ? "done" : "no reason given";
     said = fmt::format("{}{}: {}", job.what, well ? "" : " failed", words);
     return true;
   });

@@ -29,10 +29,10 @@ struct Quantity {
 };
 constexpr Quantity quantities[] = {
     {"G_ID / G_I0", &results::LaneSummary::ratio, "{:.4f}"},
-    {"scatter", &results::LaneSummary::ratio_scatter, "{:.4f}"},
-    {"released by beams", &results::LaneSummary::ratio_fracture, "{:.4f}"},
+    {"scatter in window", &results::LaneSummary::ratio_scatter, "{:.4f}"},
+    {"released beams", &results::LaneSummary::ratio_fracture, "{:.4f}"},
     {"Broberg", &results::LaneSummary::broberg, "{:.4f}"},
-    {"off Broberg", &results::LaneSummary::error_broberg, "{:+.4f}"},
+    {"to Broberg", &results::LaneSummary::error_broberg, "{:+.4f}"},
     {"v / c_R", &results::LaneSummary::crack_velocity_over_cr, "{:.3g}"},
     {"r_l", &results::LaneSummary::damage_zone_ratio, "{:.3g}"},
     {"relaxation p", &results::LaneSummary::relaxation, "{:.3g}"},
@@ -41,7 +41,7 @@ constexpr Quantity quantities[] = {
     {"fracture J", &results::LaneSummary::energy_fracture_j, "{:.4g}"},
     {"damping J", &results::LaneSummary::energy_damping_j, "{:.4g}"},
     {"elastic J", &results::LaneSummary::energy_elastic_j, "{:.4g}"},
-    {"residual", &results::LaneSummary::ledger_residual, "{:.0e}"},
+    {"balance error", &results::LaneSummary::ledger_residual, "{:.0e}"},
     {"steps", &results::LaneSummary::steps, "{:.0f}"},
     {"wall s", &results::LaneSummary::wall_fracture_s, "{:.2f}"},
 };
@@ -76,8 +76,8 @@ void CompareScreen::draw(Canvas& canvas, Glyphs glyphs) {
   if (draw_too_small(canvas)) return;
   const int count = static_cast<int>(columns_.size());
   const CompareLayout layout = compare_layout(canvas.width(), canvas.height(), count);
-  std::string title = fmt::format("{} scenarios beside each other", count);
-  if (left_out_ > 0) title += fmt::format("; {} more have no room", left_out_);
+  std::string title = fmt::format("{} scenarios side by side", count);
+  if (left_out_ > 0) title += fmt::format("; {} more do not fit", left_out_);
   canvas.text(layout.head.x, layout.head.y, title, {Ink::title, true}, layout.head.width);
   for (int k = 0; k < layout.titles.height; ++k)
     canvas.text(layout.titles.x, layout.titles.y + k, fmt::format("{} {}", k + 1, columns_[k].title),

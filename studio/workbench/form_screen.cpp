@@ -136,10 +136,10 @@ void FormScreen::draw(Canvas& canvas, Glyphs) {
   if (name_.typing())
     name_.draw(canvas, layout.foot);
   else
-    canvas.text(layout.foot.x, layout.foot.y,
-                value_.typing() ? "enter take it  escape leave it as it was"
-                                : foot_of(Where::form, layout.foot.width),
-                {Ink::dim}, layout.foot.width);
+    canvas.text(
+        layout.foot.x, layout.foot.y,
+        value_.typing() ? "enter accept  escape keep the old value" : foot_of(Where::form, layout.foot.width),
+        {Ink::dim}, layout.foot.width);
 }
 
 void FormScreen::draw_head(Canvas& canvas, const Area& area) const {
@@ -232,9 +232,9 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
   const char* label = "left out";
   for (const std::string& line : scene::left_out(scene)) row(label, line, {Ink::dim}), label = "";
   if (!found.trouble.empty())
-    row("trouble", found.trouble, {Ink::bad});
+    row("failed", found.trouble, {Ink::bad});
   else
-    row("exactly", found.doing.empty() ? "in a moment" : found.doing, {Ink::dim});
+    row("dry run", found.doing.empty() ? "starting" : found.doing, {Ink::dim});
 }
 
 Navigation FormScreen::press(const KeyEvent& event) try {
@@ -318,7 +318,7 @@ Navigation FormScreen::act(Action action) {
 
 Navigation FormScreen::run() {
   if (!preset_.issues.empty()) {
-    message_ = "there are mistakes: nothing is run before they are mended";
+    message_ = "the preset has mistakes: correct them before running it";
     return {};
   }
   dry_run_.give_up();
@@ -329,14 +329,14 @@ void FormScreen::save() {
   const std::string& name = name_.text();
   const bool valid = !name.empty() && name.find_first_of("/\\ ") == std::string::npos && name.front() != '.';
   if (!valid) {
-    message_ = fmt::format("\"{}\" is no name of a preset: letters, digits, - and _", name);
+    message_ = fmt::format("\"{}\" is not a valid preset name: use letters, digits, - and _", name);
   } else if (!preset_.issues.empty()) {
-    message_ = "there are mistakes: a preset is saved when they are mended";
+    message_ = "the preset has mistakes: correct them before saving it";
   } else if (const fs::path file = context_.own_presets / (name + ".toml"); fs::exists(file)) {
-    message_ = file.string() + " is there already: choose another name";
+    message_ = file.string() + " exists already: choose another name";
   } else {
     base::make_folder(context_.own_presets);
-    base::write_whole_file(file, fmt::format("# From {} with {} changed.\n# Cost: as that one\n{}",
+    base::write_whole_file(file, fmt::format("# From {} with {} changed.\n# Cost: about the same\n{}",
                                              base::escaped(path_.stem().string()), changes_.size(),
                                              scene::preset_text(preset_)));
     message_ = "saved: " + file.string();

@@ -129,8 +129,8 @@ void HomeScreen::draw(Canvas& canvas, Glyphs) {
     search_.draw(canvas, layout.search);
   } else if (!wanted_.empty()) {
     canvas.text(layout.search.x, layout.search.y,
-                fmt::format("only what holds \"{}\"; / and enter shows all again", wanted_), {Ink::reference},
-                layout.search.width);
+                fmt::format("only entries with \"{}\"; press / and enter to show all", wanted_),
+                {Ink::reference}, layout.search.width);
   }
   list_rows_ = layout.list.height;
   list_.keep(static_cast<int>(rows_.size()), list_rows_);
@@ -175,14 +175,14 @@ void HomeScreen::draw_detail(Canvas& canvas, const Area& area) const {
   }
   const Row* row = chosen();
   if (row == nullptr) {
-    canvas.text(area.x, area.y, "nothing holds these letters", {Ink::dim});
+    canvas.text(area.x, area.y, "no entry contains these letters", {Ink::dim});
   } else if (row->preset) {
     const int lines =
         draw_paragraph(canvas, {area.x, area.y, area.width, area.height - 1}, row->preset->shows);
     canvas.text(area.x, area.y + lines, "cost: " + row->preset->cost, {Ink::dim}, area.width);
   } else if (row->lesson != nullptr) {
     canvas.text(area.x, area.y, row->lesson->title, {}, area.width);
-    canvas.text(area.x, area.y + 1, "a few pages, a live run, a question and its answer out of the run",
+    canvas.text(area.x, area.y + 1, "a few pages, a live run, and a question that the run answers",
                 {Ink::dim}, area.width);
   } else if (row->run) {
     canvas.text(area.x, area.y, row->run->path.string(), {}, area.width);
@@ -252,15 +252,15 @@ Navigation HomeScreen::act(Action action) {
     case Action::resume:
       return resume_chosen();
     case Action::film:
-      message_ = row && row->run ? jobs_.film(row->run->path, {}) : "choose a run: a film is made of one";
+      message_ = row && row->run ? jobs_.film(row->run->path, {}) : "choose a run: only a run has a film";
       return {};
     case Action::remove:
       if (!row || !row->run) {
-        message_ = "choose a run: presets are not deleted here";
+        message_ = "choose a run: presets cannot be deleted here";
         return {};
       }
       to_remove_ = row->run->path;
-      question_ = Prompt(fmt::format("delete {} and all that is in it? yes or no", to_remove_.string()), "");
+      question_ = Prompt(fmt::format("delete {} and all its files? yes or no", to_remove_.string()), "");
       return {};
     case Action::back:
       return {Navigation::To::back, nullptr};
@@ -272,7 +272,7 @@ Navigation HomeScreen::act(Action action) {
 void HomeScreen::toggle_mark() {
   const Row* row = chosen();
   if (!row || !row->run) {
-    message_ = "choose a run: runs are compared";
+    message_ = "choose a run: only runs can be compared";
   } else if (!marked_.erase(row->run->path)) {
     marked_.insert(row->run->path);
   }
@@ -298,7 +298,7 @@ Navigation HomeScreen::resume_chosen() {
 
 Navigation HomeScreen::compare_marked() {
   if (marked_.size() < 2) {
-    message_ = "mark two runs or more with the space bar first";
+    message_ = "first mark two or more runs with the space bar";
     return {};
   }
   return {Navigation::To::forward, comparison_of(context_, {marked_.begin(), marked_.end()})};
@@ -310,13 +310,13 @@ void HomeScreen::answer_question() {
     return;
   }
   if (results::is_folder_being_written(to_remove_)) {
-    message_ = to_remove_.string() + " is being written: nothing was deleted";
+    message_ = to_remove_.string() + " is being written by another process: nothing was deleted";
     return;
   }
   std::error_code error;
   fs::remove_all(to_remove_, error);
   message_ = error ? fmt::format("cannot delete {}: {}", to_remove_.string(), error.message())
-                   : to_remove_.string() + " is deleted";
+                   : to_remove_.string() + " was deleted";
   marked_.erase(to_remove_);
   read();
 }

@@ -27,22 +27,23 @@ int larger(double first, double second) {
 Answer of_node_release(const Lanes& s) {
   return {larger(s[0].ratio, s[1].ratio),
           fmt::format("Simple release shows {:.3f} of the static rate, progressive release {:.3f}; Broberg's "
-                      "theory says {:.3f}. {:.1f} J of motion are left in the plate of the first, {:.1f} J "
-                      "in the second: what rings has not gone into the crack.",
+                      "theory says {:.3f}. {:.1f} J of kinetic energy remain in the first plate, {:.1f} J in "
+                      "the second: the energy of the ringing did not reach the crack.",
                       s[0].ratio, s[1].ratio, s[0].broberg, kinetic(s[0]), kinetic(s[1]))};
 }
 
 Answer of_damping(const Lanes& s) {
   const double undamped = s[0].ratio, damped = s[2].ratio;
-  return {larger(damped, undamped) == 0   ? 0
-          : larger(damped, undamped) == 1 ? 1
-                                          : 2,
-          fmt::format(
-              "Counting what the dampers take, the ratio is {:.3f} undamped, {:.3f} damped along the crack "
-              "and {:.3f} damped everywhere; what the beams themselves release stays {:.3f}, {:.3f} and "
-              "{:.3f}. Broberg's theory says {:.3f}: damping books ringing as if it were fracture.",
-              undamped, s[1].ratio, damped, s[0].ratio_fracture, s[1].ratio_fracture, s[2].ratio_fracture,
-              s[0].broberg)};
+  return {
+      larger(damped, undamped) == 0   ? 0
+      : larger(damped, undamped) == 1 ? 1
+                                      : 2,
+      fmt::format(
+          "With the damping energy counted as released, the ratio is {:.3f} undamped, {:.3f} damped along "
+          "the crack and {:.3f} damped everywhere; the part of the released beams is {:.3f}, {:.3f} and "
+          "{:.3f}. Broberg's theory says {:.3f}: damping counts ringing as if it were fracture.",
+          undamped, s[1].ratio, damped, s[0].ratio_fracture, s[1].ratio_fracture, s[2].ratio_fracture,
+          s[0].broberg)};
 }
 
 Answer of_velocity(const Lanes& s) {
@@ -55,13 +56,12 @@ Answer of_velocity(const Lanes& s) {
     falls = falls && s[k].ratio < s[k - 1].ratio;
     grows = grows && s[k].ratio > s[k - 1].ratio;
   }
-  return {
-      falls   ? 0
-      : grows ? 1
-              : 2,
-      fmt::format(
-          "The ratio is {}. A fast crack outruns the waves that bring the energy: more of it stays motion.",
-          numbers)};
+  return {falls   ? 0
+          : grows ? 1
+                  : 2,
+          fmt::format("The ratio is {}. A fast crack leaves more of the energy behind as waves: a larger "
+                      "part of it remains kinetic energy.",
+                      numbers)};
 }
 
 const std::vector<Lesson>& table() {
@@ -70,49 +70,49 @@ const std::vector<Lesson>& table() {
        "Why nodes must not be released at once",
        "teach_node_release",
        {"A plate is pulled and held. A crack runs through it at a velocity that we prescribe, and we ask how "
-        "much energy it takes for each square metre of new surface: the dynamic energy release rate G_ID, "
+        "much energy is released per square metre of new crack area: the dynamic energy release rate G_ID, "
         "over the static one, G_I0.",
-        "A lattice cannot be cut a little: a beam is there or not. Simple node release cuts a beam at the "
-        "moment when the tip meets it. Its force vanishes from one step to the next, like a plucked "
-        "string.\n\nProgressive release lets a beam soften while the tip comes near, over a damage zone of "
-        "some mean radii."},
-       "Both plates run on one clock. The colours are of the vertical velocity: look behind the tips (the "
-       "dots). The curves below are the release rates, the lines across them the theory.",
+        "A lattice is cut beam by beam. Simple node release removes a beam at the moment when the tip "
+        "reaches it. Its force vanishes from one step to the next, and its neighbours vibrate like a plucked "
+        "string.\n\nProgressive release reduces the stiffness of a beam gradually while the tip approaches, "
+        "over a damage zone of some mean radii."},
+       "Both plates share one clock. The colours show the vertical velocity: look behind the tips (the "
+       "dots). The curves below are the release-rate ratios, the horizontal lines are theory.",
        "Same plate, same pull, same velocity. Which of the two shows the larger G_ID / G_I0?",
-       {"simple release", "progressive release", "both the same within 5 %"},
+       {"simple release", "progressive release", "both are equal within 5 %"},
        of_node_release,
-       "Nothing was lost: the books of both plates close. But energy that rings in the lattice at "
-       "wavelengths of a few elements has no counterpart in a continuum, and it is missing where the crack "
-       "should have taken it."},
+       "No energy was lost: the energy balance of both plates closes. But vibrations of the lattice at "
+       "wavelengths of a few elements have no counterpart in a continuum, and their energy is missing at the "
+       "crack tip."},
       {"damping",
-       "Can damping mend simple release?",
+       "Can damping repair simple release?",
        "teach_damping",
        {"Simple release leaves a plate that rings. An obvious cure is to damp the beams: either those along "
         "the crack, or all of them.",
-        "Dampers take energy out of the motion. Where do we book it? It was set free by the crack, and it is "
-        "not in the plate any more: the paper counts it as released."},
+        "Dampers dissipate kinetic energy. How should it be counted? The crack set it free, and the plate no "
+        "longer holds it: the paper counts it as released."},
        "Three plates, all cut by simple release: undamped, damped along the crack, damped everywhere. Press "
        "tab to look at one after the other, and watch the kinetic energies in the table.",
-       "We count what the dampers take as released. What does damping everywhere do to G_ID / G_I0?",
+       "We count the damping energy as released. What does damping everywhere do to G_ID / G_I0?",
        {"it grows", "it falls", "it stays within 5 %"},
        of_damping,
-       "The number comes closer to the theory, and for the wrong reason: the beams released what they "
-       "released before. A cure has to prevent the ringing, not to swallow it."},
+       "The ratio comes closer to the theory, but for the wrong reason: the beams released as much as "
+       "before. A cure has to prevent the ringing, not absorb it."},
       {"velocity",
        "What a faster crack leaves behind",
        "teach_velocity",
-       {"The energy that a crack takes flows to its tip from the plate around it, and it flows at the speed "
-        "of waves. The Rayleigh speed c_R is that of waves along a surface: a crack is two surfaces that "
-        "have just been made.",
+       {"The energy that a crack releases flows to its tip from the surrounding plate, at the speed of "
+        "waves. The Rayleigh speed c_R is the speed of waves along a free surface, and a crack consists of "
+        "two new surfaces.",
         "Broberg (1960) computed the release rate of a crack that runs at a constant velocity through an "
         "unbounded plate: a curve from 1 at rest to 0 at c_R."},
-       "Four cracks on one clock, at 0.2, 0.4, 0.6 and 0.9 c_R. Press tab to change the upper plate. The "
-       "fast ones come to their end first.",
+       "Four cracks share one clock, at 0.2, 0.4, 0.6 and 0.9 c_R. Press tab to change the upper plate. The "
+       "fast cracks finish first.",
        "What does G_ID / G_I0 do when the crack is faster?",
        {"it falls", "it grows", "neither"},
        of_velocity,
-       "At c_R nothing would be left for the crack. That is why cracks in brittle plates do not reach it, "
-       "and branch long before."}};
+       "At c_R no energy would reach the crack tip. That is why cracks in brittle plates do not reach c_R, "
+       "and branch at lower velocities."}};
   return all;
 }
 
@@ -152,13 +152,13 @@ const Lesson& lesson_of(const std::string& name) {
   throw scene::InputError(
       {scene::Issue{.file = "rift studio",
                     .key = {},
-                    .text = fmt::format("no lesson '{}'{}: there are {}", scene::printable(name),
+                    .text = fmt::format("no lesson '{}'{}: the lessons are {}", scene::printable(name),
                                         nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest),
                                         scene::listed(names, "and"))}});
 }
 
 Table lesson_table(const Lanes& lanes) {
-  Table t{{"lane", "G_ID / G_I0", "released by beams", "Broberg", "fracture J", "motion J", "damping J"}, {}};
+  Table t{{"lane", "G_ID / G_I0", "from beams", "Broberg", "fracture J", "kinetic J", "damping J"}, {}};
   const std::vector<std::string> titles = results::lane_titles(lanes);
   for (std::size_t k = 0; k < lanes.size(); ++k) {
     const results::LaneSummary& s = lanes[k];
@@ -174,7 +174,7 @@ void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
   std::string body =
       html_made({fmt::format("rift studio --lesson {}", lesson.name), {lanes.front().version, {}}, {}});
   for (const std::string_view page : lesson.before) body += html_paragraph(page);
-  body += html_section("What was to be seen", html_paragraph(lesson.watch));
+  body += html_section("What the run shows", html_paragraph(lesson.watch));
   std::optional<base::WorldError> no_chart;  // the page says why
   const std::string curves = html_figures({rate_chart(live)}, file.parent_path() / "charts", no_chart);
   std::string question = html_paragraph(lesson.question);

@@ -43,7 +43,7 @@ Navigation LessonScreen::look() {
     if (recorded && recorded->result.outcome == simulation::Outcome::finished)
       lanes_ = results::lane_summaries_of(recorded->summary.at("scenarios"));
     else
-      message_ = "the run did not come to its end: there is no answer in it";
+      message_ = "the run did not finish, so it gives no answer";
   } catch (const std::exception& error) {
     message_ = error.what();
   }
@@ -86,14 +86,13 @@ void LessonScreen::draw_question(Canvas& canvas, const Area& area) const {
                 {Ink::plain, false, k == chosen_}, area.width - 2);
   canvas.text(area.x, y + 1,
               run_has_ended() ? "Press the number of your answer."
-                              : "The run goes on; press the number of your answer.",
+                              : "The run continues; press the number of your answer.",
               {Ink::dim}, area.width);
 }
 
 void LessonScreen::draw_answer(Canvas& canvas, const Area& area) const {
   if (!run_has_ended()) {
-    draw_paragraph(canvas, area, "The run has not come to its end yet: the answer is read off it.",
-                   {Ink::dim});
+    draw_paragraph(canvas, area, "The run has not finished yet. Its result gives the answer.", {Ink::dim});
     return;
   }
   const Answer answer = lesson_.answer(lanes_);
@@ -102,9 +101,10 @@ void LessonScreen::draw_answer(Canvas& canvas, const Area& area) const {
     y += draw_paragraph(canvas, {area.x, y, area.width, area.y + area.height - y}, text, style) + 1;
   };
   if (chosen_ >= 0)
-    paragraph(chosen_ == answer.right ? "Right." : fmt::format("You said: {}.", lesson_.choices[chosen_]),
-              {chosen_ == answer.right ? Ink::good : Ink::bad, true});
-  paragraph(fmt::format("This run says: {}.", lesson_.choices[answer.right]), {Ink::title, true});
+    paragraph(
+        chosen_ == answer.right ? "Right." : fmt::format("Your answer was: {}.", lesson_.choices[chosen_]),
+        {chosen_ == answer.right ? Ink::good : Ink::bad, true});
+  paragraph(fmt::format("The answer of this run: {}.", lesson_.choices[answer.right]), {Ink::title, true});
   paragraph(answer.why, {});
   paragraph(lesson_.after, {});
 }
@@ -116,7 +116,7 @@ void LessonScreen::go_to(int page) {
 
 void LessonScreen::write() try {
   if (!run_has_ended()) {
-    message_ = "the handout holds the numbers of the run: it is written when the run has ended";
+    message_ = "the handout needs the results of the run: write it when the run has finished";
     return;
   }
   const fs::path file = panel_->run()->folder() / "handout.html";

@@ -84,7 +84,7 @@ Navigation WatchScreen::look() {
 void WatchScreen::open_again() try {
   run_.emplace(folder_);
   live_ = run_->live();
-  live_.message = "another run has taken the place of the one that was shown";
+  live_.message = "another run has replaced the one that was shown";
   shown_ = 0, beside_ = -1;
 } catch (const base::WorldError&) {
   // its journal holds no geometry yet
@@ -117,7 +117,7 @@ Navigation RunScreen::look() {
       if (const auto recorded = run_->result())
         say(fmt::format("{}: {}",
                         recorded->result.outcome == simulation::Outcome::stopped
-                            ? "stopped; rift resume goes on with it"
+                            ? "stopped; 'rift resume' continues it"
                             : "done",
                         run_->folder().string()));
     } catch (const std::exception& error) {
@@ -195,7 +195,7 @@ Navigation RunScreen::act(Action action) {
       if (run_->stage() == LiveRun::Stage::ended) return {Navigation::To::back, nullptr};
       run_->stop();
       leaving_ = true;
-      say(running ? "stopping; what there is, is kept" : "stopping");
+      say(running ? "stopping; the results so far are kept" : "stopping");
       return {};
     default:
       return {};
@@ -204,7 +204,7 @@ Navigation RunScreen::act(Action action) {
 
 void RunScreen::begin_change() {
   if (run_->stage() != LiveRun::Stage::running) {
-    say("nothing to change: the crack does not run");
+    say("nothing can be changed: the crack is not running");
     return;
   }
   choosing_ = true;
@@ -244,7 +244,7 @@ void RunScreen::draw_question(Canvas& canvas, Glyphs glyphs) {
   if (!choosing_) return;
   const auto axes = scene::steerable_axes();
   const Area inside = draw_box(canvas, 46, static_cast<int>(axes.size()),
-                               fmt::format("change lane {} from here on", shown_ + 1), glyphs);
+                               fmt::format("change lane {} from now on", shown_ + 1), glyphs);
   for (int k = 0; k < inside.height; ++k) {
     const Style style{Ink::plain, false, k == axis_};
     clear(canvas, {inside.x, inside.y + k, inside.width, 1}, style);
@@ -272,13 +272,14 @@ void RunScreen::toggle_film() {
   } else {
     run_->store_frames(true);
     film_from_us_ = time_us();
-    say("film: storing from here on; m again ends it");
+    say("film: storing from now on; m again ends it");
   }
 }
 
 std::string RunScreen::last_words() const {
-  return fmt::format("the run is in {0}, whole up to its last flush; rift resume {0} goes on from there\n",
-                     run_->folder().string());
+  return fmt::format(
+      "the run is stored in {0}, complete up to its last flush; 'rift resume {0}' continues it\n",
+      run_->folder().string());
 }
 
 }  // namespace rift::studio

@@ -57,7 +57,7 @@ std::unique_ptr<Screen> resumption_of(AppContext& context, const fs::path& run) 
     return std::make_unique<StudyScreen>(context, study::read_study(run).preset, run);
   if (simulation::complete_end(run) || simulation::has_ended(run))
     throw scene::InputError({scene::Issue{
-        .file = run.string(), .key = {}, .text = "has come to its end: nothing is left of it"}});
+        .file = run.string(), .key = {}, .text = "is already finished; there is nothing to resume"}});
   RunRequest request = request_for(context, simulation::preset_of_run(run), run);
   request.resume = true;
   return std::make_unique<RunScreen>(context, std::move(request));

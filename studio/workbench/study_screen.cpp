@@ -56,7 +56,7 @@ StudyScreen::StudyScreen(AppContext& context, study::StoredStudy stored, std::fi
       std::all_of(rows_.begin(), rows_.end(), [](const auto& row) { return row.has_value(); });
   message_ = !stored.notes.empty() ? stored.notes.front()
              : complete            ? fmt::format("{}/report.html", folder_.string())
-                                   : "u goes on with it";
+                                   : "press u to resume it";
 }
 
 StudyScreen::~StudyScreen() { stop_ = true; }
@@ -90,7 +90,7 @@ void StudyScreen::work() {
       write_study_report(preset_, {"rift studio " + preset_.name, context_.build, result.wall_s}, result,
                          folder_);
     message = result.outcome == simulation::Outcome::stopped
-                  ? "stopped; u goes on from here"
+                  ? "stopped; press u to resume it"
                   : fmt::format("done: {}/report.html", folder_.string());
   } catch (const std::exception& error) {
     message = error.what();
@@ -203,7 +203,7 @@ void StudyScreen::draw_velocities(Canvas& canvas, const Area& area, Glyphs glyph
               glyphs);
 }
 
-/// Points appear as the scenarios end: |off Broberg| against seconds, both logarithmic.
+/// Points appear as the scenarios end: |difference to Broberg| against run time, both logarithmic.
 void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) const {
   std::vector<Curve> curves;
   double low = 1e9, high = -1e9, small = 1e9, large = -1e9;
@@ -219,8 +219,8 @@ void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) c
   draw_curves(canvas, area,
               {{std::floor(low), std::ceil(high + 1e-9) + 0.0},
                {std::floor(small), std::ceil(large + 1e-9) + 0.0},
-               "log10 seconds",
-               "log10 |off Broberg|"},
+               "log10 (run time [s])",
+               "log10 |difference to Broberg|"},
               curves, glyphs);
 }
 
@@ -242,8 +242,9 @@ Navigation StudyScreen::press(const KeyEvent& event) {
 }
 
 std::string StudyScreen::last_words() const {
-  return fmt::format("the study is in {}: the workbench or the same preset goes on from there\n",
-                     folder_.string());
+  return fmt::format(
+      "the study is stored in {}: the workbench or 'rift study' with the same preset continues it\n",
+      folder_.string());
 }
 
 }  // namespace rift::studio

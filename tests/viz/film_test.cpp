@@ -81,7 +81,7 @@ TEST(Film, ThatFfmpegCannotMakeIsNotThere) {
   EXPECT_EQ(with("cat >/dev/null; echo 'No space left on device' >&2; exit 1"),
             "ffmpeg ended with code 1: No space left on device");
   EXPECT_EQ(with("kill -9 $$"), "ffmpeg was killed by signal 9 (Killed)");
-  EXPECT_EQ(with("cat >/dev/null; exit 0"), "ffmpeg wrote nothing");
+  EXPECT_EQ(with("cat >/dev/null; exit 0"), "ffmpeg wrote no data");
   EXPECT_EQ(with("cat >/dev/null; for last; do true; done; echo half >\"${last#file:}\"\n"
                  "echo 'Error closing file: No space left on device' >&2"),
             "ffmpeg ended with code 0: Error closing file: No space left on device");

@@ -80,24 +80,23 @@ TEST(Plan, NamesWhatARunHasInPlaceOfWhatItHasNot) {
   const std::filesystem::path run = write_run(folder / "run");
   Request request = request_for({run});
   request.field = "elastic";
-  EXPECT_EQ(
-      complaint(request),
-      run.string() +
-          " holds no field elastic; its fields are ux, uy, uz, u, vx, vy, vz, v, kinetic, damage. To have "
-          "it, run with --set 'output.fields=[\"damage\", \"displacement\", \"energy\", \"velocity\"]'");
+  EXPECT_EQ(complaint(request),
+            run.string() +
+                " holds no field elastic; its fields are ux, uy, uz, u, vx, vy, vz, v, kinetic, damage. Run "
+                "it with --set 'output.fields=[\"damage\", \"displacement\", \"energy\", \"velocity\"]'");
   request.field = "uy";
   request.lanes = {3};
   EXPECT_EQ(complaint(request), run.string() + " has no lane 3: its lanes are 0 to 0");
   request.lanes = {};
   request.runs = {folder / "none"};
-  EXPECT_EQ(complaint(request), (folder / "none").string() + ": there is no such run");
+  EXPECT_EQ(complaint(request), (folder / "none").string() + ": no such run");
   request.runs = {folder.path()};
   EXPECT_EQ(complaint(request), folder.path().string() + " holds no run: no journal.rift");
   request.runs = {write_run(folder / "bare", 0)};
   EXPECT_EQ(complaint(request),
             (folder / "bare").string() + " holds no frames: run it with --set output.frames=100");
   request.runs = {write_run(folder / "five", 2, 5)};
-  EXPECT_EQ(complaint(request), "5 lanes, and a frame shows up to 4: choose by --lane");
+  EXPECT_EQ(complaint(request), "5 lanes, and a frame shows up to 4: choose some with --lane");
 }
 
 TEST(Plan, ShowsADamagedRunUpToItsDamageAndSaysSo) {

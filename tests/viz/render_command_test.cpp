@@ -55,7 +55,7 @@ TEST(Render, NeverOverwritesSilently) {
   write_text(folder / "a.mp4", "precious");
   const Ran ran = render_in(folder, "run --film a.mp4");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_EQ(ran.err, "rift: a.mp4 is there already: --force replaces it\n");
+  EXPECT_EQ(ran.err, "rift: a.mp4 exists already: --force replaces it\n");
   EXPECT_EQ(read_text(folder / "a.mp4"), "precious");
   EXPECT_EQ(render_in(folder, "run --film a.mp4 --force --size 320x180").exit_code, 0);
   EXPECT_NE(read_text(folder / "a.mp4"), "precious");
@@ -66,7 +66,7 @@ TEST(Render, RoundsOddSizesWithANote) {
   write_run(folder / "run");
   const Ran ran = render_in(folder, "run --size 321x181 --at 0 --picture a.png");
   EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_EQ(ran.err, "rift render: --size 321x181: drawn as 322x182, for films need even numbers\n");
+  EXPECT_EQ(ran.err, "rift render: --size 321x181: drawn as 322x182, because films need even numbers\n");
   EXPECT_EQ(viz::read_png(folder / "a.png").width, 322);
 }
 
@@ -79,13 +79,13 @@ TEST(Render, TellsEveryMistakeAndMakesNothing) {
     EXPECT_EQ(ran.out, "") << arguments;
     return ran.err;
   };
-  EXPECT_EQ(complaint("nothing"), "rift render: nothing: there is no such run\n");
+  EXPECT_EQ(complaint("nothing"), "rift render: nothing: no such run\n");
   EXPECT_EQ(complaint("run --size 1e9x2"),
             "rift render: --size 1e9x2: expected a width and a height in pixels such as 1280x720\n");
   EXPECT_EQ(complaint("run --size 99999x720"),
             "rift render: --size 99999x720: must lie between 320x180 and 8192x8192\n");
   EXPECT_EQ(complaint("run --range 3"),
-            "rift render: --range 3: expected two numbers that rise, such as 0,2\n");
+            "rift render: --range 3: expected two ascending numbers, such as 0,2\n");
   EXPECT_EQ(complaint("run --film a.avi"), "rift render: --film a.avi: must end in .mp4, .webm or .gif\n");
   EXPECT_TRUE(contains(complaint("run --frames 7"), "--frames 7: the run holds 6 moments"));
   EXPECT_TRUE(contains(complaint("run --field speed"), "speed"));
@@ -175,7 +175,7 @@ TEST(RunWithRender, TellsMistakesBeforeAnythingIsComputed) {
   EXPECT_EQ(complaint("--render --field v"),
             "rift run: --render: output.fields has no \"velocity\", which the field v needs\n");
   EXPECT_EQ(complaint("--render --set output.frames=0"),
-            "rift run: --render: output.frames = 0 makes no film\n");
+            "rift run: --render: output.frames = 0 is too few for a film\n");
   EXPECT_EQ(complaint("--film a.avi"), "rift run: --film a.avi: must end in .mp4, .webm or .gif\n");
 }
 
@@ -185,7 +185,7 @@ TEST(RunWithRender, NeverOverwritesAFilmSilently) {
   write_text(film, "precious");
   const Ran ran = run_tiny(tiny, "--film '" + film + "'");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_EQ(ran.err, "rift run: " + film + " is there already: --force replaces it\n");
+  EXPECT_EQ(ran.err, "rift run: " + film + " exists already: --force replaces it\n");
   EXPECT_EQ(read_text(film), "precious");
   EXPECT_FALSE(fs::exists(tiny.out()));
 }

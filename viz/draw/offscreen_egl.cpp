@@ -22,7 +22,7 @@ struct OffscreenContext::Context {
 OffscreenContext::OffscreenContext(int, int) : context_(std::make_unique<Context>()) {
   const auto platform_display =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-  if (platform_display == nullptr) throw NoOpenGl("EGL knows no platforms");
+  if (platform_display == nullptr) throw NoOpenGl("EGL supports no platforms");
   context_->display = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (context_->display == EGL_NO_DISPLAY || eglInitialize(context_->display, nullptr, nullptr) == EGL_FALSE)
     throw NoOpenGl("EGL gives no display without a surface");

@@ -35,7 +35,7 @@ OffscreenContext::OffscreenContext(int width, int height) : context_(std::make_u
   context_->mesa = OSMesaCreateContextAttribs(wanted, nullptr);
   if (context_->mesa == nullptr) throw NoOpenGl("OSMesa gives no context of OpenGL 3.3");
   if (OSMesaMakeCurrent(context_->mesa, context_->pixels.data(), GL_UNSIGNED_BYTE, width, height) == 0)
-    throw NoOpenGl("OSMesa takes no frame of this size");
+    throw NoOpenGl("OSMesa supports no frame of this size");
 }
 
 OffscreenContext::~OffscreenContext() = default;

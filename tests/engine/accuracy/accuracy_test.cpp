@@ -110,7 +110,7 @@ TEST(AccuracyPlan, SaysWhyAVariantCannotBe) {
   const std::vector<Case> elements = of(plan, Factor::elements);
   EXPECT_TRUE(contains(elements.front().cannot_be, "is thinner than one element"));
   EXPECT_EQ(elements.back().cannot_be, "");
-  EXPECT_TRUE(contains(plan.notes.front(), "thickness: it stays as it is"));
+  EXPECT_TRUE(contains(plan.notes.front(), "thickness, which is kept"));
 }
 
 TEST(AccuracyPlan, QuickTakesAFourthOfTheElementsAndNoRamp) {

@@ -112,7 +112,7 @@ TEST(Sandbox, WorkThatDiesHangsThrowsOrEatsMemoryIsOutlived) {
                 },
                 1)
                 .death,
-            "it did not come to an end in 1 s");
+            "it did not end within 1 s");
   EXPECT_EQ(run_in_sandbox([]() -> std::string { throw std::runtime_error("no"); }, 10).death, "no");
   const SandboxResult greedy = run_in_sandbox([] { return std::string(std::size_t{6} << 30, 'x'); }, 20);
   EXPECT_FALSE(greedy.text);

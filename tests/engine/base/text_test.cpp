@@ -27,6 +27,14 @@ TEST(Escaped, ShowsBytesThatAreNoUtf8AsNumbers) {
 
 TEST(Escaped, KeepsWhatItIsToldTo) { EXPECT_EQ(escaped("a\tb\nc\x1b", "\n\t"), "a\tb\nc\\x1b"); }
 
+TEST(Counted, PutsTheNounInTheSingularForOneOnly) {
+  EXPECT_EQ(counted(0, "rattler"), "0 rattlers");
+  EXPECT_EQ(counted(1, "rattler"), "1 rattler");
+  EXPECT_EQ(counted(2, "rattler"), "2 rattlers");
+  EXPECT_EQ(counted(1, "history", "histories"), "1 history");
+  EXPECT_EQ(counted(3, "history", "histories"), "3 histories");
+}
+
 TEST(Escaped, TwiceIsOnce) {
   const std::string once = escaped("r\xe9s\x1b[31m");
   EXPECT_EQ(escaped(once), once);

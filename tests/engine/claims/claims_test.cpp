@@ -80,7 +80,7 @@ TEST(Near, IsNotDecidableWhereAVelocityIsMissing) {
   std::erase_if(rows, [](const SummaryRow& r) { return r.crack_velocity_over_cr == 0.7; });
   const Judgement j = is_near(curve_of(rows, {}), {0.6, 1.0});
   EXPECT_EQ(j.verdict, Verdict::not_decidable);
-  EXPECT_EQ(j.measured, "no result at 0.7 c_r");
+  EXPECT_EQ(j.measured, "no result at 0.7 c_R");
   EXPECT_EQ(is_near(curve_of(rows, {}), {0.1, 0.6}).verdict, Verdict::holds);
 }
 

@@ -80,9 +80,8 @@ TEST(BulkPacking, RefusesSolidFractionsThatAreLooseOrTooDense) {
   PackingRequest r = request(Shape::periodic);
   r.solid_fraction = 0.5;
   EXPECT_EQ(refusal(r),
-            "a solid fraction of 0.5 leaves the elements loose: nothing carries load before they press on "
-            "each other, "
-            "from about 0.63 on");
+            "a solid fraction of 0.5 is too low: elements carry load only where they are in contact, from "
+            "about 0.63 on");
   r.solid_fraction = 0.79;
   EXPECT_NE(refusal(r).find("a solid fraction of 0.79 is out of reach: it takes a mean overlap of "),
             std::string::npos);

@@ -67,7 +67,7 @@ TEST(Verify, OfAJournalWhoseSummaryNestsDeepNamesIt) {
   const Verification verified = verify_run(run, true);
   EXPECT_FALSE(is_whole(verified));
   EXPECT_TRUE(std::any_of(verified.files.begin(), verified.files.end(), [](const Finding& f) {
-    return f.text == "the journal's summary is no JSON that can be read";
+    return f.text == "the journal's summary is not valid JSON";
   }));
 }
 

@@ -101,11 +101,11 @@ TEST(LaneTitle, SaysTechniqueAndVelocityAndWhatTellsThemApart) {
   LaneSummary damped = simple;
   damped.damping_alpha = 0.0002, damped.damping_region = "all";
   using Titles = std::vector<std::string>;
-  EXPECT_EQ(lane_titles({simple}), (Titles{"simple release, 0.1 c_r"}));
+  EXPECT_EQ(lane_titles({simple}), (Titles{"simple release, 0.1 c_R"}));
   EXPECT_EQ(lane_titles({simple, progressive}),
-            (Titles{"simple release, 0.1 c_r", "progressive release, r_l = 5, 0.1 c_r"}));
-  EXPECT_EQ(lane_titles({simple, damped}), (Titles{"undamped, simple release, 0.1 c_r",
-                                                   "alpha = 0.0002 everywhere, simple release, 0.1 c_r"}));
+            (Titles{"simple release, 0.1 c_R", "progressive release, r_l = 5, 0.1 c_R"}));
+  EXPECT_EQ(lane_titles({simple, damped}), (Titles{"undamped, simple release, 0.1 c_R",
+                                                   "alpha = 0.0002 everywhere, simple release, 0.1 c_R"}));
 }
 
 }  // namespace

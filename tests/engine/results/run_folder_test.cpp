@@ -137,8 +137,8 @@ TEST(RunFolder, OfARunThatCanGoOnOffersThat) {
     write_some(writer);
   }
   EXPECT_EQ(message_of<FolderExists>(scratch.path(), false),
-            scratch.path().string() + " holds a run that has not come to its end: 'rift resume " +
-                scratch.path().string() + "' goes on with it, --force replaces it");
+            scratch.path().string() + " holds an unfinished run: 'rift resume " + scratch.path().string() +
+                "' continues it, --force replaces it");
 }
 
 // On a file system without locks nothing keeps another run out.

@@ -110,7 +110,7 @@ TEST(Verify, SeesAnArchiveWhoseValuesAreNotTheJournals) {
   flip(run / archive_name, at + 3);
   const Verification v = verify_run(run, false);
   EXPECT_EQ(found_of(v, archive_name), Found::damaged);
-  EXPECT_NE(text_of(v, archive_name).find("is not what the journal holds"), std::string::npos)
+  EXPECT_NE(text_of(v, archive_name).find("differs from the journal"), std::string::npos)
       << text_of(v, archive_name);
 }
 

@@ -39,7 +39,7 @@ TEST(ReadVelocity, SaysWhatIsWrong) {
 
 TEST(ReadVelocity, WantsRisingUntilsOnAllButTheLastPiece) {
   EXPECT_EQ(read_velocity("0.2 c_r until 40 mm").problem,
-            "the last piece goes on to the end: leave its 'until' out");
+            "the last piece extends to the end: leave its 'until' out");
   EXPECT_EQ(read_velocity("0.2 c_r, 0.3 c_r").problem,
             "every piece but the last needs an 'until', such as \"0.2 c_r until 40 mm\"");
   EXPECT_EQ(read_velocity("0.2 c_r until 40 mm, 0.3 c_r until 40 mm, 1 c_r").problem,

@@ -86,7 +86,7 @@ TEST(CsvTable, NamesOnceWhatAllItsRowsShare) {
        "1: ends with a carriage return alone, as no line feed follows: save the file with line ends of Unix "
        "or "
        "Windows\n"},
-      {head + "0,5;1,5\n1,5;2,5\n", "2: time '0,5' is no number: decimals have a point\n"},
+      {head + "0,5;1,5\n1,5;2,5\n", "2: time '0,5' is not a number: use a decimal point\n"},
       {head + "12:00:00.5;1\n12:00:01;2\n",
        "2: time '12:00:00.5' is a time of day: write the time since the first row, such as 0.25\n"},
       {head + "0;\"1\n5;2\n10;3\n", "2: a quote opens here and never closes\n"},
@@ -113,7 +113,7 @@ TEST(CsvTable, NamesUnitsThatAreMissingOrUnknownWhereTheyStand) {
   EXPECT_EQ(problems_of("time;position\nus;\n0;1\n"),
             "2: column 'position' has no unit: write \"position [mm]\"\n");
   EXPECT_EQ(problems_of("time [us];position [mm]\nms;mm\n0;1\n"),
-            "2: time 'ms' is no number\n2: position 'mm' is no number\n");
+            "2: time 'ms' is not a number\n2: position 'mm' is not a number\n");
 }
 
 TEST(CsvTable, ReadsAHundredThousandRowsAndSaysHowManyItMayHold) {
@@ -131,7 +131,7 @@ TEST(CsvTable, StopsReadingWhereItsRowsGoOnBeingWrong) {
   for (int k = 0; k < 100000; ++k) text += "x;y\n";
   const std::vector<CsvProblem> problems = read_csv(text, measured).problems;
   ASSERT_EQ(problems.size(), 101u);
-  EXPECT_EQ(problems.back().text, "and so on: the rows from here on were not read");
+  EXPECT_EQ(problems.back().text, "and so on: the following rows were not read");
 }
 
 TEST(CsvTable, KeepsTheNamesOfColumnsBeside) {

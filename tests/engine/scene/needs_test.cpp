@@ -67,12 +67,11 @@ TEST(LeftOut, SaysWhatAndWhy) {
             (std::vector<std::string>{
                 "damping: alpha = 0, no damped beams are built", "numerical damping: beta = 1",
                 "damage zone: technique = simple", "ramp: method = static, the pre-stress is one solve",
-                "moving grip: no loading.curve, the grips hold while the crack runs",
-                "corotation: kinematics = linear, beam axes and elements' quaternions stay "
-                "as they are",
+                "moving grip: no loading.curve, the grips stand still while the crack runs",
+                "corotation: kinematics = linear, the beam axes stay fixed",
                 "contact: no friction, the crack's faces do not touch",
-                "books of every step: nothing is dissipated or pulled, energies are read at "
-                "samples",
+                "energy balance of every step: no dissipation and no external work, energies are computed at "
+                "samples only",
                 "frames: frames = 0, no fields are written", "gauges: output.gauges has no points"}));
 }
 

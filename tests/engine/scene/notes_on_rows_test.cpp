@@ -24,11 +24,11 @@ TEST(MissingRows, AreNotedWithTheirTimes) {
   EXPECT_TRUE(notes_without({}).empty());
   EXPECT_EQ(notes_without({7}),
             std::vector<std::string>{"crack.history: 1 row of every 5 us seems to be missing: 1 after 30 us; "
-                                     "the course is drawn through their neighbours"});
+                                     "the smoothed history is interpolated between their neighbours"});
   EXPECT_EQ(
       notes_without({3, 20, 21, 22, 23, 24, 25, 26, 27, 28}),
-      std::vector<std::string>{"crack.history: 10 rows of every 5 us seem to be missing: 1 after 10 us, "
-                               "9 after 95 us; the course is drawn through their neighbours"});
+      std::vector<std::string>{"crack.history: 10 rows of every 5 us seem to be missing: 1 after 10 us, 9 "
+                               "after 95 us; the smoothed history is interpolated between their neighbours"});
   EXPECT_TRUE(notes_without({3, 6, 9, 12, 15, 18, 21, 24, 27}, 60).front().find("at 4 more places") !=
               std::string::npos);
 }
@@ -53,7 +53,7 @@ TEST(PathThatCrossesItself, IsNotedWithThePlaceWhereItDoes) {
   EXPECT_EQ(notes_on_path("[[0, 0.02], [0.06, 0.02], [0.06, 0.03], [0.04, 0.03], [0.04, 0.01]]"),
             std::vector<std::string>{
                 "crack.path crosses itself at (40 mm, 20 mm), 40 mm and again 100 mm along it: each beam is "
-                "released at the first crossing, and what the loop encloses comes loose"});
+                "released at the first crossing, and the part inside the loop comes loose"});
   EXPECT_TRUE(notes_on_path("[[0, 0.02], [0.06, 0.02], [0.06, 0.03], [0.04, 0.03], [0.04, 0.021]]").empty());
   EXPECT_TRUE(notes_on_path("[[0, 0.02], [0.05, 0.025], [0.1, 0.02]]", "path_shape = \"spline\"\n").empty());
 }

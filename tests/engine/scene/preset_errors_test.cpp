@@ -124,16 +124,16 @@ TEST(PresetErrors, OfSyntaxHaveLineAndColumn) {
 }
 
 TEST(PresetErrors, SayThatDecimalsHaveAPoint) {
-  EXPECT_EQ(complaints_of_preset(
-                "[specimen]\nlength = \"60,5 mm\"\n[crack]\nvelocity = \"0,5 c_r\"\npath = \"0,5 H\"\n",
-                {"solver.beta=0,5", "material.young_modulus=3,2 GPa"}),
-            "x.toml:2: specimen.length = \"60,5 mm\": decimals have a point, as in \"60.5 mm\"\n"
-            "x.toml:4: crack.velocity = \"0,5 c_r\": decimals have a point, as in \"0.5 c_r\"\n"
-            "x.toml:5: crack.path = \"0,5 H\": decimals have a point, as in \"0.5 H\"\n"
-            "--set solver.beta=0,5: expected a number, got text: decimals have a point\n"
-            "--set material.young_modulus=3,2 GPa: decimals have a point, as in \"3.2 GPa\"\n");
+  EXPECT_EQ(
+      complaints_of_preset(
+          "[specimen]\nlength = \"60,5 mm\"\n[crack]\nvelocity = \"0,5 c_r\"\npath = \"0,5 H\"\n",
+          {"solver.beta=0,5", "material.young_modulus=3,2 GPa"}),
+      "x.toml:2: specimen.length = \"60,5 mm\": use a decimal point, as in \"60.5 mm\"\nx.toml:4: "
+      "crack.velocity = \"0,5 c_r\": use a decimal point, as in \"0.5 c_r\"\nx.toml:5: crack.path = \"0,5 "
+      "H\": use a decimal point, as in \"0.5 H\"\n--set solver.beta=0,5: expected a number, got text: use a "
+      "decimal point\n--set material.young_modulus=3,2 GPa: use a decimal point, as in \"3.2 GPa\"\n");
   const std::string bare = complaints_of_preset("[solver]\nbeta = 0,5\n");
-  EXPECT_TRUE(bare.ends_with(": decimals have a point\n")) << bare;
+  EXPECT_TRUE(bare.ends_with(": use a decimal point\n")) << bare;
 }
 
 TEST(PresetErrors, IncludeDuplicateKeys) {

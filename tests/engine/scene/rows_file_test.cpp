@@ -39,7 +39,7 @@ std::string complaints_of_rows(const char* key, const std::string& csv, const st
 }
 
 const std::string head = "time [us];position [mm]\n";
-constexpr const char* noise_hint = ": for noise give a column uncertainty\n";
+constexpr const char* noise_hint = ": noisy rows need a column uncertainty\n";
 
 struct Defect {
   std::string csv, complaint;
@@ -58,11 +58,11 @@ TEST(HistoryFile, NamesEveryDefectWithItsLine) {
       {head + "0;1\n1\n", "x.csv:3: 1 column, where the header has 2\n"},
       {head + "0;1\n1;2;3\n", "x.csv:3: 3 columns, where the header has 2\n"},
       {head + "0;1\n1;\n", "x.csv:3: position is empty\n"},
-      {head + "0;1\n1;x\n", "x.csv:3: position 'x' is no number\n"},
-      {head + "0;1\n1;1,5\n", "x.csv:3: position '1,5' is no number: decimals have a point\n"},
+      {head + "0;1\n1;x\n", "x.csv:3: position 'x' is not a number\n"},
+      {head + "0;1\n1;1,5\n", "x.csv:3: position '1,5' is not a number: use a decimal point\n"},
       {head + "0;1\nnan;2\n", "x.csv:3: time 'nan' is not finite\n"},
       {head + "0;1\n1;inf\n", "x.csv:3: position 'inf' is not finite\n"},
-      {head + "0;1\n1;1e999\n", "x.csv:3: position '1e999' is no number\n"},
+      {head + "0;1\n1;1e999\n", "x.csv:3: position '1e999' is not a number\n"},
       {head + "0;1\n", "x.csv:2: is the only row: a history needs two\n"},
       {head + "0;1\n2;2\n2;3\n", "x.csv:4: time 2 us is there twice\n"},
       {head + "0;1\n2;2\n1;3\n", "x.csv:4: time falls from 2 us to 1 us\n"},
@@ -96,15 +96,16 @@ TEST(HistoryFile, NamesEveryDefectWithItsLine) {
 }
 
 TEST(HistoryFile, ThatLeavesThePlateIsNamed) {
-  EXPECT_EQ(complaints_of_rows("history", head + "0;1\n100;99\n200;120\n", "smoothing = \"none\"\n"),
-            "x.toml:4: crack.history = \"x.csv\": goes on to 120 mm, beyond the end of the plate, 100 mm\n");
+  EXPECT_EQ(
+      complaints_of_rows("history", head + "0;1\n100;99\n200;120\n", "smoothing = \"none\"\n"),
+      "x.toml:4: crack.history = \"x.csv\": continues to 120 mm, beyond the end of the plate, 100 mm\n");
 }
 
 TEST(HistoryFile, ThatGoesBackIsNoNoiseWhereNothingIsSmoothed) {
   EXPECT_EQ(
       complaints_of_rows("history", "time [us];position [mm];uncertainty [mm]\n0;1;1\n1;4;1\n2;3;1\n3;5;1\n",
                          "smoothing = \"none\"\n"),
-      "x.csv:4: position falls from 4 mm to 3 mm: noise asks for crack.smoothing = \"monotone\"\n");
+      "x.csv:4: position falls from 4 mm to 3 mm: noisy rows need crack.smoothing = \"monotone\"\n");
 }
 
 TEST(HistoryFile, ContradictsWhatSaysTheSameOtherwise) {
@@ -195,7 +196,7 @@ TEST(HistoryRows, WrittenInThePresetAreCheckedAsThoseOfAFile) {
   };
   EXPECT_EQ(said("[[\"0 us\", \"10 mm\"], [\"20 us\", \"18 mm\"]]"), "");
   EXPECT_EQ(said("[[0, 0.01], [2e-5, 0.005]]"), "row 2: position falls from 10 mm to 5 mm" +
-                                                    std::string(": for noise give a column uncertainty"));
+                                                    std::string(": noisy rows need a column uncertainty"));
   EXPECT_EQ(said("[[0, 0.01], [2e-5]]"),
             "row 2: expected rows of time and position such as [\"4 us\", \"12 mm\"], got a list");
   EXPECT_EQ(said("[[0, \"10 us\"], [1, 2]]"),
@@ -273,8 +274,9 @@ TEST(LoadFile, NamesEveryDefectWithItsLine) {
       said("time [us];load [N]\n0;1\n5;1\n"),
       "x.csv:1: the header has no column displacement [mm], force [N] or grip_force [N]: it has 'time' and "
       "'load'\n");
-  EXPECT_EQ(said(head + "0;0\n30;0\n"),
-            "x.toml:4: loading.curve = \"x.csv\": 0 as the crack starts strains nothing\n");
+  EXPECT_EQ(
+      said(head + "0;0\n30;0\n"),
+      "x.toml:4: loading.curve = \"x.csv\": is 0 when the crack starts: the plate would not be strained\n");
   EXPECT_EQ(
       said("time [us];force [N]\n0;-1\n30;-1\n"),
       "x.toml:4: loading.curve = \"x.csv\": below 0 needs crack.friction: the faces of the crack would pass "
@@ -307,8 +309,8 @@ TEST(LoadFile, ThatPressesLaterOrIsOfTwoLoadsIsNamed) {
     return out;
   };
   const char* presses =
-      " presses the plate while the crack runs, which needs crack.friction: its faces would pass "
-      "through each other\n";
+      " compresses the plate while the crack runs, which needs crack.friction: the faces would pass through "
+      "each other\n";
   EXPECT_EQ(said("time [us];displacement [mm]\n0;1\n20;-1\n30;-2\n"),
             std::string("l.csv:3: -1 mm") + presses + "l.csv:4: -2 mm" + presses);
   EXPECT_EQ(said("time [us];grip_force [N]\n0;100\n30;100\n"), "");

@@ -37,9 +37,9 @@ TEST(Shapes, TakeTheKeysThatAreTheirs) {
             "--set specimen.shape=block: needs specimen.thickness as well\n");
   EXPECT_EQ(complaints({"specimen.shape=sphere", "specimen.height=10 mm"}),
             "--set specimen.height=10 mm: a sphere has one size, specimen.length\n");
-  EXPECT_EQ(
-      complaints({"specimen.shape=cylinder", "specimen.thickness=10 mm"}),
-      "--set specimen.thickness=10 mm: is that of a box: of a round shape specimen.length is the diameter\n");
+  EXPECT_EQ(complaints({"specimen.shape=cylinder", "specimen.thickness=10 mm"}),
+            "--set specimen.thickness=10 mm: applies to boxes only: the diameter of a round shape is "
+            "specimen.length\n");
   EXPECT_EQ(complaints({"specimen.shape=cylinder", "specimen.layers=2"}),
             "--set specimen.layers=2: goes with specimen.shape = \"plate\" only\n");
   EXPECT_EQ(complaints({"calibration.packings=3"}),

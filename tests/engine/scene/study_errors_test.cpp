@@ -56,7 +56,7 @@ TEST(StudyErrors, NameWhatIsNoListOrTable) {
 
 TEST(StudyErrors, FindOneValueInTwoSpellings) {
   EXPECT_EQ(complaints_of_study("[study]\nrelaxation = [\"linear\", 2, 1.0]\n"),
-            "x.toml:2: study.relaxation = [\"linear\", 2, 1]: \"linear\" and 1 are one value\n");
+            "x.toml:2: study.relaxation = [\"linear\", 2, 1]: \"linear\" and 1 are the same value\n");
 }
 
 TEST(StudyErrors, FindRowsThatAreOneScenario) {
@@ -107,15 +107,15 @@ TEST(StudyErrors, AreNotBuiltOnValuesThatAreWrongThemselves) {
 }
 
 TEST(StudyErrors, FindValuesThatNoScenarioHas) {
-  EXPECT_EQ(
-      complaints_of_study(
-          "[crack]\ntechnique = \"simple\"\n[study]\ndamage_zone_ratio = [1, 2]\nseed = [1, 2]\n"),
-      "x.toml:4: study.damage_zone_ratio = [1, 2]: 1 is in no scenario: all have technique = \"simple\"\n");
+  EXPECT_EQ(complaints_of_study(
+                "[crack]\ntechnique = \"simple\"\n[study]\ndamage_zone_ratio = [1, 2]\nseed = [1, 2]\n"),
+            "x.toml:4: study.damage_zone_ratio = [1, 2]: 1 applies to no scenario: all have technique = "
+            "\"simple\"\n");
   EXPECT_EQ(complaints_of_study("[study]\ndamping_region = [\"none\"]\ndamping_alpha = [0, 0.01]\n"),
-            "x.toml:3: study.damping_alpha = [0, 0.01]: 0.01 is in no scenario: all have damping_region = "
-            "\"none\"\n");
+            "x.toml:3: study.damping_alpha = [0, 0.01]: 0.01 applies to no scenario: all have damping_region "
+            "= \"none\"\n");
   EXPECT_EQ(complaints_of_study("[study]\ndamping_region = [\"none\", \"all\"]\ndamping_alpha = [0]\n"),
-            "x.toml:2: study.damping_region = [\"none\", \"all\"]: \"all\" is in no scenario: all have "
+            "x.toml:2: study.damping_region = [\"none\", \"all\"]: \"all\" applies to no scenario: all have "
             "damping_alpha = 0\n");
   EXPECT_EQ(complaints_of_study("[[study.rows]]\ntechnique = \"simple\"\nrelaxation = 2\n"),
             "x.toml:3: study.rows.relaxation = 2: applies to no scenario: all have technique = \"simple\"\n");

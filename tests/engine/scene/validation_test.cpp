@@ -39,15 +39,15 @@ TEST(Override, TakesThePlaceOfTheFilesRivalsAndSaysSo) {
   };
   using Notes = std::vector<std::string>;
   EXPECT_EQ(notes("[specimen]\nlayers = 2\n", {"specimen.thickness=2 mm"}),
-            Notes{"--set specimen.thickness takes the place of specimen.layers = 2 (x.toml:2)"});
+            Notes{"--set specimen.thickness replaces specimen.layers = 2 (x.toml:2)"});
   EXPECT_EQ(notes("[specimen]\nthickness = 0.002\n", {"specimen.layers=2"}),
-            Notes{"--set specimen.layers takes the place of specimen.thickness = 0.002 (x.toml:2)"});
+            Notes{"--set specimen.layers replaces specimen.thickness = 0.002 (x.toml:2)"});
   EXPECT_EQ(notes("[crack]\nvelocity = \"0.5 c_r\"\nstart = \"1 mm\"\n",
                   {"crack.history=[[0, 0.01], [1e-5, 0.014]]"}),
-            (Notes{"--set crack.history takes the place of crack.velocity = \"0.5 c_r\" (x.toml:2)",
-                   "--set crack.history takes the place of crack.start = \"1 mm\" (x.toml:3)"}));
+            (Notes{"--set crack.history replaces crack.velocity = \"0.5 c_r\" (x.toml:2)",
+                   "--set crack.history replaces crack.start = \"1 mm\" (x.toml:3)"}));
   EXPECT_EQ(notes("[loading]\nforce = \"20 kN\"\n", {"loading.displacement=2 mm"}),
-            Notes{"--set loading.displacement takes the place of loading.force = \"20 kN\" (x.toml:2)"});
+            Notes{"--set loading.displacement replaces loading.force = \"20 kN\" (x.toml:2)"});
   EXPECT_EQ(notes("[crack]\nvelocity = \"0.5 c_r\"\n", {"crack.velocity=0.3 c_r"}), Notes{});
 }
 
@@ -151,31 +151,30 @@ TEST(Contradictions, TwoTipsMeetTheEndsOfThePlateAtHalfItsLength) {
 TEST(Contradictions, TwoTipsNeedAWindowBetweenTheirZoneAndTheFirstEcho) {
   EXPECT_EQ(with({"crack.tips=2"}), "");
   // A mean radius of 0.487 mm: an empty window, one shorter than ten of them, and one of larger elements.
-  EXPECT_EQ(with({"crack.tips=2", "crack.damage_zone_ratio=8"}),
-            "--set crack.damage_zone_ratio=8: leaves two tips (crack.tips) no window: five damage zones end "
-            "at a half length "
-            "of 19.4883 mm, the first echo is back at 11.2623 mm, and 7.79533 mm are needed between: raise "
-            "specimen.elements, or height and length, or give output.window\n");
-  EXPECT_EQ(with({"crack.tips=2", "crack.damage_zone_ratio=3.5"}),
-            "--set crack.damage_zone_ratio=3.5: leaves two tips (crack.tips) no window: five damage zones "
-            "end at a half length "
-            "of 8.52614 mm, the first echo is back at 11.2623 mm, and 4.87208 mm are needed between: raise "
-            "specimen.elements, or height and length, or give output.window\n");
+  EXPECT_EQ(
+      with({"crack.tips=2", "crack.damage_zone_ratio=8"}),
+      "--set crack.damage_zone_ratio=8: leaves two tips (crack.tips) no window: five damage zones end at a "
+      "half length of 19.4883 mm, the first boundary reflection returns at 11.2623 mm, and 7.79533 mm are "
+      "needed between: raise specimen.elements, or height and length, or give output.window\n");
+  EXPECT_EQ(
+      with({"crack.tips=2", "crack.damage_zone_ratio=3.5"}),
+      "--set crack.damage_zone_ratio=3.5: leaves two tips (crack.tips) no window: five damage zones end at a "
+      "half length of 8.52614 mm, the first boundary reflection returns at 11.2623 mm, and 4.87208 mm are "
+      "needed between: raise specimen.elements, or height and length, or give output.window\n");
   EXPECT_EQ(with({"crack.tips=2", "crack.technique=simple", "specimen.elements=5000"}),
             "--set specimen.elements=5000: leaves two tips (crack.tips) no window: five mean radii end at a "
-            "half length "
-            "of 4.87208 mm, the first echo is back at 11.2623 mm, and 9.74416 mm are needed between: raise "
-            "specimen.elements, or height and length, or give output.window\n");
+            "half length of 4.87208 mm, the first boundary reflection returns at 11.2623 mm, and 9.74416 mm "
+            "are needed between: raise specimen.elements, or height and length, or give output.window\n");
   EXPECT_EQ(with({"crack.tips=2", "crack.damage_zone_ratio=8", "output.window=[0.1, 0.2]"}), "");
   EXPECT_EQ(with({"crack.tips=2", "crack.velocity=0.2 c_r until 20 mm, 0.6 c_r"}),
-            "--set crack.velocity=0.2 c_r until 20 mm, 0.6 c_r: changes on the way, so that two tips have no "
-            "window of their own: give output.window\n");
+            "--set crack.velocity=0.2 c_r until 20 mm, 0.6 c_r: changes along the path, so two tips have no "
+            "default window: give output.window\n");
 }
 
 TEST(Contradictions, GriffithsReferenceGoesWithTwoTips) {
   EXPECT_EQ(with({"output.g_i0_reference=griffith"}),
-            "--set output.g_i0_reference=griffith: goes with crack.tips = 2 only: it is that of a central "
-            "crack\n");
+            "--set output.g_i0_reference=griffith: goes with crack.tips = 2 only, because it is the "
+            "reference of a central crack\n");
   EXPECT_EQ(with({"output.g_i0_reference=griffith", "crack.tips=2"}), "");
   EXPECT_EQ(with({"output.g_i0_reference=griffith", "crack.tips=3"}),
             "--set crack.tips=3: must lie in [1, 2]\n");
@@ -184,8 +183,7 @@ TEST(Contradictions, GriffithsReferenceGoesWithTwoTips) {
 TEST(Contradictions, UntilsLieOnTheCracksWay) {
   EXPECT_EQ(with({"crack.velocity=0.2 c_r until 100 mm, 0.6 c_r"}),
             "--set crack.velocity=0.2 c_r until 100 mm, 0.6 c_r: 'until 100 mm' lies outside the crack's "
-            "way, 0 m to "
-            "80 mm\n");
+            "path, 0 m to 80 mm\n");
   EXPECT_EQ(with({"crack.velocity=0.2 c_r until 60 mm, 0.6 c_r"}), "");
 }
 

@@ -86,7 +86,8 @@ TEST(CacheFile, IsNotUsedWithAnyOneByteChanged) {
       write_text(file, damaged);
       cache.notes.clear();
       ASSERT_FALSE(base::recall(cache, "packing", key)) << "byte " << k;
-      ASSERT_EQ(cache.notes, std::vector{file.string() + ": damaged, built anew"}) << "byte " << k;
+      ASSERT_EQ(cache.notes, std::vector{file.string() + " is damaged: its contents are computed again"})
+          << "byte " << k;
     }
 }
 

@@ -266,7 +266,7 @@ TEST(March, StopsAsDivergedWhereTheNumbersBlowUpAndNamesTheStep) {
   EXPECT_STREQ(name_of(result.outcome), "diverged");
   EXPECT_LT(result.lane[0].steps, p.lane[0].schedule.total());
   EXPECT_TRUE(result.lane[0].where.starts_with("step " + std::to_string(result.lane[0].steps) +
-                                               ": the books are open by "))
+                                               ": the balance error is "))
       << result.lane[0].where;
 }
 

@@ -129,7 +129,7 @@ TEST(Steering, RefusesWhatCannotBe) {
   EXPECT_NE(s.refused[0].find("simple release"), std::string::npos);
   EXPECT_NE(s.refused[1].find("must lie in"), std::string::npos) << s.refused[1];
   EXPECT_NE(s.refused[2].find("(0, 2] c_r"), std::string::npos);
-  EXPECT_NE(s.refused[3].find("does not run"), std::string::npos);
+  EXPECT_NE(s.refused[3].find("is not running"), std::string::npos);
   EXPECT_NE(s.refused[4].find("cannot be steered"), std::string::npos);
   EXPECT_TRUE(s.made.empty());
 }

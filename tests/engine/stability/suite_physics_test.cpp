@@ -144,7 +144,7 @@ TEST(Divergence, IsCaughtBetweenTwoSamplesByStepElementBeamAndLane) {
         r.where.starts_with("step " + std::to_string(r.steps) + ", lane " + std::to_string(lane) + ": "))
         << r.where;
     EXPECT_NE(r.where.find(" element "), std::string::npos) << r.where;
-    EXPECT_NE(r.where.find("of its beams "), std::string::npos) << r.where;
+    EXPECT_NE(r.where.find("its most strained beam is "), std::string::npos) << r.where;
     EXPECT_EQ(r.samples.back().step, r.steps);  // the row that tells why is kept
   }
 }

@@ -19,7 +19,7 @@ TEST(StudyResult, ThatNestsDeepCountsAsAbsentWithANote) {
              "{\"key\": \"key\", \"scenario\": " + std::string(100000, '[') + std::string(100000, ']') + "}");
   std::vector<std::string> notes;
   EXPECT_FALSE(read_result(folder.path(), "key", notes));
-  EXPECT_EQ(notes, std::vector<std::string>{file.string() + ": damaged, computed again"});
+  EXPECT_EQ(notes, std::vector<std::string>{file.string() + " is damaged and is computed again"});
 }
 
 }  // namespace

@@ -313,7 +313,7 @@ TEST_P(DamagedResult, IsNotedAndComputedAgain) {
     EXPECT_EQ(again.computed, 1);
     EXPECT_EQ(lasting(again.rows), lasting(first.rows));
     ASSERT_EQ(cache.notes.size(), 1U);
-    EXPECT_EQ(cache.notes[0], file.string() + ": damaged, computed again");
+    EXPECT_EQ(cache.notes[0], file.string() + " is damaged and is computed again");
   }
 }
 
@@ -339,15 +339,15 @@ TEST(StudyFolder, OfAnotherStudyVersionOrKindIsRefusedAndLeftAsItWas) {
   EXPECT_EQ(refusal(folder.path(), preset_from(text)),
             folder.path().string() + " holds another study (of tiny.toml, " +
                 std::to_string(tiny_study().study.size()) +
-                " scenarios); nothing was changed, choose another with --out");
-  EXPECT_EQ(
-      refusal(folder.path(), tiny_study(), {"0.2.0", "a compiler"}),
-      folder.path().string() +
-          " holds a study of rift 0.1.0, this is rift 0.2.0; nothing was changed, choose another with --out");
+                " scenarios); nothing was changed: choose another folder with --out");
+  EXPECT_EQ(refusal(folder.path(), tiny_study(), {"0.2.0", "a compiler"}),
+            folder.path().string() +
+                " holds a study of rift 0.1.0, this is rift 0.2.0; nothing was changed: choose another "
+                "folder with --out");
   EXPECT_EQ(read_text(folder.path() / "study.json"), manifest);
   write_text(other.path() / "thesis.tex", "years of work");
   EXPECT_EQ(refusal(other.path(), tiny_study()),
-            other.path().string() + " is not empty and holds no study; choose another with --out");
+            other.path().string() + " is not empty and holds no study: choose another folder with --out");
   EXPECT_EQ(std::distance(fs::directory_iterator(other.path()), fs::directory_iterator()), 1);
 }
 

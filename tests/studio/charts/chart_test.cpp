@@ -169,13 +169,13 @@ TEST(DrawChart, WithoutGnuplotSaysWhatToInstall) {
 
 TEST(DrawChart, RefusesWhatCannotBeDrawnOrWritten) {
   const TemporaryFolder folder;
-  EXPECT_TRUE(
-      contains(complaint([&] { draw_chart(Chart{}, folder.path(), "ratio"); }), "ratio: it has no points"));
+  EXPECT_TRUE(contains(complaint([&] { draw_chart(Chart{}, folder.path(), "ratio"); }),
+                       "ratio: the chart has no points"));
   Chart negative = small_chart();
   negative.log_y = true;
   for (ChartSeries& s : negative.series) s.y.assign(s.y.size(), -1.0);
-  EXPECT_TRUE(
-      contains(complaint([&] { draw_chart(negative, folder.path(), "negative"); }), "it has no points"));
+  EXPECT_TRUE(contains(complaint([&] { draw_chart(negative, folder.path(), "negative"); }),
+                       "the chart has no points"));
   write_text(folder.path() / "file", "");
   EXPECT_TRUE(contains(complaint([&] { draw_chart(small_chart(), folder.path() / "file", "ratio"); }),
                        (folder.path() / "file").string()));
@@ -193,7 +193,7 @@ TEST(RunScript, ThatFailsLeavesNoHalfOfAPicture) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 4);
 
   write_text(drawn.script, "set terminal svg\nset output svg\nset print png\nprint 'x'\n");
-  EXPECT_TRUE(contains(complaint([&] { run_script(folder.path(), "ratio"); }), "gnuplot left it"));
+  EXPECT_TRUE(contains(complaint([&] { run_script(folder.path(), "ratio"); }), "gnuplot wrote an"));
   EXPECT_EQ(read_text(drawn.svg), svg);
 }
 

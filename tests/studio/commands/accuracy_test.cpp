@@ -27,10 +27,11 @@ TEST(AccuracyCommand, PrintsErrorsAndWallTimesAndARecommendation) {
   const TinyPlate plate;
   const Ran ran = accuracy(plate, "--goal 0.5");
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* part : {"converged", "to Broberg", "wall [s]", "0.05 of critical", "1,250 elements",
-                           "900 elements", "corotational", "another model",
-                           "recommended on this lattice: ", "the lattice itself: ", "lanes side by side",
-                           "(goal 0.5)", "elements: against the mean of 2 specimens"})
+  for (const char* part :
+       {"parameter", "std. uncertainty", "total error", "efficient", "diff. to Broberg", "wall [s]",
+        "0.05 of critical", "1,250 elements", "900 elements", "corotational", "another model",
+        "recommended on this lattice: ", "error of the lattice: ", "lanes side by side", "(goal 0.5)",
+        "elements: compared with the mean of 2 specimens"})
     EXPECT_TRUE(contains(ran.out, part));
   EXPECT_FALSE(contains(ran.out, "pre-stress"));  // --quick
 }
@@ -57,7 +58,7 @@ TEST(AccuracyCommand, GoesOnFromWhatIsThere) {
   const Ran late = accuracy(plate, "--budget '0.3 s'");
   EXPECT_EQ(late.exit_code, 4);
   EXPECT_TRUE(contains(late.err, "rift accuracy: the budget ran out; "));
-  EXPECT_TRUE(contains(accuracy(plate, "--no-cache").out, " found, "));
+  EXPECT_TRUE(contains(accuracy(plate, "--no-cache").out, " reused, "));
   EXPECT_TRUE(contains(accuracy(plate).out, "\n0 computed, "));
   EXPECT_FALSE(fs::exists(plate.out() / "cache"));
 }
@@ -81,7 +82,7 @@ TEST(AccuracyCommand, TellsWhatCannotBeAndGoesOn) {
   write_text(plate.preset(), read_text(plate.preset()) + "[damping]\nregion = \"all\"\nalpha = 0.2\n");
   const Ran ran = accuracy(plate);
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_TRUE(contains(ran.out, "cannot be: solver.dt_fraction makes a step of"));
+  EXPECT_TRUE(contains(ran.out, "not computed: solver.dt_fraction makes a step of"));
 }
 
 struct AccuracyMistake {
@@ -102,14 +103,14 @@ TEST_P(AccuracyBadInput, IsRefusedWithAMessageAndNothingIsWritten) {
 
 INSTANTIATE_TEST_SUITE_P(
     OfOptions, AccuracyBadInput,
-    testing::Values(AccuracyMistake{"--goal 0", "--goal: Value 0 not in range"},
-                    AccuracyMistake{"--goal nearly", "--goal"},
-                    AccuracyMistake{"--elements 5", "--elements: Value 5 not in range"},
-                    AccuracyMistake{"--seeds 0", "--seeds: Value 0 not in range"},
-                    AccuracyMistake{"--budget 10",
-                                    "rift accuracy: --budget 10: expected a time with its unit"},
-                    AccuracyMistake{"--set solver.dt=1e-12", "--yes starts it, --budget TIME does what fits"},
-                    AccuracyMistake{"--set solver.dt_fraction=2", "solver.dt_fraction=2: must lie in"}),
+    testing::Values(
+        AccuracyMistake{"--goal 0", "--goal: Value 0 not in range"},
+        AccuracyMistake{"--goal nearly", "--goal"},
+        AccuracyMistake{"--elements 5", "--elements: Value 5 not in range"},
+        AccuracyMistake{"--seeds 0", "--seeds: Value 0 not in range"},
+        AccuracyMistake{"--budget 10", "rift accuracy: --budget 10: expected a time with its unit"},
+        AccuracyMistake{"--set solver.dt=1e-12", "--yes starts it, --budget TIME computes what fits"},
+        AccuracyMistake{"--set solver.dt_fraction=2", "solver.dt_fraction=2: must lie in"}),
     [](const auto& mistake) { return "Case" + std::to_string(mistake.index); });
 
 TEST(AccuracyBadInputOfThePreset, IsAStudy) {
@@ -126,13 +127,14 @@ TEST(AccuracyOut, OfAnotherSceneOrSomethingElseIsRefused) {
   write_text(plate.out() / "thesis.tex", "years of work");
   Ran ran = accuracy(plate);
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_EQ(ran.err, "rift: " + plate.out().string() +
-                         " is not empty and holds no accuracy; choose another with --out\n");
+  EXPECT_EQ(ran.err,
+            "rift: " + plate.out().string() +
+                " is not empty and holds no results of 'rift accuracy': choose another folder with --out\n");
   fs::remove(plate.out() / "thesis.tex");
   accuracy(plate, "--budget '0.1 s'");
   ran = accuracy(plate, "--set specimen.seed=9");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_TRUE(contains(ran.err, "holds the accuracy of another scene"));
+  EXPECT_TRUE(contains(ran.err, "holds the results of 'rift accuracy' for another scene"));
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ TEST_F(Calibrate, AnswersWithBeamsTheirScatterAndTheRangeOfNu) {
   const Ran ran = calibrate("--young '3.2 GPa' --poisson 0.25" + std::string(small));
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* part :
-       {"E = 3.2 GPa, nu = 0.25", "E_mu", "±", "r_mu", "attainable  nu from 0.", "Left out: a scan of E_mu",
-        "[material]", "stiffness = \"explicit\"", "micro_radius_ratio = "})
+       {"E = 3.2 GPa, ν = 0.25", "E_µ", "GPa between packings", "r_µ", "attainable  ν from 0.",
+        "Left out: a scan of E_µ", "[material]", "stiffness = \"explicit\"", "micro_radius_ratio = "})
     EXPECT_TRUE(contains(ran.out, part));
 }
 
@@ -86,7 +86,7 @@ TEST_F(Calibrate, NamesWhatIsMissing) {
   EXPECT_TRUE(contains(calibrate("--young '3 kg' --poisson 0.3").err, "material.young_modulus=3 kg: "));
   const Ran plate = calibrate("quickstart");
   EXPECT_EQ(plate.exit_code, 2);
-  EXPECT_TRUE(contains(plate.err, "must be \"cylinder\": that is what is pressed"));
+  EXPECT_TRUE(contains(plate.err, "must be \"cylinder\", the shape that is compressed"));
 }
 
 TEST_F(Calibrate, StopsWhenInterruptedAndKeepsWhatItHas) {
@@ -94,7 +94,8 @@ TEST_F(Calibrate, StopsWhenInterruptedAndKeepsWhatItHas) {
                             "/cache' timeout -s INT 1 '" RIFT_EXE
                             "' calibrate --young '3 GPa' --poisson 0.3 --set calibration.elements=60000");
   EXPECT_EQ(ran.exit_code, 124);  // timeout's own word for it
-  EXPECT_TRUE(contains(ran.err, "rift calibrate: stopped while packing; what was computed is in the cache"));
+  EXPECT_TRUE(
+      contains(ran.err, "rift calibrate: stopped while packing; the finished parts are in the cache"));
 }
 
 TEST(Pack, ShowsHowTheElementsLie) {
@@ -105,8 +106,8 @@ TEST(Pack, ShowsHowTheElementsLie) {
       "--no-cache --out '" +
       out + "'");
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* part :
-       {"sphere of 500 elements", "coordination    6.0", "solid fraction", "fabric", "off from isotropic"})
+  for (const char* part : {"sphere of 500 elements", "coordination    6.0", "solid fraction", "fabric",
+                           "deviation from isotropy"})
     EXPECT_TRUE(contains(ran.out, part));
   const Json summary = Json::parse(read_text(out + "/summary.json"));
   EXPECT_EQ(summary.at("elements"), 500);

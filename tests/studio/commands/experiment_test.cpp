@@ -77,9 +77,7 @@ TEST(ExperimentCommand, ThatWasKilledDoesNotBlockItsFolder) {
   write_text(plate.path() / "out" / "run" / "journal.rift", "RIFTJRNL");
   const Ran again = plate.experiment("--quiet");
   EXPECT_EQ(again.exit_code, 2);
-  EXPECT_TRUE(contains(again.err,
-                       "holds what is left of an experiment that did not come to its end; --force "
-                       "begins it anew"));
+  EXPECT_TRUE(contains(again.err, "holds an experiment that was interrupted; --force starts it again"));
   const Ran forced = plate.experiment("--quiet --resamples 0 --no-application --force");
   EXPECT_EQ(forced.exit_code, 0) << forced.err;
   EXPECT_TRUE(std::filesystem::exists(plate.path() / "out" / "report.html"));

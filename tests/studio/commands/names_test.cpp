@@ -108,7 +108,7 @@ TEST_F(HostileNames, AreStudiedAndGoneOnWith) {
   write_text(preset(), text + "[study]\ncrack_velocity = [\"0.3 c_r\", \"0.5 c_r\"]\n");
   works("study " + quoted(preset()) + " --out " + quoted(out()));
   const Ran again = rift("study " + quoted(preset()) + " --out " + quoted(out()));
-  EXPECT_TRUE(contains(again.out, "0 computed, 2 found"));
+  EXPECT_TRUE(contains(again.out, "0 computed, 2 reused"));
   works("study --json --quiet " + quoted(preset()) + " --out " + quoted(out()));
   has_harmless_pages(out());
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/expectations.hpp"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -47,7 +49,7 @@ class PseudoTerminal {
 
   /// Reads what the command writes until something is so. @return whether it was within 20 s
   [[nodiscard]] bool reads_until(const std::function<bool()>& is_so) {
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(patience_s);
     while (!is_so()) {
       pollfd master{master_, POLLIN, 0};
       char buffer[4096];

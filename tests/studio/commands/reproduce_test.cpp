@@ -33,7 +33,7 @@ TEST(Reproduce, LeavesAFolderOfSomethingElseAlone) {
   const Ran ran = run_rift("reproduce fig02 --out '" + folder.path().string() + "'");
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.err, "rift reproduce: '" + folder.path().string() +
-                         "' is there and holds something else: choose another --out\n");
+                         "' exists and holds other files: choose another folder with --out\n");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "report.html"));
 }
 

@@ -103,7 +103,7 @@ TEST(Resume, MakesTheFilesOfAnEndThatTheDiskDidNotTake) {
   fs::remove(plate.out() / "summary.json");
   const Ran ran = run_rift("resume '" + plate.out().string() + "' --quiet", plate.environment());
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_TRUE(contains(ran.err, "had come to its end; the files of its end are made from its journal"));
+  EXPECT_TRUE(contains(ran.err, "is already finished; its missing files were rebuilt from the journal"));
   EXPECT_EQ(read_text(plate.out() / "summary.json"), summary);
   EXPECT_EQ(read_text(plate.out() / "series.csv"), series);
 }
@@ -113,7 +113,7 @@ TEST(Resume, WhatCannotBeResumedIsSaid) {
   ASSERT_EQ(plate.run("--quiet").exit_code, 0);
   Ran ran = run_rift("resume '" + plate.out().string() + "'", plate.environment());
   EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_TRUE(contains(ran.err, "has come to its end"));
+  EXPECT_TRUE(contains(ran.err, "is already finished; there is nothing to resume"));
   ran = run_rift("resume '" + (plate.path() / "nosuch").string() + "'");
   EXPECT_EQ(ran.exit_code, 1);
   EXPECT_TRUE(contains(ran.err, "nosuch"));

@@ -48,7 +48,8 @@ TEST(Run, SummaryHoldsEveryNameOfTheInterface) {
       "lanes version g_i0_j_m2 g_id_j_m2 ratio ratio_fracture ratio_paper ratio_difference "
       "ratio_scatter window_over_length broberg freund strip error_broberg error_converged energy_initial_j "
       "energy_elastic_j energy_kinetic_translation_j energy_kinetic_rotation_j energy_step_correction_j "
-      "energy_fracture_j energy_damping_j energy_numerical_damping_j work_external_j ledger_residual outcome "
+      "energy_fracture_j energy_damping_j energy_numerical_damping_j work_external_j ledger_residual "
+      "ledger_limit ledger_closes outcome "
       "wall_packing_s wall_prestress_s wall_fracture_s wall_pass_s wall_total_s cost_s element_steps_per_s "
       "beam_steps_per_s memory_peak_bytes tips g_i0_reference echo_free_over_length");
   for (std::string name; names >> name;) EXPECT_TRUE(scenario.contains(name)) << name;
@@ -87,9 +88,9 @@ TEST(Run, SaysOfTwoTipsThatTheyAreTwo) {
   const Ran ran =
       plate.run("--set crack.tips=2 --set output.g_i0_reference=griffith --set 'output.window=[0.1, 0.5]'");
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_TRUE(contains(ran.out, "0.5 c_r, two tips, progressive release"));
+  EXPECT_TRUE(contains(ran.out, "0.5 c_R, two tips, progressive release"));
   EXPECT_TRUE(contains(ran.out, "half length 0.1 to 0.5 of the length"));
-  EXPECT_TRUE(contains(ran.out, "first echo back at 0.056 of the length"));
+  EXPECT_TRUE(contains(ran.out, "first boundary reflection reaches the tip at 0.056 of the length"));
   EXPECT_TRUE(contains(ran.out, "kJ/m² (griffith, mean)"));
 }
 
@@ -128,7 +129,7 @@ TEST(Run, NotesADamagedCacheFileAndRebuildsIt) {
   const Ran ran = plate.run("--force");
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_TRUE(contains(ran.err, "cache: " + (plate.path() / "cache" / "rift" / "packing-").string()));
-  EXPECT_TRUE(contains(ran.err, "damaged, built anew"));
+  EXPECT_TRUE(contains(ran.err, "is damaged: its contents are computed again"));
   EXPECT_EQ(plate.run("--force").err, "");
 }
 
@@ -159,9 +160,8 @@ TEST(RunOut, OfAKilledRunOffersToGoOn) {
   plate.run_and_kill("checkpoint.h5", slow);
   const Ran ran = plate.run(slow);
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_EQ(ran.err, "rift: " + plate.out().string() +
-                         " holds a run that has not come to its end: 'rift resume " + plate.out().string() +
-                         "' goes on with it, --force replaces it\n");
+  EXPECT_EQ(ran.err, "rift: " + plate.out().string() + " holds an unfinished run: 'rift resume " +
+                         plate.out().string() + "' continues it, --force replaces it\n");
 }
 
 TEST(RunOut, OfARunThatGoesOnIsNotReplaced) {
@@ -390,8 +390,9 @@ TEST(RunStopped, WhilePackingLeavesNoFolder) {
                       "--set specimen.length=0.2 --set specimen.height=0.04 --set crack.end=0.08");
   EXPECT_EQ(ran.exit_code, 130) << ran.err;
   EXPECT_EQ(ran.out, "");
-  EXPECT_EQ(ran.err,
-            "rift run: stopped while packing: nothing was written, and the same command starts anew\n");
+  EXPECT_EQ(
+      ran.err,
+      "rift run: stopped while packing: nothing was written; the same command starts from the beginning\n");
   EXPECT_FALSE(fs::exists(plate.out()));
   EXPECT_FALSE(fs::exists(plate.path() / "cache" / "rift"));
 }

@@ -60,7 +60,7 @@ TEST(Studio, LeadsFromHomeThroughAFormAndASteeredRunToAComparison) {
   terminal.send("Space");
   EXPECT_TRUE(terminal.shows("paused"));
   terminal.send("x");
-  EXPECT_TRUE(terminal.shows("change lane 1 from here on"));
+  EXPECT_TRUE(terminal.shows("change lane 1 from now on"));
   terminal.send("3");
   EXPECT_TRUE(terminal.shows("damage_zone_ratio of lane 1: 1"));
   terminal.send("BSpace 4 Enter");
@@ -77,12 +77,12 @@ TEST(Studio, LeadsFromHomeThroughAFormAndASteeredRunToAComparison) {
   terminal.send("q");
   EXPECT_TRUE(terminal.shows("Recent runs"));
   terminal.send("G Space k Space c");
-  EXPECT_TRUE(terminal.shows("2 scenarios beside each other"));
+  EXPECT_TRUE(terminal.shows("2 scenarios side by side"));
   EXPECT_TRUE(terminal.shows("G_ID / G_I0"));
   terminal.resize(50, 12);
   EXPECT_TRUE(terminal.shows("50x12 is too small: 60x16 needed"));
   terminal.resize(80, 24);
-  EXPECT_TRUE(terminal.shows("2 scenarios beside each other"));
+  EXPECT_TRUE(terminal.shows("2 scenarios side by side"));
   terminal.send("q");
   EXPECT_TRUE(terminal.shows("Recent runs"));
   terminal.send("q");
@@ -131,7 +131,7 @@ TEST(Studio, ACrashGivesTheTerminalBackAndNamesTheRun) {
   EXPECT_TRUE(terminal.shows("running"));
   run.send("SEGV");
   EXPECT_TRUE(terminal.shows("rift: crashed (signal 11)"));
-  EXPECT_TRUE(terminal.shows("the run is in out"));
+  EXPECT_TRUE(terminal.shows("the run is stored in out"));
   EXPECT_TRUE(terminal.shows(" icanon"));
   EXPECT_TRUE(terminal.shows(" echo "));
 }

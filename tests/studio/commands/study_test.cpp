@@ -40,23 +40,23 @@ TEST(StudyCommand, LeavesTableChartsAndReport) {
   const TinyStudy plate;
   const Ran ran = plate.study();
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* name : {"G_ID/G_I0 ± along the window", "difference to Broberg", "run time [s]", "simple",
-                           "means over the specimens", "G_ID/G_I0 ± between specimens", "8 computed, 0 found"})
+  for (const char* name :
+       {"G_ID/G_I0 ± along the window", "difference to Broberg", "run time [s]", "simple",
+        "mean ± scatter between specimens", "G_ID/G_I0 ± between specimens", "8 computed, 0 reused"})
     EXPECT_TRUE(contains(ran.out, name));
   EXPECT_TRUE(contains(ran.err, "[8/8]"));
   EXPECT_EQ(table_in(plate.out()).size(), 8U);
   for (const char* file : {"study.json", "charts/ratio_velocity.svg", "charts/ratio_velocity.png",
-                           "charts/ratio_tip.csv", "charts/ratio_tip.gp",
-                           "charts/work_precision.svg"})
+                           "charts/ratio_tip.csv", "charts/ratio_tip.gp", "charts/work_precision.svg"})
     EXPECT_GT(fs::file_size(plate.out() / file), 100U) << file;
   const std::string report = read_text(plate.out() / "report.html");
-  for (const char* part : {"<svg", "Difference to Broberg against run time", "This study holds no converged reference",
-                           "± between specimens", "Fixed parameters", "specimen.height", "Left out", "CPU",
-                           "rift study "})
+  for (const char* part :
+       {"<svg", "Difference to Broberg against run time", "This study holds no converged reference",
+        "± between specimens", "Fixed parameters", "specimen.height", "Left out", "CPU", "rift study "})
     EXPECT_TRUE(contains(report, part));
   EXPECT_EQ(report.find("src="), std::string::npos);  // self-contained
   const Ran again = plate.study();
-  EXPECT_TRUE(contains(again.out, "0 computed, 8 found"));
+  EXPECT_TRUE(contains(again.out, "0 computed, 8 reused"));
 }
 
 TEST(StudyCommand, AgreesWithTheRunOfOneOfItsScenarios) {
@@ -92,11 +92,27 @@ TEST(StudyCommand, StopsInGoodOrderAndGoesOn) {
   const Ran ran =
       plate.study_under("timeout --preserve-status -s INT 1", "--set solver.dt_fraction=0.001", plate.out());
   EXPECT_EQ(ran.exit_code, 130);
-  EXPECT_TRUE(contains(ran.err, "rift study: stopped; the same command goes on from here\n"));
+  EXPECT_TRUE(contains(ran.err, "rift study: stopped; the same command continues from here\n"));
   const Ran late = plate.study("--set solver.dt_fraction=0.001 --budget '0.5 s'");
   EXPECT_EQ(late.exit_code, 4);
-  EXPECT_TRUE(contains(late.err, "rift study: the budget ran out; the same command goes on from here\n"));
+  EXPECT_TRUE(contains(late.err, "rift study: the budget ran out; the same command continues from here\n"));
   EXPECT_TRUE(contains(late.out, "not computed yet"));
+  EXPECT_FALSE(contains(late.out, "report.html")) << "an interrupted study names no file that is not there";
+  EXPECT_FALSE(fs::exists(plate.out() / "report.html"));
+}
+
+TEST(StudyCommand, CommandsOfRunsSayOfAStudyWhatItIs) {
+  const TinyStudy plate;
+  ASSERT_EQ(plate.study("--quiet").exit_code, 0);
+  const std::string folder = "'" + plate.out().string() + "'";
+  for (const std::string& command : {"export " + folder + " --to csv", "verify " + folder, "resume " + folder,
+                                     "measure " + folder, "watch " + folder})
+    if (const Ran ran = run_rift(command, plate.environment()); !contains(ran.err, "built without")) {
+      EXPECT_EQ(ran.exit_code, 2) << command;
+      EXPECT_TRUE(contains(ran.err, plate.out().string() + ": holds a study, not a run: ")) << ran.err;
+      EXPECT_TRUE(contains(ran.err, "'rift study PRESET --out " + plate.out().string() + "'")) << ran.err;
+    }
+  EXPECT_FALSE(fs::exists(plate.out() / "measure"));
 }
 
 TEST(StudyCommand, GathersShards) {
@@ -105,11 +121,11 @@ TEST(StudyCommand, GathersShards) {
   EXPECT_EQ(first.exit_code, 0) << first.err;
   EXPECT_TRUE(contains(first.out, "4 of 8 scenarios are not computed yet"));
   const Ran second = plate.study("--shard 1/2");
-  EXPECT_TRUE(contains(second.out, "4 computed, 4 found"));
+  EXPECT_TRUE(contains(second.out, "4 computed, 4 reused"));
   for (const char* name : {"table.csv", "report.html", "charts"})  // left to the call that gathers
     EXPECT_FALSE(fs::exists(plate.out() / name)) << name;
   const Ran all = plate.study();
-  EXPECT_TRUE(contains(all.out, "0 computed, 8 found"));
+  EXPECT_TRUE(contains(all.out, "0 computed, 8 reused"));
   EXPECT_EQ(table_in(plate.out()).size(), 8U);
 }
 
@@ -185,7 +201,7 @@ TEST(StudyBadInputOfThePreset, WithoutAStudySaysHowToWriteOne) {
   const TinyPlate plate;
   const Ran ran = run_rift("study '" + plate.preset().string() + "' --out '" + plate.out().string() + "'");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_TRUE(contains(ran.err, "no [study] in it: write a table [study] with a list of values per axis"));
+  EXPECT_TRUE(contains(ran.err, "holds no [study]: write a table [study] with a list of values per axis"));
   EXPECT_FALSE(fs::exists(plate.out()));
 }
 
@@ -196,7 +212,7 @@ TEST(StudyOut, OfAFolderWithSomethingElseIsRefused) {
   const Ran ran = plate.study();
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.err, "rift: " + plate.out().string() +
-                         " is not empty and holds no study; choose another with --out\n");
+                         " is not empty and holds no study: choose another folder with --out\n");
 }
 
 TEST(RunAndCheck, SendAStudyToItsCommand) {

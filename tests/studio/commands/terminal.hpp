@@ -32,10 +32,10 @@ class RealTerminal {
   void resize(int width, int height) const {
     run_shell(tmux_ + "resize-window -x " + std::to_string(width) + " -y " + std::to_string(height));
   }
-  /// Whether the screen shows this within 20 s.
+  /// Whether the screen shows this before patience ends.
   [[nodiscard]] testing::AssertionResult shows(const std::string& part) const {
     std::string text;
-    for (int k = 0; k < 200; ++k) {
+    for (int k = 0; k < 10 * patience_s; ++k) {
       text = screen();
       if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
       std::this_thread::sleep_for(std::chrono::milliseconds(100));

@@ -24,7 +24,9 @@ TEST(VerifyCommand, FindsARunWholeThenMendsThenSaysWhatIsLost) {
   ASSERT_EQ(plate.run("--quiet").exit_code, 0);
   Ran ran = verify(plate);
   EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
-  EXPECT_TRUE(contains(ran.out, "is whole"));
+  EXPECT_TRUE(contains(ran.out, "is complete and undamaged"));
+  EXPECT_TRUE(contains(ran.out, "elements (without rattlers)"));
+  EXPECT_TRUE(contains(ran.out, "intact"));
 
   damage(plate.out() / "run.vtkhdf");
   ran = verify(plate, "--check-only --json");
@@ -32,7 +34,7 @@ TEST(VerifyCommand, FindsARunWholeThenMendsThenSaysWhatIsLost) {
   EXPECT_FALSE(nlohmann::json::parse(ran.out).at("whole"));
   ran = verify(plate);
   EXPECT_EQ(ran.exit_code, 0) << ran.out;
-  EXPECT_TRUE(contains(ran.out, "made anew from the journal"));
+  EXPECT_TRUE(contains(ran.out, "rebuilt from the journal"));
 
   damage(plate.out() / "journal.rift");
   ran = verify(plate);

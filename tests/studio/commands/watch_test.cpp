@@ -13,6 +13,16 @@ TEST(Watch, WithoutATerminalSaysWhatToUse) {
   EXPECT_EQ(ran.out, "");
 }
 
+TEST(Watch, NamesAMissingRunBeforeAMissingTerminal) {
+  const TinyPlate plate;
+  const Ran ran = run_rift("watch '" + plate.out().string() + "'");
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_TRUE(contains(ran.err, "built without") ||
+              contains(ran.err, "cannot watch " + plate.out().string() + ": "))
+      << ran.err;
+  EXPECT_FALSE(contains(ran.err, "terminal"));
+}
+
 TEST(Watch, ShowsARunInATerminalAndGivesItBack) {
   if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
   const TinyPlate plate;
@@ -20,7 +30,7 @@ TEST(Watch, ShowsARunInATerminalAndGivesItBack) {
   const RealTerminal terminal("watch_" + plate.path().filename().string(),
                               "'" RIFT_EXE "' watch '" + plate.out().string() + "'", 100, 30);
   EXPECT_TRUE(terminal.shows("out  finished"));
-  EXPECT_TRUE(terminal.shows("within 1e-10"));
+  EXPECT_TRUE(terminal.shows("limit 1e-10"));
   EXPECT_TRUE(terminal.shows("G_ID/G_I0"));
   terminal.resize(50, 12);
   EXPECT_TRUE(terminal.shows("50x12 is too small: 60x16 needed"));

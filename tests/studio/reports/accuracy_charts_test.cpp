@@ -86,7 +86,7 @@ TEST(AccuracyReport, TellsWhatCannotBe) {
   accuracy::Accuracy a = steps();
   a.lines[3].cannot_be = "a reason";
   const Table table = accuracy_table(a);
-  EXPECT_EQ(table.rows[3].back(), "cannot be: a reason");
+  EXPECT_EQ(table.rows[3].back(), "not computed: a reason");
   EXPECT_EQ(table.rows[1][3], "0");
   EXPECT_EQ(table.rows[2][3], "+4.0e-04");
 }

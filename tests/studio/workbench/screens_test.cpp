@@ -85,9 +85,9 @@ TEST(HomeScreen, SearchShowsOnlyWhatHoldsTheLetters) {
   home.press({key_enter});
   const std::string text = text_of(home);
   EXPECT_EQ(text.find("plate_tiny"), std::string::npos);
-  EXPECT_NE(text.find("Can damping mend"), std::string::npos);
+  EXPECT_NE(text.find("Can damping repair"), std::string::npos);
   type(home, "/zzzz\n");
-  EXPECT_NE(text_of(home).find("nothing holds these letters"), std::string::npos);
+  EXPECT_NE(text_of(home).find("no entry contains these letters"), std::string::npos);
   EXPECT_EQ(home.press({key_enter}).to, Navigation::To::stay);
 }
 
@@ -107,7 +107,7 @@ TEST(HomeScreen, DeletesARunOnlyAfterYes) {
   EXPECT_FALSE(fs::exists(shop.context.runs / "first"));
   home.press({key_home});
   type(home, "d");
-  EXPECT_NE(text_of(home).find("presets are not deleted here"), std::string::npos);
+  EXPECT_NE(text_of(home).find("presets cannot be deleted here"), std::string::npos);
 }
 
 TEST(HomeScreen, ComparesTheMarkedRuns) {
@@ -117,13 +117,13 @@ TEST(HomeScreen, ComparesTheMarkedRuns) {
   HomeScreen home(shop.context);
   home.press({key_end});
   type(home, " c");
-  EXPECT_NE(text_of(home).find("mark two runs or more"), std::string::npos);
+  EXPECT_NE(text_of(home).find("mark two or more runs"), std::string::npos);
   home.press({key_up});
   const Navigation navigation = type(home, " c");
   ASSERT_EQ(navigation.to, Navigation::To::forward);
   const std::string text = text_of(*navigation.next);
   for (const char* part :
-       {"2 scenarios beside each other", "first: progressive", "second: simple", "G_ID / G_I0", "residual"})
+       {"2 scenarios side by side", "first: progressive", "second: simple", "G_ID / G_I0", "balance error"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   expect_drawn_at_any_size(*navigation.next);
 }
@@ -150,7 +150,7 @@ TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
   HomeScreen home(shop.context);
   home.press({key_end});
   EXPECT_EQ(type(home, "u").to, Navigation::To::stay);
-  EXPECT_NE(text_of(home).find("has come to its end"), std::string::npos);
+  EXPECT_NE(text_of(home).find("is already finished"), std::string::npos);
   const std::string second = (shop.context.runs / "second").string();
   run_shell("for limit in 0.1 0.2 0.4 0.8 1.6; do env " +
             shop.plate.environment() +  // on a machine of any speed
@@ -186,7 +186,7 @@ TEST(FormScreen, AMistakeIsShownAtItsFieldWhileItIsTyped) {
   EXPECT_NE(text.find("must lie in"), std::string::npos) << text;
   form.press({key_enter});
   type(form, "r");
-  EXPECT_NE(text_of(form).find("nothing is run before they are mended"), std::string::npos);
+  EXPECT_NE(text_of(form).find("correct them before running it"), std::string::npos);
   type(form, "d");
   EXPECT_NE(text_of(form).find("ready to run"), std::string::npos);
   expect_drawn_at_any_size(form);
@@ -204,7 +204,7 @@ TEST(FormScreen, EscapeLeavesTheValueAsItWas) {
 TEST(FormScreen, WhatFollowsIsExactAfterAMoment) {
   Shop shop;
   FormScreen form(shop.context, shop.preset());
-  EXPECT_NE(text_of(form).find("in a moment"), std::string::npos);
+  EXPECT_NE(text_of(form).find("starting"), std::string::npos);
   std::string text;
   for (int k = 0; k < 300 && text.find("of the critical") == std::string::npos; ++k) {
     form.look();
@@ -230,9 +230,9 @@ TEST(FormScreen, SavesAPresetOfOnesOwnThatReadsBack) {
   type(form, "s");
   for (int k = 0; k < 40; ++k) form.press({key_backspace});
   type(form, "mine\n");
-  EXPECT_NE(text_of(form).find("is there already"), std::string::npos);
+  EXPECT_NE(text_of(form).find("exists already"), std::string::npos);
   type(form, "s/../x\n");
-  EXPECT_NE(text_of(form).find("is no name"), std::string::npos);
+  EXPECT_NE(text_of(form).find("is not a valid preset name"), std::string::npos);
 }
 
 TEST(StudyScreen, FillsItsGridAndWritesItsReport) {
@@ -251,7 +251,7 @@ TEST(StudyScreen, FillsItsGridAndWritesItsReport) {
     shown = text_of(*screen);
   }
   for (const char* part :
-       {"4 of 4 scenarios", "0.3 c_r", "simple", "progressive", "log10 seconds", "report.html"})
+       {"4 of 4 scenarios", "0.3 c_r", "simple", "progressive", "log10 (run time [s])", "report.html"})
     EXPECT_NE(shown.find(part), std::string::npos) << part << " in\n" << shown;
   EXPECT_TRUE(fs::exists(shop.context.studies / "study_tiny" / "report.html"));
   expect_drawn_at_any_size(*screen);
@@ -275,7 +275,7 @@ TEST(StudyScreen, OpensAStudyOfTheListWithoutComputingAndGoesOnWhenAsked) {
   ASSERT_EQ(navigation.next->where(), Where::study);
   navigation.next->look();
   std::string shown = text_of(*navigation.next, 80, 24);
-  for (const char* part : {"half", "1 of 2 scenarios", "u goes on with it", "simple", "progressi"})
+  for (const char* part : {"half", "1 of 2 scenarios", "press u to resume it", "simple", "progressi"})
     EXPECT_NE(shown.find(part), std::string::npos) << part << " in\n" << shown;
   expect_drawn_at_any_size(*navigation.next);
   type(*navigation.next, "u");
@@ -333,7 +333,7 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
   screen->look();
   type(*screen, "3");
   shown = text_of(*screen);
-  EXPECT_NE(shown.find("This run says:"), std::string::npos) << shown;
+  EXPECT_NE(shown.find("The answer of this run:"), std::string::npos) << shown;
   type(*screen, "h");
   const fs::path handout = shop.context.runs / "lesson_node-release" / "handout.html";
   ASSERT_TRUE(fs::exists(handout)) << text_of(*screen);
@@ -365,7 +365,7 @@ TEST(WatchScreen, ShowsTheRunThatHasTakenThePlaceOfTheFollowedOne) {
   ASSERT_EQ(shop.run("one", "--force --set crack.technique=simple").exit_code, 0);
   for (int k = 0; k < 2; ++k) (void)screen.look();
   const std::string text = text_of(screen);
-  EXPECT_TRUE(contains(text, "another run has taken the place of the one that was shown"));
+  EXPECT_TRUE(contains(text, "another run has replaced the one that was shown"));
   EXPECT_NE(steps_shown(), before);  // simple release takes another number of steps
   fs::remove_all(shop.context.runs / "one");
   (void)screen.look();
