@@ -55,7 +55,7 @@ TEST(AccuracyCharts, DrawTheFrontTheGoalAndTheScatterBesideWorkAndPrecision) {
   std::vector<std::string> labels;
   for (const ChartSeries& series : chart.series) labels.push_back(series.label);
   EXPECT_EQ(labels,
-            (std::vector<std::string>{"time step, double", "the scene as it is", "efficient front",
+            (std::vector<std::string>{"time step, double", "the scene unchanged", "efficient front",
                                       "recommended: as it is", "goal 0.01", "scatter between specimens"}));
   const ChartSeries& front = chart.series[2];  // the reference has no error to be drawn
   EXPECT_EQ(front.x, (std::vector{0.2, 0.25, 0.5}));
