@@ -56,6 +56,10 @@ obtainable() { # MISSING...
       continue
     fi
     case "$package" in
+      chromium)
+        say "this system has no chromium: the tests of the reports' pages will be skipped"
+        continue
+        ;;
       libosmesa6-dev) other=libegl-dev ;;
       libegl-dev) other=libosmesa6-dev ;;
       *) other='' ;;
@@ -116,7 +120,8 @@ for argument in "$@"; do
 done
 [ -n "$what" ] || { usage >&2; exit 2; }
 [ $viz = OFF ] || packages+=("${viz_packages[@]}")
-[ "$what" = demo ] || packages+=('tmux|tests of the panels' 'doxygen|reference of the engine' 'python3-h5py|tests of the Python examples')
+[ "$what" = demo ] || packages+=('tmux|tests of the panels' 'doxygen|reference of the engine' 'python3-h5py|tests of the Python examples'
+  "chromium|tests of the reports' pages")
 
 install_missing
 if [ "$what" = demo ]; then

@@ -33,13 +33,16 @@ fail() {
 }
 
 install none || fail 'an installation of what every source has failed'
-for package in g++ libeigen3-dev libvtk9-dev libosmesa6-dev libegl-dev ffmpeg tmux; do
+for package in g++ libeigen3-dev libvtk9-dev libosmesa6-dev libegl-dev ffmpeg tmux chromium; do
   grep -q "^install .* $package\( \|$\)" "$folder/asked" || fail "$package was not installed"
 done
 
 install libosmesa6-dev || fail 'EGL did not suffice'
 grep -q 'pictures are drawn with libegl-dev' "$folder/out" || fail 'the other renderer was not named'
 ! grep -q libosmesa6-dev "$folder/asked" || fail 'a package that is gone was asked for'
+
+install chromium || fail 'tests need no browser'
+! grep -q chromium "$folder/asked" || fail 'a browser that is gone was asked for'
 
 ! install libosmesa6-dev libegl-dev || fail 'no renderer passed'
 ! install libhdf5-dev || fail 'a missing library passed'

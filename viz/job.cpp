@@ -27,7 +27,7 @@ static void from_json(const nlohmann::json& json, Pane& pane) {
 }
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Look, field, range, colours, camera, beams, spheres, magnification,
-                                   close_up_m, chart, boundaries, large_text, title)
+                                   close_up_m, chart, boundaries, large_text, title, scheme)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, panes, look, width, height)
 
 namespace {

@@ -83,6 +83,7 @@ Layout layout_of(const Job& job, const Extent& plate) {
   }
   layout.colour_bar = {0.24 * w, chart + 0.3 * text, 0.76 * w, chart + bar - 0.2 * text};
   layout.scale_bar = {margin, layout.colour_bar.y0, 0.2 * w, layout.colour_bar.y1};
+  layout.beam_bar = {0.82 * w, layout.colour_bar.y0, w - 2 * margin, layout.colour_bar.y1};
   layout.key = {margin, chart - 1.5 * text, w - margin, chart};
   for (int k = 0; job.look.chart && k < panes; ++k) {
     const double width = (inner - (panes - 1) * margin) / panes, x0 = margin + k * (width + margin);

@@ -32,6 +32,7 @@ struct Layout {
   Box title;
   std::vector<PaneLayout> panes;
   Box colour_bar;          // with its numbers and its title
+  Box beam_bar;            // the same of beams whose colours are not the field's
   Box scale_bar;           // on the left of the colour bar
   Box key;                 // of the charts' lines, above them
   std::vector<Box> chart;  // of each pane; none where the look has no chart

@@ -163,16 +163,47 @@ void choose_clock(Plan& plan, const std::vector<Shown>& shown) {
   }
 }
 
-std::vector<Pane> panes_of(const std::vector<Shown>& shown) {
+std::vector<results::LaneSummary> scenarios_of(const std::vector<Shown>& shown) {
   std::vector<results::LaneSummary> scenarios;
   for (const Shown& pane : shown) {
     const auto all = results::lane_summaries_of(pane.header.value("scenarios", Header::array()));
     scenarios.push_back(pane.lane < static_cast<int>(all.size()) ? all[pane.lane] : results::LaneSummary{});
   }
-  const std::vector<std::string> titles = results::lane_titles(scenarios);
+  return scenarios;
+}
+
+/// Text in pictures has no subscripts: "0.5 c_r" is in words, and r_l a length in mean radii.
+std::string in_words(std::string title) {
+  for (const auto& [symbol, words] :
+       {std::pair<std::string_view, std::string_view>{" c_r", " × Rayleigh speed"},
+        {"r_l = ", "damage zone in R = "}})
+    if (const auto at = title.find(symbol); at != std::string::npos) title.replace(at, symbol.size(), words);
+  return title;
+}
+
+std::vector<Pane> panes_of(const std::vector<Shown>& shown) {
+  const std::vector<std::string> titles = results::lane_titles(scenarios_of(shown));
   std::vector<Pane> panes;
-  for (std::size_t k = 0; k < shown.size(); ++k) panes.push_back({shown[k].run, shown[k].lane, titles[k]});
+  for (std::size_t k = 0; k < shown.size(); ++k)
+    panes.push_back({shown[k].run, shown[k].lane, in_words(titles[k])});
   return panes;
+}
+
+/// The scheme's parameters that the lanes share; what sets them apart stands in their titles.
+std::string scheme_of(const std::vector<results::LaneSummary>& lanes) {
+  const results::LaneSummary& first = lanes.front();
+  const auto shared = [&](auto member) {
+    return std::all_of(lanes.begin(), lanes.end(),
+                       [&](const results::LaneSummary& s) { return s.*member == first.*member; });
+  };
+  std::vector<std::string> parts;
+  if (shared(&results::LaneSummary::relaxation_name) && !first.relaxation_name.empty())
+    parts.push_back(first.relaxation_name + " relaxation");
+  if (shared(&results::LaneSummary::damage_zone_ratio))  // NaN of simple release is shared by none
+    parts.push_back(fmt::format("damage zone {:g} R", first.damage_zone_ratio));
+  if (shared(&results::LaneSummary::damping_alpha))
+    parts.push_back(fmt::format("α = {:g}", first.damping_alpha));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -186,6 +217,7 @@ Plan plan_of(const Request& request) {
   const Field& field = field_named(plan.job.look.field);
   for (const Shown& pane : shown) check_stored(pane, field, plan.job.look);
   plan.job.panes = panes_of(shown);
+  plan.job.look.scheme = scheme_of(scenarios_of(shown));
   choose_range(plan, request, shown, field);
   choose_clock(plan, shown);
   return plan;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -123,6 +124,19 @@ std::uint64_t available_memory_bytes(const fs::path& root) {
   if (getrlimit(RLIMIT_AS, &address_space) == 0 && address_space.rlim_cur != RLIM_INFINITY)
     least = std::min(least, static_cast<double>(address_space.rlim_cur));
   return static_cast<std::uint64_t>(least);
+}
+
+std::string machine_text(const fs::path& root) {
+  std::array<char, 256> host{};
+  std::string text = gethostname(host.data(), host.size() - 1) == 0 ? host.data() : "";
+  std::ifstream processors(root / "proc/cpuinfo");
+  for (std::string line; std::getline(processors, line);) {
+    if (!line.starts_with("model name")) continue;
+    text += (text.empty() ? "" : ", ") + line.substr(std::min(line.size(), line.find(':') + 2));
+    break;
+  }
+  const int cpus = available_cpus(root);
+  return text + (text.empty() ? "" : ", ") + std::to_string(cpus) + (cpus == 1 ? " CPU" : " CPUs");
 }
 
 }  // namespace rift::base

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 /// What this process may use of the machine: a batch system, a container or `taskset` may give it less than
 /// there is.
@@ -24,5 +25,9 @@ int threads_or_all_cpus(int threads);
 /// allow.
 /// @param root  as above
 std::uint64_t available_memory_bytes(const std::filesystem::path& root = "/");
+
+/// The machine in words: "node12, Intel(R) Xeon(R) CPU @ 2.20GHz, 2 CPUs".
+/// @param root  as above
+std::string machine_text(const std::filesystem::path& root = "/");
 
 }  // namespace rift::base

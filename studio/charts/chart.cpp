@@ -21,21 +21,34 @@ namespace {
          std::all_of(name.begin(), name.end(), allowed);
 }
 
-bool has_points(const Chart& chart) {
+template <class AnyChart>  // Chart or ChartGrid
+bool any_shown(const AnyChart& chart, const std::vector<ChartSeries>& series) {
   const auto shown = [&](const ChartSeries& s) {
     const auto points = drawable_points(s);
     return std::any_of(points.begin(), points.end(), [&](std::size_t k) {
       return (!chart.log_x || s.x[k] > 0.0) && (!chart.log_y || s.y[k] > 0.0);
     });
   };
-  return std::any_of(chart.series.begin(), chart.series.end(), shown);
+  return std::any_of(series.begin(), series.end(), shown);
+}
+
+bool has_points(const Chart& chart) { return any_shown(chart, chart.series); }
+
+bool has_points(const ChartGrid& grid) {
+  return std::any_of(grid.panels.begin(), grid.panels.end(),
+                     [&](const ChartPanel& panel) { return any_shown(grid, panel.series); });
 }
 
 bool has_points(const HeatMap& map) {
   return std::any_of(map.value.begin(), map.value.end(), [](double v) { return std::isfinite(v); });
 }
 
-template <class AnyChart>  // Chart or HeatMap
+[[maybe_unused]] bool is_whole(const ChartSeries& s) {
+  return s.x.size() == s.y.size() && (s.error.empty() || s.error.size() == s.x.size()) &&
+         (s.text.empty() || s.text.size() == s.x.size());
+}
+
+template <class AnyChart>  // Chart, ChartGrid or HeatMap
 DrawnChart draw(const AnyChart& chart, const fs::path& given, const std::string& name) {
   assert(is_chart_name(name));
   const fs::path folder = given.empty() ? fs::path(".") : given;
@@ -55,12 +68,21 @@ DrawnChart draw(const AnyChart& chart, const fs::path& given, const std::string&
 
 }  // namespace
 
+void shade_in_order(std::vector<ChartSeries>& series) {
+  for (std::size_t k = 0; k < series.size(); ++k)
+    series[k].shade =
+        series.size() > 1 ? static_cast<double>(k) / static_cast<double>(series.size() - 1) : 0.5;
+}
+
 DrawnChart draw_chart(const Chart& chart, const fs::path& folder, const std::string& name) {
-  for ([[maybe_unused]] const ChartSeries& s : chart.series) {
-    assert(s.x.size() == s.y.size());
-    assert(s.error.empty() || s.error.size() == s.x.size());
-  }
+  assert(std::all_of(chart.series.begin(), chart.series.end(), is_whole));
   return draw(chart, folder, name);
+}
+
+DrawnChart draw_chart(const ChartGrid& grid, const fs::path& folder, const std::string& name) {
+  for ([[maybe_unused]] const ChartPanel& panel : grid.panels)
+    assert(std::all_of(panel.series.begin(), panel.series.end(), is_whole));
+  return draw(grid, folder, name);
 }
 
 DrawnChart draw_chart(const HeatMap& map, const fs::path& folder, const std::string& name) {

@@ -24,6 +24,9 @@ struct ChartSeries {
   Style style = Style::line;
   /// Into the palette, which gives shape and dash too; -1: a reference, black or grey and dashed.
   int colour = 0;
+  /// Place on the sequential colours, 0 to 1, in place of the palette's: for a series of an ordered axis.
+  double shade = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::string> text = {};  // beside the points, as it is; empty, or as many as points
 
   void add(double at, double value, double half_bar = std::numeric_limits<double>::quiet_NaN()) {
     error.resize(x.size(), std::numeric_limits<double>::quiet_NaN());
@@ -47,6 +50,9 @@ ChartSeries series_of(std::string label, ChartSeries::Style style, int colour, c
   }
   return series;
 }
+
+/// Gives the series sequential colours in their order, as the values of an ordered axis want them.
+void shade_in_order(std::vector<ChartSeries>& series);
 
 /// A reference that does not depend on x, drawn between two ends.
 inline ChartSeries level(std::string label, double y, double from, double to) {
@@ -74,6 +80,20 @@ struct Chart {
   std::vector<ChartMark> marks = {};
 };
 
+/// A panel of a grid; series of one label look alike in all panels.
+struct ChartPanel {
+  std::string title = {};
+  std::vector<ChartSeries> series = {};
+};
+
+/// Small multiples: panels of equal axes, row by row, under one title and over one key.
+struct ChartGrid {
+  std::string title = {}, x_label = {}, y_label = {};
+  AxisRange x_range = {}, y_range = {};
+  bool log_x = false, log_y = false;
+  std::vector<ChartPanel> panels = {};
+};
+
 /// Values on a grid of equal cells, whatever the distances of x and of y; cells of NaN stay white. Meant for
 /// some thousand cells at most: each is a rectangle of the svg.
 struct HeatMap {
@@ -90,22 +110,25 @@ struct DrawnChart {
   std::string svg_text;  // no XML prolog; every id begins with the chart's name
 };
 
-/// Writes NAME.csv (series,x,y,error), NAME.gp, NAME.svg and NAME.png into `folder`, which is made if need
-/// be; former files of these names are replaced, each in one step. In that folder `gnuplot NAME.gp` draws the
-/// pictures anew.
+/// Writes NAME.csv (series,x,y,error, and text where points have one), NAME.gp, NAME.svg and NAME.png into
+/// `folder`, which is made if need be; former files of these names are replaced, each in one step. In that
+/// folder `gnuplot NAME.gp` draws the pictures anew.
 /// @param name  letters, digits, '_' and '-', the first a letter; within one HTML page no two charts of one
 /// name Throws results::WorldError where the chart has no points, a file cannot be written, gnuplot is not
 /// installed or refuses the script. Data and script then stay, pictures are whole or not there. Some 0.2 s,
 /// most of it gnuplot's.
 DrawnChart draw_chart(const Chart& chart, const std::filesystem::path& folder, const std::string& name);
 
+/// The same of small multiples; the csv has a column `panel` more.
+DrawnChart draw_chart(const ChartGrid& grid, const std::filesystem::path& folder, const std::string& name);
+
 /// The same of a heat map; the csv is column,row,x,y,value,text.
 DrawnChart draw_chart(const HeatMap& map, const std::filesystem::path& folder, const std::string& name);
 
-/// A chart or a map of a report, before it is drawn.
+/// What a report draws, before it is drawn.
 struct NamedChart {
   std::string name, caption;
-  std::variant<Chart, HeatMap> chart;
+  std::variant<Chart, ChartGrid, HeatMap> chart;
 };
 
 /// Those in which there is something to be drawn: draw_chart() refuses the others.

@@ -1,6 +1,7 @@
 #include "studio/charts/chart_layout.hpp"
 
 #include "studio/charts/chart_script.hpp"
+#include "studio/charts/text_width.hpp"
 
 #include <fmt/format.h>
 
@@ -11,18 +12,21 @@
 namespace rift::studio {
 namespace {
 
-// Estimates for a font of 14 px; the frame is what titles and ticks leave of the picture.
-constexpr double letter_px = 8.0, mark_letter_px = 7.0, row_px = 26.0, sample_px = 78.0;
-constexpr double left_px = 80.0, right_px = 30.0;
-constexpr std::size_t longest_beside = 30;  // letters of a label that still leave the plot its width
+// [px] at a font of 14.
+constexpr double font_px = 14, mark_font_px = 12, row_px = 22, sample_px = 36, gap_px = 8, pad_px = 18;
+constexpr double left_px = 84, right_px = 26, title_px = 46, mark_row_px = 18, x_axis_px = 62;
+constexpr int most_beside = 20;  // rows of a key to the right
 
 /// The data's extent with the given ends in place of the data's.
-Span span(const Chart& chart, bool along_x, const AxisRange& range, bool log) {
+template <class AnyChart>
+Span span(const std::vector<const ChartSeries*>& series, bool along_x, const AnyChart& chart) {
+  const AxisRange& range = along_x ? chart.x_range : chart.y_range;
+  const bool log = along_x ? chart.log_x : chart.log_y;
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const ChartSeries& s : chart.series)
-    for (const std::size_t k : drawable_points(s)) {
-      const double v = along_x ? s.x[k] : s.y[k];
-      const double e = along_x || s.error.empty() || !std::isfinite(s.error[k]) ? 0.0 : s.error[k];
+  for (const ChartSeries* s : series)
+    for (const std::size_t k : drawable_points(*s)) {
+      const double v = along_x ? s->x[k] : s->y[k];
+      const double e = along_x || s->error.empty() || !std::isfinite(s->error[k]) ? 0.0 : s->error[k];
       if (log && v <= 0.0) continue;
       low = std::min(low, log && v - e <= 0.0 ? v : v - e), high = std::max(high, v + e);
     }
@@ -31,22 +35,71 @@ Span span(const Chart& chart, bool along_x, const AxisRange& range, bool log) {
   return out;
 }
 
+std::vector<const ChartSeries*> series_in(const Chart& chart) {
+  std::vector<const ChartSeries*> all;
+  for (const ChartSeries& s : chart.series) all.push_back(&s);
+  return all;
+}
+
+std::vector<const ChartSeries*> series_in(const ChartGrid& grid) {
+  std::vector<const ChartSeries*> all;
+  for (const ChartPanel& panel : grid.panels)
+    for (const ChartSeries& s : panel.series) all.push_back(&s);
+  return all;
+}
+
 /// Where `v` lies between the ends, 0 to 1.
 double fraction(double v, const Span& s, bool log) {
   if (log) return fraction(std::log(std::max(v, s.min)), {std::log(s.min), std::log(s.max)}, false);
   return s.max > s.min ? (v - s.min) / (s.max - s.min) : 0.5;
 }
 
-struct KeySize {
-  std::size_t rows = 0, longest = 0;  // letters
-  double width_px() const { return letter_px * static_cast<double>(longest) + sample_px; }
-};
+double widest_entry(const std::vector<KeyEntry>& entries) {
+  double widest = 0.0;
+  for (const KeyEntry& e : entries) widest = std::max(widest, text_px(e.series.label, font_px));
+  return sample_px + gap_px + widest + pad_px;
+}
 
-KeySize key_size(const Chart& chart) {
-  KeySize size;
-  for (const ChartSeries& s : chart.series)
-    if (!s.label.empty()) ++size.rows, size.longest = std::max(size.longest, letters(s.label));
-  return size;
+/// As many columns as fit under a picture.
+KeyLayout key_below(const std::vector<KeyEntry>& entries) {
+  if (entries.empty()) return {};
+  const double column = widest_entry(entries);
+  const int count = static_cast<int>(entries.size());
+  const int columns = std::clamp(static_cast<int>((chart_width - left_px) / column), 1, count);
+  return {KeyPlace::below, columns, (count + columns - 1) / columns, column};
+}
+
+void add_entries(std::vector<KeyEntry>& entries, const std::vector<ChartSeries>& series) {
+  int references = 0;
+  for (const ChartSeries& s : series) {
+    const int reference = s.colour < 0 ? references++ : 0;
+    if (s.label.empty() || drawable_points(s).empty()) continue;
+    if (std::any_of(entries.begin(), entries.end(),
+                    [&](const KeyEntry& e) { return e.series.label == s.label; }))
+      continue;
+    KeyEntry& entry = entries.emplace_back(KeyEntry{s, reference});
+    entry.series.x = entry.series.y = entry.series.error = {};
+    entry.series.text = {};
+  }
+}
+
+int rows_of_marks(const Chart& chart) {
+  int rows = 0;
+  for (const MarkLabel& label : mark_labels(chart, x_span(chart))) rows = std::max(rows, label.row + 1);
+  return rows;
+}
+
+double above_plot(const Chart& chart) { return title_px + mark_row_px * rows_of_marks(chart); }
+
+/// The picture's width without a key to the right.
+double right_end(const Chart& chart) {
+  const KeyLayout key = key_layout(chart);
+  return chart_width - (key.place == KeyPlace::right ? key.width_px() + gap_px : right_px);
+}
+
+double below_plot(const Chart& chart) {
+  const KeyLayout key = key_layout(chart);
+  return x_axis_px + (key.place == KeyPlace::below ? key.height_px() : 0.0);
 }
 
 }  // namespace
@@ -55,33 +108,87 @@ bool has_error(const ChartSeries& series) {
   return std::any_of(series.error.begin(), series.error.end(), [](double e) { return std::isfinite(e); });
 }
 
-Span x_span(const Chart& chart) { return span(chart, true, chart.x_range, chart.log_x); }
-Span y_span(const Chart& chart) { return span(chart, false, chart.y_range, chart.log_y); }
+Span x_span(const Chart& chart) { return span(series_in(chart), true, chart); }
+Span y_span(const Chart& chart) { return span(series_in(chart), false, chart); }
+Span x_span(const ChartGrid& grid) { return span(series_in(grid), true, grid); }
+Span y_span(const ChartGrid& grid) { return span(series_in(grid), false, grid); }
 
-KeyPlace key_place(const Chart& chart) {
-  const KeySize size = key_size(chart);
-  if (size.rows == 0) return KeyPlace::none;
-  return size.longest > longest_beside ? KeyPlace::below : KeyPlace::right;
+std::vector<KeyEntry> key_entries(const std::vector<ChartSeries>& series) {
+  std::vector<KeyEntry> entries;
+  add_entries(entries, series);
+  return entries;
 }
+
+std::vector<KeyEntry> key_entries(const ChartGrid& grid) {
+  std::vector<KeyEntry> entries;
+  for (const ChartPanel& panel : grid.panels) add_entries(entries, panel.series);
+  return entries;
+}
+
+double KeyLayout::height_px() const { return rows * row_px + gap_px; }
+
+KeyLayout key_layout(const Chart& chart) {
+  const std::vector<KeyEntry> entries = key_entries(chart.series);
+  const KeyLayout below = key_below(entries);
+  const int count = static_cast<int>(entries.size());
+  const bool fits = left_px + least_plot_width + below.column_px + gap_px <= chart_width;
+  if (count == 0 || !fits || count > most_beside) return below;
+  return {KeyPlace::right, 1, count, below.column_px};
+}
+
+KeyLayout key_layout(const ChartGrid& grid) { return key_below(key_entries(grid)); }
 
 int picture_height(const Chart& chart) {
-  const double all = row_px * static_cast<double>(key_size(chart).rows);
-  const KeyPlace place = key_place(chart);
-  if (place == KeyPlace::right) return std::max(chart_height, static_cast<int>(170.0 + all));
-  if (place == KeyPlace::below) return std::max(chart_height, static_cast<int>(400.0 + 0.5 * all));
-  return chart_height;
+  const KeyLayout key = key_layout(chart);
+  const double beside = key.place == KeyPlace::right ? key.height_px() : 0.0;
+  const double plot = std::max(least_plot_height, beside);
+  return std::max(chart_height, static_cast<int>(std::ceil(above_plot(chart) + plot + below_plot(chart))));
 }
 
-std::string key_lines(const Chart& chart) {
-  const std::string look = " Left reverse samplen 4 spacing 1.2 tc rgb '#222222'\n";
-  const KeyPlace place = key_place(chart);
-  if (place == KeyPlace::none) return "set key off\n";
-  if (place == KeyPlace::below) return "set key outside below center maxcols 2" + look;
-  // By hand: gnuplot would rather make two columns and no plot.
-  const double margin = 1.0 - (key_size(chart).width_px() + 10.0) / chart_width;
-  return fmt::format(
-      "set rmargin at screen {:.3f}\nset key at screen {:.3f}, graph 1 left top vertical maxcols 1{}", margin,
-      margin + 0.015, look);
+PlotArea plot_area(const Chart& chart) {
+  return {left_px, right_end(chart), below_plot(chart), picture_height(chart) - above_plot(chart)};
+}
+
+GridLayout grid_layout(const ChartGrid& grid) {
+  constexpr double between_px = 18, line_px = 16, above_title_px = 12;
+  const int count = static_cast<int>(grid.panels.size());
+  GridLayout out;
+  out.columns = count <= 1 ? 1 : count == 2 || count == 4 ? 2 : 3;
+  const int rows = (count + out.columns - 1) / out.columns;
+  const double width = (chart_width - left_px - right_px - between_px * (out.columns - 1)) / out.columns;
+  const double height = out.columns == 3 ? 190.0 : 260.0;
+  std::size_t lines = 1;
+  for (const ChartPanel& panel : grid.panels) {
+    out.titles.push_back(wrapped_label(panel.title, width, panel_title_px));
+    lines = std::max(lines, out.titles.back().size());
+  }
+  const double pitch = height + above_title_px + line_px * static_cast<double>(lines);
+  const double bottom = x_axis_px + key_layout(grid).height_px();
+  out.height = static_cast<int>(std::ceil(bottom + rows * pitch + title_px));
+  for (int k = 0; k < count; ++k) {
+    const double left = left_px + (k % out.columns) * (width + between_px);
+    const double low = bottom + (rows - 1 - k / out.columns) * pitch;
+    out.panels.push_back({left, left + width, low, low + height});
+  }
+  return out;
+}
+
+std::string key_lines(const std::vector<KeyEntry>& entries, const KeyLayout& layout, double left, double top,
+                      int height) {
+  std::string out = "set key off\n";
+  const auto at = [&](double x, double y) {
+    return fmt::format("screen {:.4f}, screen {:.4f}", x / chart_width, y / height);
+  };
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const int place = static_cast<int>(k);
+    const double x = left + place / layout.rows * layout.column_px;
+    const double y = top - (place % layout.rows + 0.5) * row_px;
+    out += key_sample(entries[k], at(x, y), at(x + sample_px, y), at(x + 0.5 * sample_px, y),
+                      at(x, y - 0.25 * row_px), at(x + sample_px, y + 0.25 * row_px));
+    out += fmt::format("set label {} at {} left tc rgb '#222222'\n", label_string(entries[k].series.label),
+                       at(x + sample_px + gap_px, y));
+  }
+  return out;
 }
 
 std::vector<MarkLabel> mark_labels(const Chart& chart, const Span& x) {
@@ -89,13 +196,12 @@ std::vector<MarkLabel> mark_labels(const Chart& chart, const Span& x) {
     double left, right;
     int row;
   };
-  const double key = key_place(chart) == KeyPlace::right ? key_size(chart).width_px() + 10.0 : right_px;
-  const double width = chart_width - left_px - key;
+  const double width = right_end(chart) - left_px;
   std::vector<Placed> placed;
   std::vector<MarkLabel> labels;
   for (const ChartMark& m : chart.marks) {
     const double middle = 0.5 * (fraction(m.from, x, chart.log_x) + fraction(m.to, x, chart.log_x)) * width;
-    const double half = 0.5 * mark_letter_px * static_cast<double>(letters(m.label));
+    const double half = 0.5 * text_px(m.label, mark_font_px);
     MarkLabel label;
     if (middle + half > width) label.side = MarkLabel::Side::right;
     if (middle - half < 0.0) label.side = MarkLabel::Side::left;

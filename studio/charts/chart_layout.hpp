@@ -7,7 +7,11 @@
 
 namespace rift::studio {
 
-// Where the texts of a chart find room: they never cover data.
+// Where the texts of a chart find room: they never cover data, and the plot keeps its least width and height
+// whatever the key holds.
+
+constexpr int chart_width = 860, chart_height = 520;               // [px]; a long key makes a chart higher
+constexpr double least_plot_width = 420, least_plot_height = 330;  // [px] of a chart that is no grid
 
 /// What an axis will show; positive on a logarithmic one, where there is anything positive.
 struct Span {
@@ -17,17 +21,61 @@ struct Span {
 bool has_error(const ChartSeries& series);
 Span x_span(const Chart& chart);
 Span y_span(const Chart& chart);
+Span x_span(const ChartGrid& grid);
+Span y_span(const ChartGrid& grid);
 
-/// Outside the axes: to the right, or below where labels are so long that they would squeeze the plot.
+/// How a series looks [chart_script.hpp, look_of]; the n-th reference differs from the others.
+struct KeyEntry {
+  ChartSeries series;  // without its points
+  int reference = 0;
+};
+
+/// The labels of a chart, each once, in the order of the series; those without a point are left out.
+std::vector<KeyEntry> key_entries(const std::vector<ChartSeries>& series);
+std::vector<KeyEntry> key_entries(const ChartGrid& grid);
+
+/// Outside the axes: to the right, or below where labels are so long or so many that the plot would lose its
+/// least size.
 enum class KeyPlace { none, right, below };
-KeyPlace key_place(const Chart& chart);
 
-/// The height [px] at which a key to the right is one column, and one below two: gnuplot would squeeze the
-/// plot for more.
+/// Columns of equal width, filled from top to bottom.
+struct KeyLayout {
+  KeyPlace place = KeyPlace::none;
+  int columns = 0, rows = 0;
+  double column_px = 0;
+  double width_px() const { return columns * column_px; }
+  double height_px() const;
+};
+KeyLayout key_layout(const Chart& chart);
+KeyLayout key_layout(const ChartGrid& grid);
+
+/// A rectangle [px] from the picture's left and bottom.
+struct PlotArea {
+  double left = 0, right = 0, bottom = 0, top = 0;
+  double width() const { return right - left; }
+  double height() const { return top - bottom; }
+};
+
+/// Where the axes of a chart stand in a picture of this height; gnuplot moves the left end as its ticks want
+/// it.
 int picture_height(const Chart& chart);
+PlotArea plot_area(const Chart& chart);
 
-/// The script's lines for the key and for the margin that it needs.
-std::string key_lines(const Chart& chart);
+/// The panels of a grid, row by row, in a picture of this height, with room for their titles above them.
+struct GridLayout {
+  int columns = 1, height = chart_height;
+  std::vector<PlotArea> panels;
+  std::vector<std::vector<std::string>> titles;  // of each panel, in lines that fit it
+};
+GridLayout grid_layout(const ChartGrid& grid);
+
+constexpr double panel_title_px = 12;  // font of the panels' titles
+
+/// The script's lines that draw a key: samples and labels at fixed places, as gnuplot's own key measures
+/// another font than the one that a viewer draws.
+/// @param left, top  [px] of its first entry, from the picture's left and bottom
+std::string key_lines(const std::vector<KeyEntry>& entries, const KeyLayout& layout, double left, double top,
+                      int height);
 
 /// Where a mark's label stands above the frame: in a row (0 is next to the frame) where it covers no other,
 /// centred over its mark, or at an end of the frame where it would leave the picture.

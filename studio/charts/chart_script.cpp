@@ -19,6 +19,9 @@ constexpr std::array dashes{1, 2, 4, 5, 3};        // solid, dashed, dash-dot, d
 constexpr std::array greys{"#000000", "#666666", "#333333", "#888888"};
 constexpr std::array grey_dashes{2, 4, 3, 5};
 
+constexpr std::array<std::array<int, 3>, 5> sequence{
+    {{0x44, 0x01, 0x54}, {0x41, 0x44, 0x87}, {0x2a, 0x78, 0x8e}, {0x22, 0xa8, 0x84}, {0x7a, 0xd1, 0x51}}};
+
 template <class Array>
 auto cycled(const Array& values, int k) {
   return values[static_cast<std::size_t>(k) % values.size()];
@@ -27,13 +30,30 @@ auto cycled(const Array& values, int k) {
 }  // namespace
 
 SeriesLook series_look(int colour, int reference) {
-  if (colour < 0) return {cycled(greys, reference), cycled(grey_dashes, reference), 1, 1.5};
+  if (colour < 0) return {cycled(greys, reference), cycled(grey_dashes, reference), 7, 1.5};
   const int round = colour / static_cast<int>(palette.size());
   // The shape moves on by the round, so that a colour comes back with another one.
   const int shape = cycled(shapes, colour + round) - round % 2;
   return {cycled(palette, colour), cycled(dashes, colour), shape, 2.0};
 }
 
+SeriesLook look_of(const ChartSeries& series, int reference) {
+  SeriesLook look = series_look(series.colour, reference);
+  if (!std::isfinite(series.shade)) return look;
+  const double at = std::clamp(series.shade, 0.0, 1.0) * (sequence.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(at), sequence.size() - 2);
+  const auto mixed = [&](std::size_t channel) {
+    return static_cast<int>(std::lround(
+        std::lerp(sequence[low][channel], sequence[low + 1][channel], at - static_cast<double>(low))));
+  };
+  look.colour = fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
+  look.dash = 1;
+  return look;
+}
+
+namespace {
+
+/// "set xrange [0:*]", or nothing where both ends follow the data.
 std::string range_line(char axis, const AxisRange& range) {
   if (!range.min && !range.max) return {};
   const auto end = [](const std::optional<double>& v) {
@@ -41,6 +61,8 @@ std::string range_line(char axis, const AxisRange& range) {
   };
   return fmt::format("set {}range [{}:{}]\n", axis, end(range.min), end(range.max));
 }
+
+}  // namespace
 
 std::string script_head(const std::string& title, const std::string& name, int height) {
   std::string words = base::escaped(plain_text(title), "\n\r");
@@ -66,12 +88,15 @@ std::string script_head(const std::string& title, const std::string& name, int h
          "set rmargin 3\n";
 }
 
+std::string png_terminal(int height) {
+  return fmt::format(
+      "set terminal pngcairo size {},{} enhanced font 'sans-serif,14' fontscale 1.5 linewidth 2 "
+      "dashlength 0.6 pointscale 2.8 background 'white'\n",
+      2 * chart_width, 2 * height);
+}
+
 std::string script_end(const std::string& plot, int height) {
-  return plot +
-         fmt::format(
-             "set terminal pngcairo size {},{} enhanced font 'sans-serif,14' fontscale 1.5 linewidth 2 "
-             "dashlength 0.6 pointscale 2.8 background 'white'\nset output png\nreplot\nset output\n",
-             2 * chart_width, 2 * height);
+  return plot + png_terminal(height) + "set output png\nreplot\nset output\n";
 }
 
 std::string escape_label(std::string_view text) {
@@ -101,6 +126,20 @@ std::string script_string(std::string_view label) {
     if (c == '\'') out += '\'';
   }
   return out + "'";
+}
+
+std::string label_string(std::string_view label) {
+  constexpr std::string_view joiner = "\u2060";  // without width; not a blank
+  const auto is_markup = [&](std::size_t k) {
+    return (label[k] == '_' || label[k] == '^') && (k == 0 || label[k - 1] != '\\');
+  };
+  std::string out;
+  for (std::size_t k = 0; k < label.size(); ++k) {
+    const bool after = k > 1 && (label[k - 1] == '}' || is_markup(k - 2));
+    if (label[k] == ' ' && after) out += joiner;
+    out += label[k];
+  }
+  return script_string(out);
 }
 
 std::size_t letters(std::string_view label) { return base::count_letters(plain_text(label)); }
@@ -149,10 +188,15 @@ std::string log_axis(char axis, const AxisRange& range, const Span& span) {
   return out + fmt::format("set {}tics ({})\n", axis, ticks);
 }
 
-std::string axis(char which, const std::string& label, const AxisRange& range, bool log, const Span& span) {
-  return fmt::format("set {}label {}\n", which, script_string(label)) +
+}  // namespace
+
+std::string axis_lines(char which, const std::string& label, const AxisRange& range, bool log,
+                       const Span& span) {
+  return fmt::format("set {}label {}\n", which, label_string(label)) +
          (log ? log_axis(which, range, span) : range_line(which, range));
 }
+
+namespace {
 
 std::string mark_lines(const ChartMark& m, const MarkLabel& label, bool log_x) {
   const double middle = log_x ? std::sqrt(m.from * m.to) : 0.5 * (m.from + m.to);
@@ -165,7 +209,7 @@ std::string mark_lines(const ChartMark& m, const MarkLabel& label, bool log_x) {
           ? fmt::format("set arrow {} nohead dt 3 lw 1.5 lc rgb '#777777' back\n", extent)
           : fmt::format("set object rectangle {} fc rgb '#efefef' fs solid noborder behind\n", extent);
   return mark + fmt::format("set label {} {}, graph 1 offset 0, {:.1f} tc rgb '#555555' font ',12'\n",
-                            script_string(m.label), at, 0.6 + 1.1 * label.row);
+                            label_string(m.label), at, 0.6 + 1.1 * label.row);
 }
 
 /// The title, above as many rows of marks' labels as there are.
@@ -177,59 +221,97 @@ std::string title_and_marks(const Chart& chart, const Span& x_span) {
     out += mark_lines(chart.marks[k], labels[k], chart.log_x);
     rows = std::max(rows, labels[k].row + 1);
   }
-  return out + fmt::format("set tmargin {:.1f}\nset title {} offset 0, {:.1f}\n", 2.8 + 1.1 * rows,
-                           script_string(chart.title), 1.1 * rows);
+  return out + fmt::format("set title {} offset 0, {:.1f}\n", label_string(chart.title), 1.1 * rows);
 }
 
-std::string plot_of(const ChartSeries& s, const std::string& name, int reference) {
-  const SeriesLook look = series_look(s.colour, reference);
-  const std::string rows = fmt::format("data using (of({}))", script_string(name));
-  const std::string title = s.label.empty() ? "notitle" : fmt::format("title {}", script_string(s.label));
-  const std::string colour = fmt::format("lc rgb '{}'", look.colour);
+std::string line_of(const ChartSeries& s, const SeriesLook& look) {
   const int dash = s.style == ChartSeries::Style::dashed && look.dash == 1 ? 2 : look.dash;
-  const std::string line = fmt::format("lw {} dt {}", look.width, dash);
-  const std::string points = fmt::format("pt {} ps 0.8", look.shape);
+  return fmt::format("lw {} dt {}", look.width, dash);
+}
+
+std::string points_of(const SeriesLook& look) { return fmt::format("pt {} ps 0.8", look.shape); }
+
+std::string plot_of(const ChartSeries& s, const std::string& name, const SeriesLook& look) {
+  const std::string rows = fmt::format("data using (of({}))", script_string(name));
+  const std::string colour = fmt::format("lc rgb '{}' notitle", look.colour);
   const std::size_t count = drawable_points(s).size();
   const std::string spread = count > 30 ? fmt::format(" pi {}", count / 15) : "";  // no shape upon shape
   switch (s.style) {
     case ChartSeries::Style::line:
     case ChartSeries::Style::dashed:
-      return fmt::format("{}:3 with lines {} {} {}", rows, line, colour, title);
+      return fmt::format("{}:3 with lines {} {}", rows, line_of(s, look), colour);
     case ChartSeries::Style::points:
-      return fmt::format("{}:3 with points {} lw 1.5 {} {}", rows, points, colour, title);
+      return fmt::format("{}:3 with points {} lw 1.5 {}", rows, points_of(look), colour);
     case ChartSeries::Style::line_points:
-      return fmt::format("{}:3 with linespoints {} {}{} {} {}", rows, line, points, spread, colour, title);
+      return fmt::format("{}:3 with linespoints {} {}{} {}", rows, line_of(s, look), points_of(look), spread,
+                         colour);
     case ChartSeries::Style::band:
-      return fmt::format("{}:($3-$4):($3+$4) with filledcurves fs transparent solid 0.2 noborder {} {}", rows,
-                         colour, title);
+      return fmt::format("{}:($3-$4):($3+$4) with filledcurves fs transparent solid 0.2 noborder {}", rows,
+                         colour);
   }
   return {};
 }
 
-std::string bars_of(const ChartSeries& s, const std::string& name, int reference) {
-  const SeriesLook look = series_look(s.colour, reference);
+std::string bars_of(const std::string& name, const SeriesLook& look) {
   return fmt::format("data using (bar({})):3:4 with yerrorbars pt -1 lw 1.2 lc rgb '{}' notitle",
                      script_string(name), look.colour);
 }
 
-/// Bands behind all else, error bars behind the points of their series.
-std::vector<std::string> plots(const Chart& chart) {
-  const std::vector<std::string> names = series_names(chart);
-  std::vector<std::string> bands, others;
-  int references = 0;
-  for (std::size_t k = 0; k < chart.series.size(); ++k) {
-    const ChartSeries& s = chart.series[k];
-    const int reference = s.colour < 0 ? references++ : 0;
-    if (drawable_points(s).empty()) continue;
-    const bool band = s.style == ChartSeries::Style::band;
-    if (!band && has_error(s)) others.push_back(bars_of(s, names[k], reference));
-    (band ? bands : others).push_back(plot_of(s, names[k], reference));
-  }
-  bands.insert(bands.end(), others.begin(), others.end());
-  return bands;
+std::string texts_of(const std::string& name, const SeriesLook& look) {
+  return fmt::format(
+      "data using (of({})):3:(strcol('text')) with labels noenhanced left offset 0.7, 0.5 font ',12' tc rgb "
+      "'{}' notitle",
+      script_string(name), look.colour);
 }
 
 }  // namespace
+
+std::vector<std::string> plot_parts(const std::vector<ChartSeries>& series) {
+  const std::vector<std::string> names = series_names(series);
+  std::vector<std::string> bands, others, texts;
+  int references = 0;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const ChartSeries& s = series[k];
+    const SeriesLook look = look_of(s, s.colour < 0 ? references++ : 0);
+    if (drawable_points(s).empty()) continue;
+    const bool band = s.style == ChartSeries::Style::band;
+    if (!band && has_error(s)) others.push_back(bars_of(names[k], look));
+    (band ? bands : others).push_back(plot_of(s, names[k], look));
+    if (!s.text.empty()) texts.push_back(texts_of(names[k], look));
+  }
+  bands.insert(bands.end(), others.begin(), others.end());
+  bands.insert(bands.end(), texts.begin(), texts.end());
+  return bands;
+}
+
+std::string plot_line(const std::vector<std::string>& parts) {
+  std::string plot = "plot ";
+  for (const std::string& part : parts) plot += (plot.size() > 5 ? ", \\\n     " : "") + part;
+  return plot + "\n";
+}
+
+std::string key_sample(const KeyEntry& entry, const std::string& from, const std::string& to,
+                       const std::string& middle, const std::string& low, const std::string& high) {
+  const ChartSeries& s = entry.series;
+  const SeriesLook look = look_of(s, entry.reference);
+  const std::string line =
+      fmt::format("set arrow from {} to {} nohead {} lc rgb '{}'\n", from, to, line_of(s, look), look.colour);
+  const std::string points =
+      fmt::format("set label '' at {} point {} lw 1.5 lc rgb '{}'\n", middle, points_of(look), look.colour);
+  switch (s.style) {
+    case ChartSeries::Style::line:
+    case ChartSeries::Style::dashed:
+      return line;
+    case ChartSeries::Style::points:
+      return points;
+    case ChartSeries::Style::line_points:
+      return line + points;
+    case ChartSeries::Style::band:
+      return fmt::format("set object rectangle from {} to {} fc rgb '{}' fs transparent solid 0.2 noborder\n",
+                         low, high, look.colour);
+  }
+  return {};
+}
 
 std::vector<std::size_t> drawable_points(const ChartSeries& series) {
   std::vector<std::size_t> points;
@@ -238,9 +320,9 @@ std::vector<std::size_t> drawable_points(const ChartSeries& series) {
   return points;
 }
 
-std::vector<std::string> series_names(const Chart& chart) {
+std::vector<std::string> series_names(const std::vector<ChartSeries>& series) {
   std::vector<std::string> names;
-  for (const ChartSeries& s : chart.series) {
+  for (const ChartSeries& s : series) {
     std::string name = gnuplot_field(plain_text(s.label));
     if (name.empty()) name = fmt::format("series {}", names.size() + 1);
     if (std::find(names.begin(), names.end(), name) != names.end())
@@ -250,89 +332,60 @@ std::vector<std::string> series_names(const Chart& chart) {
   return names;
 }
 
-std::string chart_data(const Chart& chart) {
-  const std::vector<std::string> names = series_names(chart);
-  std::string out = "series,x,y,error\n";
+namespace {
+
+bool has_text(const ChartSeries& s) { return !s.text.empty(); }
+
+/// The rows of series, with a column of texts where `texts`, each row ending with `last`.
+std::string rows_of(const std::vector<ChartSeries>& series, bool texts, const std::string& last) {
+  const std::vector<std::string> names = series_names(series);
+  std::string out;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const ChartSeries& s = chart.series[i];
+    const ChartSeries& s = series[i];
     for (const std::size_t k : drawable_points(s)) {
       const bool error = !s.error.empty() && std::isfinite(s.error[k]);
-      out +=
-          fmt::format("{},{},{},{}\n", names[i], s.x[k], s.y[k], error ? fmt::format("{}", s.error[k]) : "");
+      out += fmt::format("{},{},{},{}", names[i], s.x[k], s.y[k], error ? fmt::format("{}", s.error[k]) : "");
+      if (texts) out += "," + (has_text(s) ? gnuplot_field(s.text[k]) : "");
+      out += last + "\n";
     }
   }
+  return out;
+}
+
+}  // namespace
+
+std::string chart_data(const Chart& chart) {
+  const bool texts = std::any_of(chart.series.begin(), chart.series.end(), has_text);
+  return (texts ? "series,x,y,error,text\n" : "series,x,y,error\n") + rows_of(chart.series, texts, "");
+}
+
+std::string chart_data(const ChartGrid& grid) {
+  bool texts = false;
+  for (const ChartPanel& panel : grid.panels)
+    texts = texts || std::any_of(panel.series.begin(), panel.series.end(), has_text);
+  std::string out = texts ? "series,x,y,error,text,panel\n" : "series,x,y,error,panel\n";
+  for (std::size_t k = 0; k < grid.panels.size(); ++k)
+    out += rows_of(grid.panels[k].series, texts, fmt::format(",{}", k + 1));
   return out;
 }
 
 std::string chart_script(const Chart& chart, const std::string& name) {
   const Span x = x_span(chart);
   const int height = picture_height(chart);
+  const PlotArea area = plot_area(chart);
+  const KeyLayout key = key_layout(chart);
   std::string out = script_head(chart.title, name, height);
   out += functions;
-  out += axis('x', chart.x_label, chart.x_range, chart.log_x, x);
-  out += axis('y', chart.y_label, chart.y_range, chart.log_y, y_span(chart));
-  out += key_lines(chart);
+  out += axis_lines('x', chart.x_label, chart.x_range, chart.log_x, x);
+  out += axis_lines('y', chart.y_label, chart.y_range, chart.log_y, y_span(chart));
+  out += fmt::format(
+      "set rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
+      area.right / chart_width, area.bottom / height, area.top / height);
+  const bool below = key.place == KeyPlace::below;
+  out += key_lines(key_entries(chart.series), key, below ? area.left : area.right + 16,
+                   below ? key.height_px() : area.top, height);
   out += title_and_marks(chart, x);
-  std::string plot = "plot ";
-  for (const std::string& part : plots(chart)) plot += (plot.size() > 5 ? ", \\\n     " : "") + part;
-  return out + script_end(plot + "\n", height);
-}
-
-namespace {
-
-constexpr std::size_t most_ticks = 14;
-
-/// The values of an axis at their cells; only every so many where there are more than fit.
-std::string ticks(char axis, const std::vector<double>& values) {
-  const std::size_t stride = 1 + (values.size() - 1) / most_ticks;
-  std::string out;
-  for (std::size_t k = 0; k < values.size(); k += stride)
-    out += fmt::format("{}'{:.4g}' {}", out.empty() ? "" : ", ", values[k], k);
-  return fmt::format("set {0}tics ({1})\nset {0}range [-0.5:{2}.5]\n", axis, out, values.size() - 1);
-}
-
-AxisRange value_range(const HeatMap& map) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const double v : map.value)
-    if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
-  low = map.value_range.min.value_or(low), high = map.value_range.max.value_or(high);
-  if (low == high) low -= 0.5, high += 0.5;  // one colour needs an extent too
-  return {low, high};
-}
-
-}  // namespace
-
-std::string chart_data(const HeatMap& map) {
-  std::string out = "column,row,x,y,value,text\n";
-  for (std::size_t k = 0; k < map.value.size(); ++k) {
-    if (!std::isfinite(map.value[k])) continue;
-    const std::size_t column = k % map.x.size(), row = k / map.x.size();
-    out += fmt::format("{},{},{},{},{},{}\n", column, row, map.x[column], map.y[row], map.value[k],
-                       map.text.empty() ? "" : gnuplot_field(map.text[k]));
-  }
-  return out;
-}
-
-std::string chart_script(const HeatMap& map, const std::string& name) {
-  const AxisRange range = value_range(map);
-  std::string out = script_head(map.title, name, chart_height);
-  out += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {} offset 1.5, 0\n",
-                     script_string(map.title), script_string(map.x_label), script_string(map.y_label),
-                     script_string(map.value_label));
-  out += ticks('x', map.x) + ticks('y', map.y);
-  out += fmt::format("set cbrange [{}:{}]\n", *range.min, *range.max);
-  out += "set rmargin 12\nset tics scale 0.3\nunset grid\nset border 0\nset key off\nset colorbox noborder\n";
-  // Cividis: reads the same with and without colour blindness, and in grey.
-  out +=
-      "set palette defined (0 '#00224e', 1 '#2a3f6d', 2 '#575d6d', 3 '#7d7c78', 4 '#a59c74', 5 '#d2c060', 6 "
-      "'#fee838')\n";
-  std::string plot = "plot data using 1:2:(0.51):(0.51):5 with boxxyerror fs solid noborder fc palette";
-  if (!map.text.empty()) {
-    out += fmt::format("ink(v) = v > {} ? 0x000000 : 0xffffff   # black upon light cells\n",
-                       *range.min + 0.5 * (*range.max - *range.min));
-    plot += ", \\\n     data using 1:2:6:(ink($5)) with labels noenhanced tc rgb variable font ',13'";
-  }
-  return out + script_end(plot + "\n", chart_height);
+  return out + script_end(plot_line(plot_parts(chart.series)), height);
 }
 
 }  // namespace rift::studio

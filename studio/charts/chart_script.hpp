@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studio/charts/chart.hpp"
+#include "studio/charts/chart_layout.hpp"
 
 #include <cstddef>
 #include <string>
@@ -10,8 +11,6 @@
 namespace rift::studio {
 
 // What all charts have in common: size, fonts, grid, colours.
-
-constexpr int chart_width = 860, chart_height = 520;  // [px]; a long key makes a chart higher
 
 /// How a series is drawn: colour "#0072b2", gnuplot's dash type and point type, line width.
 struct SeriesLook {
@@ -25,13 +24,33 @@ struct SeriesLook {
 /// No two of the first thirty indices look alike.
 SeriesLook series_look(int colour, int reference);
 
-/// "set xrange [0:*]", or nothing where both ends follow the data.
-std::string range_line(char axis, const AxisRange& range);
+/// The same of a series, which may have a sequential colour: from dark blue to light green (viridis without
+/// its yellow), then with a solid line.
+SeriesLook look_of(const ChartSeries& series, int reference);
+
+/// The script's lines for an axis: label, range, ticks.
+std::string axis_lines(char which, const std::string& label, const AxisRange& range, bool log,
+                       const Span& span);
+
+/// What `plot` draws, part by part: bands behind all else, error bars behind the points of their series,
+/// texts beside points last.
+std::vector<std::string> plot_parts(const std::vector<ChartSeries>& series);
+
+/// "plot part, part, ..."
+std::string plot_line(const std::vector<std::string>& parts);
+
+/// The script's lines that draw a sample of a key: a line between two places, a symbol between them, or a
+/// band from corner to corner. Places are gnuplot's: "screen 0.1, screen 0.2".
+std::string key_sample(const KeyEntry& entry, const std::string& from, const std::string& to,
+                       const std::string& middle, const std::string& low, const std::string& high);
 
 /// The opening of a script: what it is, where it reads and writes, terminal, frame, grid.
 std::string script_head(const std::string& title, const std::string& name, int height);
 
-/// Its end: the plot, and the same as a png of twice the resolution.
+/// The line that turns to a png of twice the resolution.
+std::string png_terminal(int height);
+
+/// The end of a script: the plot, and the same as a png.
 std::string script_end(const std::string& plot, int height);
 
 // Text in charts. Titles, axes and legends are gnuplot's enhanced text: "G_{ID} / G_{I0}", "10^{-3}", "α,
@@ -46,6 +65,10 @@ std::string plain_text(std::string_view label);
 /// The label as a string of a gnuplot script, in single quotes; line breaks become spaces.
 std::string script_string(std::string_view label);
 
+/// The same of a text that is shown. A joiner stands before a blank after a subscript: some viewers drop a
+/// blank that opens a span.
+std::string label_string(std::string_view label);
+
 /// Letters a label shows, for an estimate of its width: markup and bytes within a letter not counted.
 std::size_t letters(std::string_view label);
 
@@ -57,13 +80,18 @@ std::string gnuplot_field(std::string text);
 std::vector<std::size_t> drawable_points(const ChartSeries& series);
 
 /// What the rows of each series are called in the csv: its label without markup, made unique, never empty.
-std::vector<std::string> series_names(const Chart& chart);
+std::vector<std::string> series_names(const std::vector<ChartSeries>& series);
 
-/// The tidy csv: series,x,y,error, a row per drawable point, numbers that read back as they were.
+/// The tidy csv: series,x,y,error, a row per drawable point, numbers that read back as they were; a column
+/// text where points have one.
 std::string chart_data(const Chart& chart);
 
 /// The gnuplot script which draws NAME.csv.
 std::string chart_script(const Chart& chart, const std::string& name);
+
+/// The same with a column panel, which counts from 1.
+std::string chart_data(const ChartGrid& grid);
+std::string chart_script(const ChartGrid& grid, const std::string& name);
 
 /// column,row,x,y,value,text: a row per cell whose value is finite; column and row count from 0.
 std::string chart_data(const HeatMap& map);

@@ -49,8 +49,8 @@ Points fracture_points(const claims::Evidence& evidence, const study::SummaryRow
 }
 
 /// Mean of all values near a position, for positions that all specimens reach.
-ChartSeries running_mean(const std::string& label, const std::vector<Points>& specimens, int colour) {
-  ChartSeries curve{label, {}, {}, {}, Style::line, colour};
+ChartSeries running_mean(const std::string& label, const std::vector<Points>& specimens) {
+  ChartSeries curve{.label = label, .style = Style::line};
   double from = 0.0, to = 10.0;
   Points all;
   for (const Points& points : specimens) {
@@ -84,15 +84,15 @@ bool draw_ratio_against_position(Chart& chart, const claims::Evidence& evidence,
   chart.y_label = "G_{ID} / G_{I0}, mean over 0.04 L [-]";
   chart.y_range = {0.0, {}};
   ChartSeries echo = echo_marks();
-  int colour = 0;
   for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
     std::vector<Points> specimens;
     for (const study::SummaryRow& row : rows) specimens.push_back(fracture_points(evidence, row, "ratio"));
-    ChartSeries curve = running_mean(velocity_label(v), specimens, colour++);
+    ChartSeries curve = running_mean(velocity_label(v), specimens);
     if (curve.x.empty()) continue;
     mark_echo(echo, curve, rows.front().echo_free_over_length);
     chart.series.push_back(std::move(curve));
   }
+  shade_in_order(chart.series);
   if (!echo.x.empty()) chart.series.push_back(std::move(echo));
   return !chart.series.empty();
 }
@@ -101,11 +101,10 @@ bool draw_fracture_against_position(Chart& chart, const claims::Evidence& eviden
                                     claims::Selection selection) {
   set_up(chart);
   chart.y_label = "fracture energy [J]";
-  int colour = 0;
   ChartSeries echo = echo_marks();
   for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
     ChartSeries curve =
-        series_of(velocity_label(v), Style::line, colour++,
+        series_of(velocity_label(v), Style::line, 0,
                   fracture_points(evidence, rows.front(), "energy_fracture_j"), [](const auto& p) {
                     return ChartPoint{p.first, p.second};
                   });
@@ -113,6 +112,7 @@ bool draw_fracture_against_position(Chart& chart, const claims::Evidence& eviden
     mark_echo(echo, curve, rows.front().echo_free_over_length);
     chart.series.push_back(std::move(curve));
   }
+  shade_in_order(chart.series);
   if (!echo.x.empty()) chart.series.push_back(std::move(echo));
   return !chart.series.empty();
 }

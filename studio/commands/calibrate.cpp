@@ -36,14 +36,26 @@ scene::Preset preset_for(const CalibrateOptions& options) {
   return preset;
 }
 
+std::string command_text(const CalibrateOptions& options) {
+  std::string text = command_with_preset("rift calibrate", options);
+  if (!options.young.empty()) text += fmt::format(" --young '{}'", options.young);
+  if (!options.poisson.empty()) text += " --poisson " + options.poisson;
+  return text + " --out " + options.out;
+}
+
 Calibration compute(const CalibrateOptions& options, const scene::Preset& preset, Session& session) {
-  Calibration calibration{.scene = preset.scene, .build = build_info(), .beams = {}, .study = {}};
+  Calibration calibration{.command = command_text(options),
+                          .scene = preset.scene,
+                          .build = build_info(),
+                          .beams = {},
+                          .study = {}};
   const scene::Scene::Material& m = preset.scene.material;
   if (!options.out.empty())
     calibration.study = calibration::study_calibration(preset.scene, session.cache,
                                                        session.progress_of_stages(), options.threads);
   calibration.beams = calibration::calibrate(preset.scene, m.young_modulus, m.poisson_ratio, session.cache,
                                              session.progress_of("beams"), options.threads);
+  calibration.wall_s = session.seconds();
   return calibration;
 }
 

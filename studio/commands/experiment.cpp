@@ -92,6 +92,7 @@ ExitCode experiment(ExperimentOptions& options) {
   options.parts.application = !options.no_application;
   ExperimentReport report{.preset = preset.name,
                           .command = command_text(options),
+                          .scene = preset.scene,
                           .build = build_info(),
                           .experiment = {},
                           .rows = preset.scene.crack.history,

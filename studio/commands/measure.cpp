@@ -112,11 +112,14 @@ ExitCode measure(const MeasureOptions& options) {
   });
   Session session("rift measure", options);
   InstrumentsReport report;
-  report.run = options.run, report.command = command_text(options), report.version = build_info().version;
+  report.run = options.run, report.command = command_text(options), report.build = build_info();
   report.lane = options.instruments.lane;
   const auto work = [&] {
     FieldFile file(owned);
     read_run(options, report, file, session);
+    const scene::Preset preset = simulation::preset_of_run(options.run);
+    report.scenes = {preset.lanes.empty() ? preset.scene
+                                          : preset.lanes.at(static_cast<std::size_t>(report.lane))};
     report.trace = measurement::traces_of(report.seen);
     lay_over(report, options.against);
     file.keep();

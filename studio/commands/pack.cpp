@@ -21,7 +21,12 @@ scene::Preset preset_for(const SceneOptions& options) {
 PackedSpecimen packed(const ReportOptions& options, const scene::Preset& preset, Session& session) {
   const base::Clock::time_point start = base::Clock::now();
   const scene::Scene& scene = preset.scene;
-  PackedSpecimen specimen{.scene = scene, .build = build_info(), .box = scene::box_of(scene), .packing = {}};
+  PackedSpecimen specimen{.command = command_with_preset("rift pack", options) +
+                                     (options.out.empty() ? "" : " --out " + options.out),
+                          .scene = scene,
+                          .build = build_info(),
+                          .box = scene::box_of(scene),
+                          .packing = {}};
   try {
     specimen.packing = packing::cached_packing(scene::request_of(scene), session.cache, specimen.from_cache,
                                                session.progress_of("packing"), options.threads);

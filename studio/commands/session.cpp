@@ -87,7 +87,7 @@ void print_notes(const base::Cache& cache) {
 }
 
 std::string command_with_preset(const std::string& name, const SceneOptions& options) {
-  std::string text = name + " " + options.preset;
+  std::string text = options.preset.empty() ? name : name + " " + options.preset;
   for (const std::string& set : options.overrides) text += fmt::format(" --set '{}'", set);
   return text;
 }

@@ -6,6 +6,7 @@
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
 #include "studio/reports/study_report.hpp"
+#include "studio/reports/work_precision.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -80,7 +81,7 @@ std::string finished_text(const study::SummaryRow& row, int done, int of) {
   for (std::size_t k = 0; k < axes; ++k)
     if (table.rows[0][k] != "-")
       text += fmt::format(" {} {}", table.head[k], table.rows[0][k]) + (k + 1 < axes ? "," : ":");
-  text += fmt::format("  ratio {}  {} s", table.rows[0][axes], table.rows[0][axes + 3]);
+  text += fmt::format("  ratio {}  {:.2f} s", table.rows[0][axes], study::marching_time(row));
   const Json where = row.outcome_where.empty() ? Json(nullptr) : Json(row.outcome_where);
   return row.outcome == "finished" ? text : text + "  " + row.outcome + ": " + base::json_text(where);
 }
@@ -116,6 +117,11 @@ void print_tables(const StudyCommand& command, const study::StudyResult& result,
         "when all parts have ended, the same command without --shard writes the table, charts and report\n");
 }
 
+std::string command_text(const StudyCommand& command) {
+  std::string text = command_with_preset("rift study", command);
+  return command.out.empty() ? text : text + " --out " + command.out;
+}
+
 /// table.csv always; charts and report unless the user wants to be let go. A part of a study leaves all of
 /// them to the call that gathers the parts.
 ExitCode write_files(const StudyCommand& command, const scene::Preset& preset,
@@ -124,7 +130,8 @@ ExitCode write_files(const StudyCommand& command, const scene::Preset& preset,
   if (csv.empty()) return ExitCode::done;
   base::write_whole_file(folder / "table.csv", csv);
   if (result.outcome == simulation::Outcome::stopped) return ExitCode::done;
-  return session.write_or_say([&] { write_study_report(preset, build_info(), result, folder); });
+  const StudyCall call{command_text(command), build_info(), session.seconds()};
+  return session.write_or_say([&] { write_study_report(preset, call, result, folder); });
 }
 
 ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const study::StudyOptions& options,
@@ -137,7 +144,8 @@ ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const
   observer.finished = [&](const study::SummaryRow& row, int done, int of) {
     show_finished(session, row, done, of);
   };
-  const study::StudyResult result = study::run_study(preset, options, session.cache, build_info(), observer);
+  study::StudyResult result = study::run_study(preset, options, session.cache, build_info(), observer);
+  result.rows = with_converged_errors(std::move(result.rows));
   session.line.clear();
   for (const std::string& note : session.cache.notes) base::message("note: {}\n", note);
   const ExitCode files = write_files(command, preset, result, options.folder, session);

@@ -185,8 +185,11 @@ void write_accuracy_report(const AccuracyReport& report, const std::filesystem::
   for (const std::string& note : report.notes) compared += html_paragraph("Note: " + note);
   const std::string recommended = html_paragraph("On this lattice: " + recommendation_text(report)) +
                                   html_paragraph("Error of the lattice: " + lattice_text(report));
-  write_report({.title = "Error against run time: " + report.preset,
-                .opening = {made_by(report.command, report.build, report.wall_s)},
+  std::vector<scene::Scene> scenes;
+  for (const accuracy::CaseResult& result : report.results) scenes.push_back(result.setup.scene);
+  write_report({.title = "Error against run time of " + preset_in_titles(report.preset),
+                .made = {report.command, report.build, report.wall_s},
+                .scenes = std::move(scenes),
                 .sections = {{"Recommended", recommended},
                              {"Charts", accuracy_charts(report.results, report.accuracy, report.goal)},
                              {"Variants", accuracy_table(report.accuracy)},
@@ -237,17 +240,27 @@ const char* series_label(accuracy::Factor factor) {
   }
 }
 
-/// A line leads from step to step; elements scatter too much to be joined.
-ChartSeries::Style style_of(accuracy::Factor factor) {
-  const bool steps = factor == accuracy::Factor::time_step || factor == accuracy::Factor::precision ||
-                     factor == accuracy::Factor::together;
-  return steps ? ChartSeries::Style::line_points : ChartSeries::Style::points;
+/// The efficient variants, joined and named; and the recommended one.
+std::vector<ChartSeries> front_of(const accuracy::Accuracy& accuracy) {
+  ChartSeries front{.label = "efficient front", .style = ChartSeries::Style::line, .colour = -1},
+      best{.style = ChartSeries::Style::points, .colour = -1};
+  for (const int k : accuracy.front) {
+    const accuracy::AccuracyLine& line = accuracy.lines[static_cast<std::size_t>(k)];
+    const double error = std::abs(line.step_error);
+    if (!(error >= smallest_drawn) || !(line.wall_s > 0.0)) continue;
+    front.add(line.wall_s, error);
+    front.text.push_back(k == accuracy.recommended ? "recommended" : line.label);
+    if (k != accuracy.recommended) continue;
+    best.label = "recommended: " + escape_label(line.label);
+    best.add(line.wall_s, error);
+  }
+  return {std::move(front), std::move(best)};
 }
 
 NamedChart work_precision(const accuracy::Accuracy& accuracy, double goal) {
-  Chart chart{.title = "Error against run time",
-              .x_label = "wall time of the march [s]",
-              .y_label = "|error of G_{ID}/G_{I0}| [-]",
+  Chart chart{.title = "Error of the release rate against run time",
+              .x_label = "run time of the march [s]",
+              .y_label = "|error of G_{ID} / G_{I0}| [-]",
               .log_x = true,
               .log_y = true};
   int left_out = 0;
@@ -258,7 +271,7 @@ NamedChart work_precision(const accuracy::Accuracy& accuracy, double goal) {
                                           accuracy::Factor::scene};
   for (const accuracy::Factor factor : factors) {
     LogSeries points{{.label = series_label(factor),
-                      .style = style_of(factor),
+                      .style = ChartSeries::Style::points,
                       .colour = static_cast<int>(chart.series.size())}};
     for (const accuracy::AccuracyLine& line : accuracy.lines)
       if (line.factor == factor && line.cannot_be.empty() && line.wall_s > 0.0)
@@ -270,21 +283,20 @@ NamedChart work_precision(const accuracy::Accuracy& accuracy, double goal) {
     chart.series.push_back(std::move(points.series));
   }
   if (!chart.series.empty()) {
+    for (ChartSeries& series : front_of(accuracy))
+      if (!series.x.empty()) chart.series.push_back(std::move(series));
     chart.series.push_back(level(fmt::format("goal {:g}", goal), goal, from, to));
     if (accuracy.specimen_scatter > smallest_drawn)
-      chart.series.push_back(level("scatter of specimens", accuracy.specimen_scatter, from, to));
+      chart.series.push_back(level("scatter between specimens", accuracy.specimen_scatter, from, to));
   }
-  if (accuracy.recommended >= 0) {
-    const accuracy::AccuracyLine& best = accuracy.lines[static_cast<std::size_t>(accuracy.recommended)];
-    chart.marks.push_back({best.wall_s, best.wall_s, "recommended: " + escape_label(best.label)});
-  }
-  return {"work_precision",
-          "Error and run time of the march, each variant computed separately: down and to the left is "
-          "better. Errors are differences to the converged step on the scene's own specimen, those of the "
-          "number of elements to the finest lattice, means over the specimens; an error below the scatter of "
-          "the specimens is not resolved." +
-              left_out_text(left_out),
-          std::move(chart)};
+  return {
+      "work_precision",
+      "Error and the time that the march takes, each variant computed by itself: down and to the left is "
+      "better, and on the front no other variant on this lattice is both faster and more accurate. Errors "
+      "are against the converged step on the scene's own specimen, those of elements against the finest "
+      "lattice, means over the specimens; an error of elements below their scatter is not resolved." +
+          left_out_text(left_out),
+      std::move(chart)};
 }
 
 /// C h^p through the second finest step that is drawn, over all of them.
@@ -298,8 +310,8 @@ ChartSeries order_line(const ChartSeries& steps, double order, const std::string
 
 NamedChart error_step(const accuracy::Accuracy& accuracy) {
   Chart chart{.title = "Error of the time step on one specimen",
-              .x_label = "time step [dt_c]",
-              .y_label = "|error of G_{ID}/G_{I0}| to the converged step [-]",
+              .x_label = "time step over the critical one [-]",
+              .y_label = "|error of G_{ID}/G_{I0}| against the converged step [-]",
               .log_x = true,
               .log_y = true};
   int left_out = 0;

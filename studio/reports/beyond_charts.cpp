@@ -22,9 +22,6 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// The cells' values over r_l (columns) and p (rows).
 HeatMap map_chart(const std::vector<claims::MapCell>& cells, const std::string& title,
                   const std::function<double(const claims::MapCell&)>& value) {
-  double farthest = 0.0;  // of any cell and velocity, so that all maps have the same colours
-  for (const claims::MapCell& cell : cells)
-    farthest = std::max(farthest, *std::max_element(cell.distance.begin(), cell.distance.end()));
   std::set<double> zones, powers;
   for (const claims::MapCell& cell : cells) zones.insert(cell.zone), powers.insert(cell.relaxation);
   HeatMap map{.title = title,
@@ -35,7 +32,7 @@ HeatMap map_chart(const std::vector<claims::MapCell>& cells, const std::string& 
               .y = {powers.begin(), powers.end()},
               .value = std::vector<double>(zones.size() * powers.size(), nothing),
               .text = std::vector<std::string>(zones.size() * powers.size()),
-              .value_range = {0.0, farthest}};
+              .value_range = {}};
   for (const claims::MapCell& cell : cells) {
     const auto column = std::distance(zones.begin(), zones.find(cell.zone));
     const auto row = std::distance(powers.begin(), powers.find(cell.relaxation));
@@ -55,15 +52,20 @@ double distance_at(const claims::MapCell& cell, double v) {
 std::vector<NamedChart> maps(const claims::Evidence& evidence) {
   const std::vector<claims::MapCell> cells = claims::map_of(evidence);
   if (cells.empty()) return {};
-  const std::string title = "Distance to Broberg";
+  const std::string title = "Difference to Broberg", schemes = scheme_text(evidence.rows);
   std::vector<NamedChart> charts{
-      {"beyond_map", "Difference to Broberg against relaxation and damage zone, mean over the velocities.",
+      {"beyond_map",
+       "Difference to Broberg over relaxation and damage zone, mean over the velocities" + schemes + ".",
        map_chart(cells, title + ", mean over the velocities",
                  [](const claims::MapCell& cell) { return base::mean_of(cell.distance); })}};
   for (const double v : cells.front().v)
-    charts.push_back({fmt::format("beyond_map_{:02.0f}", 10.0 * v), fmt::format("At {:g} c_R.", v),
-                      map_chart(cells, fmt::format("{} at {:g} c_R", title, v),
-                                [v](const claims::MapCell& cell) { return distance_at(cell, v); })});
+    charts.push_back(
+        {fmt::format("beyond_map_{:02.0f}", 10.0 * v),
+         fmt::format("Difference to Broberg at {:g} c_R over relaxation and damage zone{}; the colours "
+                     "reach over this map's own values.",
+                     v, schemes),
+         map_chart(cells, fmt::format("{} at {:g} c_R", title, v),
+                   [v](const claims::MapCell& cell) { return distance_at(cell, v); })});
   return charts;
 }
 
@@ -73,7 +75,7 @@ ChartSeries efficiency_series(const std::string& label, const std::vector<claims
                    [](const claims::EfficiencyPoint& p) { return mean_point(p.v, p.ratio); });
 }
 
-constexpr const char* efficiency_label = "G_{ID} / G_{I0} = {/Symbol h} [-]";
+constexpr const char* efficiency_label = "G_{ID} / G_{I0} = η [-]";
 
 Chart efficiency_against_velocity(const std::string& title) {
   Chart chart = chart_of_references(title);
@@ -100,6 +102,7 @@ Chart efficiency_against_zone(const claims::Evidence& evidence) {
     curve.style = Style::line_points, curve.colour = static_cast<int>(chart.series.size());
     chart.series.push_back(std::move(curve));
   }
+  shade_in_order(chart.series);
   if (!zones.empty()) chart.series.push_back(level("strip limit", 1.0, zones.front(), zones.back()));
   return chart;
 }
@@ -120,6 +123,7 @@ Chart wake_chart(const std::string& title,
                                   });
     if (!curve.x.empty()) chart.series.push_back(std::move(curve));
   }
+  shade_in_order(chart.series);
   return chart;
 }
 
@@ -141,9 +145,12 @@ void add_wakes(std::vector<NamedChart>& charts, const claims::Evidence& evidence
   const auto add = [&](const std::string& name, const std::string& title, const auto& rows) {
     Chart chart = wake_chart(title, rows);
     if (!chart.series.empty())
-      charts.push_back({name, title + "; the difference of the sum to 1 is rotation.", std::move(chart)});
+      charts.push_back({name,
+                        "Shares of the kinetic energy of the first specimen by coherence length" +
+                            scheme_text(evidence.rows) + "; what they lack of 1 is rotation.",
+                        std::move(chart)});
   };
-  add("beyond_wake_zone", "Kinetic energy behind the tip by coherence length, 0.5 c_R", zones);
+  add("beyond_wake_zone", "Kinetic energy behind the tip by coherence length, at 0.5 c_R", zones);
   add("beyond_wake_velocity", "Kinetic energy behind the tip by coherence length, r_l = 1", velocities);
 }
 
@@ -152,15 +159,18 @@ std::vector<NamedChart> efficiencies(const claims::Evidence& evidence) {
   if (zones.series.size() < 2) return {};
   Chart velocity = efficiency_against_velocity("Lattice efficiency of a steady strip, linear relaxation");
   int colour = 0;
+  std::vector<ChartSeries> of_zones;
   for (const double zone : claims::zones_of(evidence))
-    velocity.series.push_back(efficiency_series(fmt::format("r_l = {:g}", zone),
-                                                claims::efficiency(evidence, 1.0, zone), colour++));
+    of_zones.push_back(efficiency_series(fmt::format("r_l = {:g}", zone),
+                                         claims::efficiency(evidence, 1.0, zone), colour++));
+  shade_in_order(of_zones);
+  velocity.series.insert(velocity.series.end(), of_zones.begin(), of_zones.end());
   std::vector<NamedChart> charts{
-      {"beyond_efficiency",
-       "Lattice efficiency against the length of the damage zone; bars: standard deviation between three "
-       "specimens.",
+      {"beyond_efficiency", "Linear relaxation, α = 0; mean, bars: standard deviation between specimens.",
        std::move(zones)},
-      {"beyond_efficiency_velocity", "The same against velocity.", std::move(velocity)}};
+      {"beyond_efficiency_velocity",
+       "Linear relaxation, α = 0; Broberg, Freund and strip are theory of a continuum.",
+       std::move(velocity)}};
   for (const double zone : {1.0, 4.0, 16.0}) {
     Chart chart = efficiency_against_velocity(fmt::format("Lattice efficiency at r_l = {:g}", zone));
     colour = 0;
@@ -170,8 +180,11 @@ std::vector<NamedChart> efficiencies(const claims::Evidence& evidence) {
       ++colour;
     }
     if (chart.series.size() > 4)
-      charts.push_back({fmt::format("beyond_relaxation_{:g}", zone),
-                        fmt::format("Three relaxations at r_l = {:g}.", zone), std::move(chart)});
+      charts.push_back(
+          {fmt::format("beyond_relaxation_{:g}", zone),
+           fmt::format("Three relaxations at r_l = {:g}, α = 0; bars: standard deviation between specimens.",
+                       zone),
+           std::move(chart)});
   }
   add_wakes(charts, evidence);
   return charts;
@@ -179,10 +192,11 @@ std::vector<NamedChart> efficiencies(const claims::Evidence& evidence) {
 
 /// Measured ratios and efficiency times Broberg, of the smallest elements; and ratio over efficiency.
 Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool over_efficiency) {
-  Chart chart = chart_of_references(over_efficiency ? "Broberg's problem: G_{ID} over the lattice efficiency"
-                                                    : "Broberg's own problem");
+  Chart chart = chart_of_references(
+      over_efficiency ? "A crack opening in a large plate: release rate over the lattice efficiency"
+                      : "A crack opening in a large plate (Broberg's problem)");
   chart.series.resize(1);  // Broberg alone
-  if (over_efficiency) chart.y_label = "G_{ID} / (G_{I0} {/Symbol h}) [-]";
+  if (over_efficiency) chart.y_label = "G_{ID} / (G_{I0} η) [-]";
   std::map<double, std::pair<ChartSeries, ChartSeries>> curves;
   double most = 0.0;
   for (const claims::BrobergProblem& p : points) most = std::max(most, p.elements);
@@ -200,7 +214,7 @@ Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool 
     measured.colour = expected.colour = colour++;
     chart.series.push_back(measured);
     if (over_efficiency) continue;
-    expected.label = fmt::format("{{/Symbol h}} Broberg, r_l = {:g}", zone);
+    expected.label = fmt::format("η Broberg, r_l = {:g}", zone);
     expected.style = Style::line;
     chart.series.push_back(expected);
   }
@@ -209,9 +223,9 @@ Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool 
 
 /// Ratio over efficiency and Broberg, against the size of the elements, with the straight line on to 0.
 Chart size_chart(const std::vector<claims::BrobergProblem>& points) {
-  Chart chart{.title = "Broberg's problem for smaller and smaller elements",
+  Chart chart{.title = "Broberg's problem: release rate over efficiency and theory as elements grow small",
               .x_label = "mean radius over half length R / a [-]",
-              .y_label = "G_{ID} / (G_{I0} {/Symbol h} Broberg) [-]",
+              .y_label = "G_{ID} / (G_{I0} η Broberg) [-]",
               .x_range = {.min = 0.0}};
   std::map<std::pair<double, double>, ChartSeries> curves;
   for (const claims::BrobergProblem& p : points)
@@ -237,15 +251,20 @@ Chart size_chart(const std::vector<claims::BrobergProblem>& points) {
 std::vector<NamedChart> own_problems(const claims::Evidence& evidence) {
   const std::vector<claims::BrobergProblem> points = claims::broberg_problem(evidence);
   if (points.empty()) return {};
-  std::vector<NamedChart> charts{
-      {"beyond_broberg",
-       "Measured (points) and the efficiency times Broberg's factor (lines), smallest elements.",
-       own_problem_chart(points, false)},
-      {"beyond_broberg_over_efficiency", "The same divided by the efficiency.",
-       own_problem_chart(points, true)}};
+  std::vector<NamedChart> charts{{"beyond_broberg",
+                                  "Computed (symbols) and lattice efficiency times Broberg's factor (lines) "
+                                  "with the smallest elements; linear "
+                                  "relaxation, α = 0.",
+                                  own_problem_chart(points, false)},
+                                 {"beyond_broberg_over_efficiency",
+                                  "Computed release rate over the lattice efficiency with the smallest "
+                                  "elements; linear relaxation, α = 0.",
+                                  own_problem_chart(points, true)}};
   if (Chart sizes = size_chart(points); sizes.series.size() > 1)
-    charts.push_back({"beyond_broberg_size", "Two sizes of elements, and the linear extrapolation to R = 0.",
-                      std::move(sizes)});
+    charts.push_back(
+        {"beyond_broberg_size",
+         "Two sizes of elements, and the straight line through them to R = 0; linear relaxation, α = 0.",
+         std::move(sizes)});
   return charts;
 }
 

@@ -149,7 +149,11 @@ Json calibration_json(const Calibration& c) {
 void write_calibration_report(const Calibration& c, const std::filesystem::path& folder) {
   const std::vector<Json> rows = calibration::rows_of(*c.study);
   write_report(
-      {.title = "Calibration",
+      {.title = fmt::format("Beams of a material of E = {:.4g} GPa and Poisson's ratio {:g}",
+                            c.scene.material.young_modulus / 1e9, c.scene.material.poisson_ratio),
+       .made = {c.command, c.build, c.wall_s},
+       .scenes = {c.scene},
+       .marched = false,
        .files = {{"summary.json", base::json_text(calibration_json(c), 2) + "\n"},
                  {"table.csv", rows_csv(rows)},
                  {"material.toml", material_block(c)}},
@@ -215,25 +219,23 @@ Chart against_size(const std::vector<Json>& rows, std::string title, std::string
 
 NamedChart young_against_size(const std::vector<Json>& rows, double micro) {
   return {"calibration_young",
-          "E of compressed cylinders against their number of elements; bars: standard deviation over the "
+          "E of compressed cylinders against their number of elements; bars: standard deviation between "
           "packings.",
-          against_size(
-              rows,
-              fmt::format("Young's modulus of cylinders, E_{{/Symbol m}} = {:.0f} GPa, r_{{/Symbol m}} = 0.3",
-                          micro / 1e9),
-              "E_M [GPa]",
-              {means_of(rows, {"size", "strain of the middle half", "elements", "young_over_micro",
-                               micro / 1e9, 0}),
-               means_of(rows, {"size", "shortening between the ends", "elements", "young_ends_over_micro",
-                               micro / 1e9, 1})},
-              10.3)};
+          against_size(rows,
+                       fmt::format("Young's modulus of cylinders, E_µ = {:.0f} GPa, r_µ = 0.3", micro / 1e9),
+                       "E_M [GPa]",
+                       {means_of(rows, {"size", "strain of the middle half", "elements", "young_over_micro",
+                                        micro / 1e9, 0}),
+                        means_of(rows, {"size", "shortening between the ends", "elements",
+                                        "young_ends_over_micro", micro / 1e9, 1})},
+                       10.3)};
 }
 
 NamedChart poisson_against_size(const std::vector<Json>& rows) {
   return {"calibration_poisson",
-          "ν of compressed cylinders against their number of elements; bars: standard deviation over the "
+          "ν of compressed cylinders against their number of elements; bars: standard deviation between "
           "packings.",
-          against_size(rows, "Poisson's ratio of cylinders, r_{/Symbol m} = 0.3", "{/Symbol n}_M [-]",
+          against_size(rows, "Poisson's ratio of cylinders, r_µ = 0.3", "ν_M [-]",
                        {means_of(rows, {"size", "cylinders", "elements", "poisson_ratio", 1.0, 0})}, 0.3)};
 }
 
@@ -252,27 +254,28 @@ NamedChart young_against_core(const std::vector<Json>& rows, double micro) {
 
 NamedChart young_of_scan(const std::vector<Json>& rows) {
   return {"calibration_scan_young",
-          "Every modulus is proportional to E_µ, which is not scanned: E_M is E_µ times the value shown.",
+          "Every modulus is proportional to E_µ, which is not scanned: E_M is E_µ times what is shown; ν_µ = "
+          "0.3.",
           Chart{.title = "Scan of the beams' radius: modulus",
-                .x_label = "radius ratio r_{/Symbol m} [-]",
-                .y_label = "E_M / E_{/Symbol m} [-]",
+                .x_label = "radius ratio r_µ [-]",
+                .y_label = "E_M / E_µ [-]",
                 .log_x = true,
                 .log_y = true,
-                .series = {means_of(rows, {"scan", "cylinders, {/Symbol n}_{/Symbol m} = 0.3",
-                                           "micro_radius_ratio", "young_over_micro", 1.0, 0})}}};
+                .series = {means_of(rows, {"scan", "cylinders, ν_µ = 0.3", "micro_radius_ratio",
+                                           "young_over_micro", 1.0, 0})}}};
 }
 
 NamedChart poisson_of_scan(const std::vector<Json>& rows) {
-  return {"calibration_scan_poisson",
-          "ν depends on r_µ and hardly on ν_µ, which acts on the twist of the beams only.",
-          Chart{.title = "Scan of the beams' radius: Poisson's ratio",
-                .x_label = "radius ratio r_{/Symbol m} [-]",
-                .y_label = "{/Symbol n}_M [-]",
-                .series = {means_of(rows, {"scan", "{/Symbol n}_{/Symbol m} = 0.3", "micro_radius_ratio",
-                                           "poisson_ratio", 1.0, 0}),
-                           cloud_of(rows, {"twisted", "{/Symbol n}_{/Symbol m} = 0 and 0.45",
-                                           "micro_radius_ratio", "poisson_ratio", 1.0, 1}),
-                           {"paper, Table 2", {0.3}, {0.3}, {}, Style::points, -1}}}};
+  return {
+      "calibration_scan_poisson",
+      "ν follows r_µ and hardly depends on ν_µ, which acts on the twist of the beams only.",
+      Chart{.title = "Scan of the beams' radius: Poisson's ratio",
+            .x_label = "radius ratio r_µ [-]",
+            .y_label = "ν_M [-]",
+            .series = {means_of(rows, {"scan", "ν_µ = 0.3", "micro_radius_ratio", "poisson_ratio", 1.0, 0}),
+                       cloud_of(rows, {"twisted", "ν_µ = 0 and 0.45", "micro_radius_ratio", "poisson_ratio",
+                                       1.0, 1}),
+                       {"paper, Table 2", {0.3}, {0.3}, {}, Style::points, -1}}}};
 }
 
 }  // namespace

@@ -12,10 +12,12 @@ namespace rift::studio {
 
 /// What `rift calibrate` reports.
 struct Calibration {
+  std::string command;
   scene::Scene scene;
   simulation::BuildInfo build;
   calibration::Calibrated beams;
   std::optional<calibration::CalibrationStudy> study;  // with a report only
+  double wall_s = 0;
 };
 
 /// The [material] table of a preset that has these beams.

@@ -240,7 +240,7 @@ NamedChart history_chart(const ExperimentReport& report) {
       "history",
       fmt::format("Measured rows and the smoothed history ({}): the rows scatter around it by {:.3g} mm{}.",
                   report.smoothing, 1e3 * c.scatter,
-                  c.chi2 > 0.0 ? fmt::format(", chi^2 {:.2f} per row", c.chi2) : std::string()),
+                  c.chi2 > 0.0 ? fmt::format(", χ² {:.2f} per row", c.chi2) : std::string()),
       Chart{.title = "Measured crack history",
             .x_label = "time [µs]",
             .y_label = "tip position [mm]",
@@ -266,7 +266,7 @@ NamedChart velocity_chart(const ExperimentReport& report) {
   return {"velocity",
           "Velocity of the smoothed history, its band of two standard deviations over the resamples, and the "
           "differences of neighbouring rows.",
-          Chart{.title = "Crack velocity",
+          Chart{.title = "Velocity of the crack along its course",
                 .x_label = "time [µs]",
                 .y_label = "velocity [c_R]",
                 .y_range = {-0.1 * top, top + 0.1},
@@ -313,7 +313,7 @@ NamedChart rate_chart(const ExperimentReport& report, const char* name, const ch
           (style == Style::line ? " Bands: two standard uncertainties of noise, packing and window." : ""),
       Chart{.title = title,
             .x_label = x_label,
-            .y_label = "release rate [kJ/m^2]",
+            .y_label = "release rate [kJ/m²]",
             .y_range = {.min = 0.0},
             .series = readings(report, x, style)}};
 }
@@ -369,8 +369,10 @@ std::vector<NamedChart> experiment_charts(const ExperimentReport& report) {
 }  // namespace
 
 void write_experiment_report(const ExperimentReport& report, const std::filesystem::path& folder) {
-  write_report({.title = "From the experiment to G_IDc: " + report.preset,
-                .opening = {made_by(report.command, report.build, report.wall_s)},
+  write_report({.title = "Critical dynamic release rate G_IDc from the crack history of " +
+                         preset_in_titles(report.preset),
+                .made = {report.command, report.build, report.wall_s},
+                .scenes = {report.scene},
                 .files = {{"summary.json", base::json_text(experiment_json(report), 2) + "\n"},
                           {"table.csv", csv_of(report.experiment)},
                           {"toughness_position.csv", toughness_csv(report, true)},

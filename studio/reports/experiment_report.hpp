@@ -14,6 +14,7 @@ namespace rift::studio {
 /// All that `rift experiment` reports.
 struct ExperimentReport {
   std::string preset, command;
+  scene::Scene scene;
   simulation::BuildInfo build;
   experiment::Experiment experiment;
   std::vector<history::HistoryPoint> rows;  // as measured

@@ -32,7 +32,7 @@ TraceScale scale_of(scene::Dimension dimension) {
     case scene::Dimension::stress_intensity:
       return {1e-6, "MPa m^{1/2}"};
     case scene::Dimension::release_rate:
-      return {1e-3, "kJ/m^2"};
+      return {1e-3, "kJ/m²"};
     case scene::Dimension::length:
       return {1e6, "µm"};
     case scene::Dimension::strain:
@@ -237,7 +237,7 @@ Json instruments_json(const InstrumentsReport& report) {
   }
   return {{"run", report.run},
           {"lane", report.lane},
-          {"version", report.version},
+          {"version", report.build.version},
           {"clock_s", report.seen.clock},
           {"subset_radius_m", report.seen.subset},
           {"ring_m", {report.seen.ring.inner, report.seen.ring.outer}},
@@ -299,7 +299,7 @@ std::vector<NamedChart> gauge_charts(const InstrumentsReport& report) {
   };
   std::vector<NamedChart> charts;
   for (const Kind& kind :
-       {Kind{"strain_yy", "Strain across the crack", "strain yy"},
+       {Kind{"strain_yy", "Strain of the gauges across the crack", "strain yy"},
         Kind{"strain_xx", "Strain along the crack", "strain xx"},
         Kind{"strain_xy", "Shear strain", "strain xy"}, Kind{"vy", "Velocity across the crack", "velocity y"},
         Kind{"vx", "Velocity along the crack", "velocity x"}}) {
@@ -325,11 +325,11 @@ NamedChart rate_chart(const InstrumentsReport& report) {
   const std::vector<Point>& points = report.seen.intensity;
   return {
       "release_rate",
-      "Energy release rate from the stress intensity factors of the camera field, G_ID from the energy "
-      "balance of the lattice, and G_I0.",
-      Chart{.title = "Release rate",
+      "G from the stress intensities of the camera's field, G_ID from the energy balance, and the static "
+      "G_I0.",
+      Chart{.title = "Release rate by the field and by the energy balance",
             .x_label = "tip position [mm]",
-            .y_label = "release rate [kJ/m^2]",
+            .y_label = "release rate [kJ/m²]",
             .y_range = {.min = 0.0},
             .series = {
                 series_of("from K", Style::line_points, 1, points,
@@ -383,7 +383,7 @@ std::vector<NamedChart> field_maps(const InstrumentsReport& report) {
     };
     add("displacement_y", "Displacement across the crack", "u_y [µm]",
         [](const lattice::PlaneMotion& m) { return 1e6 * m.u.y(); });
-    add("strain_yy", "Strain across the crack", "strain yy [10^{-3}]",
+    add("strain_yy", "Strain of the gauges across the crack", "strain yy [10^{-3}]",
         [](const lattice::PlaneMotion& m) { return 1e3 * m.strain_yy(); });
     if (last == 0) break;
   }
@@ -407,8 +407,9 @@ std::vector<NamedChart> instrument_charts(const InstrumentsReport& report) {
 }  // namespace
 
 void write_instruments_report(const InstrumentsReport& report, const std::filesystem::path& folder) {
-  Report page{.title = "Virtual instruments: " + report.run,
-              .opening = {made_by(report.command, {report.version, {}})},
+  Report page{.title = "What the instruments of a test would have shown of the run " + report.run,
+              .made = {report.command, report.build},
+              .scenes = report.scenes,
               .files = {{"summary.json", base::json_text(instruments_json(report), 2) + "\n"},
                         {"stress_intensity.csv", intensity_csv(report.seen)}},
               .sections = {{"Results", conclusions(report)},

@@ -12,7 +12,9 @@ namespace rift::studio {
 
 /// All that `rift measure` reports.
 struct InstrumentsReport {
-  std::string run, command, version;
+  std::string run, command;
+  simulation::BuildInfo build;       // of this program, not of the run's
+  std::vector<scene::Scene> scenes;  // of the run's lane
   int lane = 0;
   measurement::Instruments seen;
   std::vector<measurement::SeenField> field;  // some, along the way

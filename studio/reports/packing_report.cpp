@@ -102,7 +102,11 @@ void write_packing_report(const PackedSpecimen& s, const Json& summary, const st
     const Eigen::Vector3d& p = s.packing.centre[i];
     csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", p.x(), p.y(), p.z(), s.packing.radius[i]);
   }
-  write_report({.title = "Packing",
+  write_report({.title = fmt::format("Packing of a {} of {} elements", summary.at("shape").get<std::string>(),
+                                     summary.at("elements").get<std::size_t>()),
+                .made = {s.command, s.build, s.wall_s},
+                .scenes = {s.scene},
+                .marched = false,
                 .files = {{"summary.json", base::json_text(summary, 2) + "\n"}, {"elements.csv", csv}},
                 .sections = {{"Specimen", html_lines(packing_text(summary, false))},
                              {"Charts", std::vector{coordination_chart(summary), pair_chart(summary)}}}},

@@ -12,6 +12,7 @@ namespace rift::studio {
 
 /// What `rift pack` reports.
 struct PackedSpecimen {
+  std::string command;
   scene::Scene scene;
   simulation::BuildInfo build;
   packing::Box box;

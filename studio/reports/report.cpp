@@ -1,18 +1,87 @@
 #include "studio/reports/report.hpp"
 
 #include "engine/base/files.hpp"
+#include "engine/base/process_limits.hpp"
+#include "engine/scene/needs.hpp"
+#include "engine/scene/parameters.hpp"
 #include "studio/text/html.hpp"
 #include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <ctime>
+
 namespace rift::studio {
 
-std::string made_by(const std::string& command, const simulation::BuildInfo& build,
-                    std::optional<double> wall_s) {
-  return fmt::format("Made by `{}`, rift {}{}{}.", command, build.version,
-                     build.compiler.empty() ? "" : fmt::format(" ({})", build.compiler),
-                     wall_s ? ", in " + duration_text(*wall_s) : "");
+namespace {
+
+constexpr std::size_t longest_value = 60;  // of a parameter; a history has more
+
+std::string now_text() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::array<char, 64> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M %Z", &local);
+  return text.data();
+}
+
+/// The parameters of a preset but those of pictures, in the order of presets.
+std::vector<std::pair<std::string, std::string>> parameters_of(const scene::Scene& scene, bool marched) {
+  std::vector<std::pair<std::string, std::string>> values;
+  for (const scene::Parameter& row : scene::parameters()) {
+    const std::string table = scene::table_of(row);
+    if (!marched && table != "specimen" && table != "material" && table != "calibration") continue;
+    if (table == "film" || (table == "calibration" && !scene::needs_calibration(scene))) continue;
+    std::string value = scene::toml_value(scene, row);
+    if (value.empty()) continue;
+    if (value.size() > longest_value) value = value.substr(0, longest_value) + " ...";
+    values.emplace_back(row.key, value);
+  }
+  return values;
+}
+
+/// Those of `kept` that the list has too.
+template <class List>
+void keep_common(List& kept, const List& list) {
+  std::erase_if(kept,
+                [&](const auto& one) { return std::find(list.begin(), list.end(), one) == list.end(); });
+}
+
+}  // namespace
+
+std::string preset_in_titles(const std::string& preset) {
+  return std::filesystem::path(preset).stem().string();
+}
+
+std::string html_made(const Made& made) {
+  Table table{{}, {}};
+  if (!made.command.empty()) table.rows.push_back({"command", made.command});
+  table.rows.push_back(
+      {"version", fmt::format("rift {}{}", made.build.version,
+                              made.build.compiler.empty() ? "" : fmt::format(" ({})", made.build.compiler))});
+  table.rows.push_back({"machine", base::machine_text()});
+  table.rows.push_back({"made", now_text() + (made.wall_s ? ", in " + duration_text(*made.wall_s) : "")});
+  return html_facts(table);
+}
+
+std::string html_scenes(const std::vector<scene::Scene>& scenes, bool marched) {
+  if (scenes.empty()) return {};
+  auto fixed = parameters_of(scenes.front(), marched);
+  std::vector<std::string> left_out = scene::left_out(scenes.front());
+  for (const scene::Scene& scene : scenes) {
+    keep_common(fixed, parameters_of(scene, marched));
+    keep_common(left_out, scene::left_out(scene));
+  }
+  Table table{{}, {}};
+  for (const auto& [key, value] : fixed) table.rows.push_back({key, value});
+  std::string html =
+      html_section("Fixed parameters",
+                   html_paragraph("By their keys in a preset; numbers are in SI units.") + html_pairs(table));
+  if (marched && !left_out.empty()) html += html_section("Left out", html_list(left_out));
+  return html;
 }
 
 std::string html_figures(const std::vector<NamedChart>& charts, const std::filesystem::path& folder,
@@ -32,17 +101,20 @@ std::string html_figures(const std::vector<NamedChart>& charts, const std::files
 void write_report(const Report& report, const std::filesystem::path& folder) {
   base::make_folder(folder);
   for (const auto& [name, text] : report.files) base::write_whole_file(folder / name, text);
-  std::string body;
+  std::string body = html_made(report.made);
   for (const std::string& paragraph : report.opening) body += html_paragraph(paragraph);
   std::optional<base::WorldError> failure;
-  for (const auto& [title, content] : report.sections) {
+  for (const ReportSection& section : report.sections) {
     std::string html;
-    if (const auto* text = std::get_if<std::string>(&content)) html = *text;
-    if (const auto* table = std::get_if<Table>(&content)) html = html_table(*table);
-    if (const auto* charts = std::get_if<std::vector<NamedChart>>(&content))
+    if (const auto* text = std::get_if<std::string>(&section.content)) html = *text;
+    if (const auto* table = std::get_if<Table>(&section.content); table && !table->rows.empty())
+      html = html_table(*table);
+    if (const auto* charts = std::get_if<std::vector<NamedChart>>(&section.content))
       html = html_figures(*charts, folder / "charts", failure);
-    body += html_section(title, html);
+    if (!section.note.empty()) html = html_paragraph(section.note) + html;
+    if (!html.empty()) body += html_section(section.title, html);
   }
+  body += html_scenes(report.scenes, report.marched);
   base::write_whole_file(folder / "report.html", html_page(report.title, body));
   if (failure) throw base::WorldError(*failure);
 }

@@ -44,6 +44,10 @@ struct Reproduction {
   std::vector<JudgedClaim> claims;
 };
 
+/// ": simple and progressive release, linear relaxation, r_l = 1 and 4, α = 0": the schemes of the rows, as
+/// captions tell them.
+std::string scheme_text(const std::vector<study::SummaryRow>& rows);
+
 /// A claim's charts for one stiffness, none where there is nothing to draw: ratio against velocity with error
 /// bars over the specimens and Broberg's, Freund's and the strip's curves, ratio against tip position of the
 /// first specimen, energies against time.

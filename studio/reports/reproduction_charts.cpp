@@ -1,11 +1,14 @@
 #include "engine/fracture/release.hpp"
+#include "studio/charts/chart_layout.hpp"
 #include "studio/charts/curves.hpp"
 #include "studio/reports/reproduction.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
 namespace rift::studio {
 namespace {
@@ -69,6 +72,15 @@ ChartSeries ratios_of(const std::string& label, const claims::Curve& curve, int 
                    [](const claims::CurvePoint& p) { return mean_point(p.v, p.ratio); });
 }
 
+constexpr std::size_t theories = 3;  // series of chart_of_references()
+
+/// Sequential colours for what stands behind the theories, in its order.
+void shade_from(std::vector<ChartSeries>& series, std::size_t first) {
+  std::vector<ChartSeries> ordered(series.begin() + static_cast<std::ptrdiff_t>(first), series.end());
+  shade_in_order(ordered);
+  std::copy(ordered.begin(), ordered.end(), series.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
 bool against_velocity(Chart& chart, const claims::Claim& claim, const claims::Evidence& evidence) {
   int colour = 0;
   for (const NamedSelection& named : curves_for(claim.name, evidence.elements)) {
@@ -76,7 +88,8 @@ bool against_velocity(Chart& chart, const claims::Claim& claim, const claims::Ev
     if (!curve.empty()) chart.series.push_back(ratios_of(named.label, curve, colour));
     ++colour;
   }
-  return colour > 0 && chart.series.size() > 3;
+  if (claim.name == "fig12" || claim.name == "fig14") shade_from(chart.series, theories);
+  return colour > 0 && chart.series.size() > theories;
 }
 
 /// Rows of a selection and of the first specimen there is, velocities ascending.
@@ -163,6 +176,37 @@ bool fill(Chart& chart, const claims::Claim& claim, const claims::Evidence& evid
   return claim.name == "fig01" || against_velocity(chart, claim, evidence);
 }
 
+/// What a claim's chart shows, for somebody without the paper.
+std::string title_of_chart(const std::string& claim) {
+  static const std::map<std::string, std::string> titles{
+      {"fig01", "Release rate against crack velocity by three theories"},
+      {"fig05", "Energies of the whole test: tension, rest, fracture"},
+      {"fig06", "Simple release: release rate against tip position"},
+      {"fig07", "Simple release: release rate against crack velocity"},
+      {"fig08", "Simple release, undamped and damped, against crack velocity"},
+      {"fig09", "Stiffness of a beam against its distance from the tip"},
+      {"fig10", "Stiffness of a beam against its damage"},
+      {"fig11", "Three relaxations of progressive release against crack velocity"},
+      {"fig12", "Three lengths of the damage zone against crack velocity"},
+      {"fig13", "Progressive release: release rate against tip position"},
+      {"fig14", "Progressive release with three numbers of elements"},
+      {"fig15", "Simple, damped and progressive release against crack velocity"},
+      {"sec2_linear", "Progressive release: fracture energy against tip position"},
+      {"sec3_specimens", "Simple and progressive release, three specimens"},
+      {"sec4_time_step", "Progressive release with three time steps"},
+      {"sec4_longer", "Progressive release in plates of two lengths"},
+      {"sec5_paths", "Progressive release along three crack paths"},
+      {"sec5_residual", "Energy of a beam at its release against crack velocity"}};
+  const auto found = titles.find(claim);
+  return found == titles.end() ? claim : found->second;
+}
+
+std::string listed_numbers(const std::set<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += fmt::format("{}{:g}", text.empty() ? "" : ", ", number);
+  return text;
+}
+
 /// gnuplot's svg takes no hyphen in a name.
 std::string name_with(const std::string& name, const std::string& stiffness) {
   return name + (stiffness == "in-situ" ? "_in_situ" : "_" + stiffness);
@@ -170,21 +214,41 @@ std::string name_with(const std::string& name, const std::string& stiffness) {
 
 }  // namespace
 
+std::string scheme_text(const std::vector<study::SummaryRow>& rows) {
+  std::set<std::string> techniques, relaxations;
+  std::set<double> zones, alphas;
+  for (const study::SummaryRow& row : rows) {
+    if (!row.technique.empty()) techniques.insert(row.technique);
+    if (std::isfinite(row.damping_alpha)) alphas.insert(row.damping_alpha);
+    if (row.technique != "progressive") continue;
+    relaxations.insert(row.relaxation_name);
+    zones.insert(row.damage_zone_ratio);
+  }
+  if (techniques.empty()) return {};
+  std::string text = fmt::format(": {} release", fmt::join(techniques, " and "));
+  if (!relaxations.empty())
+    text += fmt::format(", {} relaxation, r_l = {}", fmt::join(relaxations, ", "), listed_numbers(zones));
+  return text + (alphas.empty() ? "" : ", α = " + listed_numbers(alphas));
+}
+
 std::vector<NamedChart> claim_charts(const claims::Claim& claim, const claims::Evidence& evidence,
                                      const std::string& stiffness) {
   const bool of_theory = claim.name == "fig01" || claim.name == "fig09" || claim.name == "fig10";
   if (of_theory && stiffness != "bulk") return {};
-  Chart chart{.title =
-                  of_theory ? claim.artefact : fmt::format("{}, {} stiffness", claim.artefact, stiffness)};
+  Chart chart{.title = title_of_chart(claim.name)};
   if (!claim.judge || !fill(chart, claim, evidence)) return {};
-  const std::string caption = chart.title;
-  return {{of_theory ? claim.name : name_with(claim.name, stiffness), caption, std::move(chart)}};
+  if (of_theory) return {{claim.name, claim.artefact + " of the paper.", std::move(chart)}};
+  const bool bars = std::any_of(chart.series.begin(), chart.series.end(), has_error);
+  const std::string caption =
+      fmt::format("{} of the paper, {} beams{}{}.", claim.artefact, stiffness, scheme_text(evidence.rows),
+                  bars ? "; means, bars: standard deviation between specimens" : "");
+  return {{name_with(claim.name, stiffness), caption, std::move(chart)}};
 }
 
 std::vector<NamedChart> charts_over_own_speed(const claims::Evidence& evidence, const std::string& stiffness,
                                               double nominal_over_own) {
   Chart chart =
-      chart_of_references(fmt::format("Fig. 15 over the specimen's own Rayleigh speed, {}", stiffness));
+      chart_of_references("Simple and progressive release over the plate's measured Rayleigh speed");
   chart.x_label = "crack velocity over the measured Rayleigh speed v / c_R [-]";
   chart.x_range = {0.0, std::max(1.05, 1.02 * nominal_over_own)};
   int colour = 0;
@@ -193,12 +257,13 @@ std::vector<NamedChart> charts_over_own_speed(const claims::Evidence& evidence, 
     for (double& x : series.x) x *= nominal_over_own;
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
-  if (chart.series.size() == 3) return {};
-  return {{name_with("fig15_own_speed", stiffness),
-           fmt::format("The same ratios against the velocity over the Rayleigh speed measured along the edge "
-                       "of this plate: the nominal 1.0 c_R is {:.3f} of it.",
-                       nominal_over_own),
-           std::move(chart)}};
+  if (chart.series.size() == theories) return {};
+  return {
+      {name_with("fig15_own_speed", stiffness),
+       fmt::format("Fig. 15 of the paper, {} beams, against the velocity over the Rayleigh speed that this "
+                   "plate shows along its edge: 1.0 c_R of the other charts is {:.3f} of it{}.",
+                   stiffness, nominal_over_own, scheme_text(evidence.rows)),
+       std::move(chart)}};
 }
 
 }  // namespace rift::studio

@@ -213,7 +213,7 @@ NamedChart growth_chart(const stability::GrowthCurve& curve) {
                       "element is {:.4f} of it; Lanczos iteration gives {:.6f}.",
                       farthest, curve.element_bound, curve.iterated),
           Chart{.title = "Stability limit of explicit integration",
-                .x_label = "time step [2/{/Symbol w}_{max}]",
+                .x_label = "time step [2/ω_{max}]",
                 .y_label = "growth of the highest mode [ln per step]",
                 .series = {{.label = "theory, arcosh(2 x^2 - 1)", .x = curve.step, .y = curve.expected},
                            {.label = "measured",
@@ -240,7 +240,7 @@ ChartSeries residuals(const std::vector<stability::StabilityRow>& rows, const ch
 
 NamedChart residual_chart(const std::vector<stability::StabilityRow>& rows) {
   Chart chart{.title = "Balance error of stiff and extreme cases",
-              .x_label = "case",
+              .x_label = "case, in the order of the table",
               .y_label = "largest balance error [-]",
               .log_y = true,
               .series = {residuals(rows, "double", 0, &stability::StabilityRow::in_double),
@@ -268,8 +268,9 @@ void write_stability_report(const StabilityReport& report, const std::filesystem
   Table said{{"case", "", "message"}, {}};
   for (const stability::StabilityRow& row : report.rows)
     if (!row.in_double.said.empty()) said.rows.push_back({row.family, row.name, row.in_double.said});
-  write_report({.title = "Stiff and extreme cases",
-                .opening = {verdict(report) + ". " + made_by("rift stability", report.build)},
+  write_report({.title = "Stiff and extreme cases: what each came to",
+                .made = {report.command, report.build, report.wall_s},
+                .opening = {verdict(report) + "."},
                 .files = {{"summary.json", base::json_text(stability_json(report), 2) + "\n"},
                           {"table.csv", csv_of(report.rows)},
                           {"claims.csv", claims_csv(report.rows)}},

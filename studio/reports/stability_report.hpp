@@ -17,6 +17,7 @@ struct StabilityReport {
   std::optional<stability::GrowthCurve> growth;  // with a report only
   simulation::BuildInfo build;
   double wall_s = 0;
+  std::string command = "rift stability";
 };
 
 /// Both tables, and how many cases are as expected.

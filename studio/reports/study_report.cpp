@@ -3,25 +3,27 @@
 #include "engine/base/csv.hpp"
 #include "engine/base/numbers.hpp"
 #include "engine/base/text.hpp"
-#include "engine/base/world_error.hpp"
+#include "engine/scene/scenarios.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/store.hpp"
-#include "studio/charts/chart_script.hpp"
-#include "studio/charts/curves.hpp"
 #include "studio/reports/report.hpp"
+#include "studio/reports/study_charts.hpp"
+#include "studio/reports/work_precision.hpp"
 #include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* ratio_along_window = "G_ID/G_I0 ± along the window";
+constexpr const char* to_broberg = "difference to Broberg";
 
 void add_axes(std::vector<std::string>& cells, const study::AxisTexts& axes) {
   for (const auto& [name, text] : axes) cells.push_back(text);
@@ -48,57 +50,27 @@ std::string field_of(const Json& value) {
   return base::csv_field(text);
 }
 
-/// Rows that differ at most in the axes left out, and what they have in common.
-struct RowFamily {
-  study::AxisTexts axes;
-  std::vector<study::SummaryRow> rows;
-};
-
-/// Rows by the axes other than `without`, families and rows in the order of the study.
-std::vector<RowFamily> families(const study::StudyRows& rows, const std::vector<std::string>& without) {
-  std::vector<RowFamily> found;
-  for (const auto& row : rows) {
-    if (!row) continue;
-    study::AxisTexts axes = row->axes;
-    std::erase_if(axes, [&](const auto& axis) {
-      return std::find(without.begin(), without.end(), axis.first) != without.end();
-    });
-    const auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.axes == axes; });
-    (same == found.end() ? found.emplace_back(RowFamily{axes, {}}) : *same).rows.push_back(*row);
-  }
-  return found;
-}
-
-/// Mean of a number of the rows and its standard deviation (n - 1), NaN of fewer than two; what is undefined
-/// does not count.
-struct MeanScatter {
-  double mean, scatter;
-  int count;
-};
-MeanScatter mean_of(const std::vector<study::SummaryRow>& rows, double study::SummaryRow::*number) {
-  std::vector<double> values;
-  for (const study::SummaryRow& row : rows)
-    if (!std::isnan(row.*number)) values.push_back(row.*number);
-  return {base::mean_of(values), base::deviation_of(values), static_cast<int>(values.size())};
-}
-
 }  // namespace
 
 Table scenario_table(const study::StudyRows& rows) {
   Table table;
+  const bool converged = std::any_of(
+      rows.begin(), rows.end(), [](const auto& row) { return row && std::isfinite(row->error_converged); });
   for (const auto& row : rows) {
     if (!row) continue;
     if (table.head.empty()) {
       table.head = head_of(row->axes);
-      for (const char* name : {"ratio", "broberg", "error_broberg", "wall_fracture_s", "outcome"})
-        table.head.emplace_back(name);
+      for (const char* name : {ratio_along_window, "Broberg", to_broberg}) table.head.emplace_back(name);
+      if (converged) table.head.emplace_back("error");
+      for (const char* name : {"run time [s]", "outcome"}) table.head.emplace_back(name);
     }
     std::vector<std::string> cells;
     add_axes(cells, row->axes);
     cells.push_back(scatter_cell(row->ratio, row->ratio_scatter));
     cells.push_back(number_cell(row->broberg, "{:.3f}"));
     cells.push_back(number_cell(row->error_broberg, "{:+.3f}"));
-    cells.push_back(number_cell(row->wall_fracture_s, "{:.2f}"));
+    if (converged) cells.push_back(number_cell(row->error_converged, "{:+.4f}"));
+    cells.push_back(number_cell(run_time(*row), "{:.3g}"));
     cells.push_back(row->outcome);
     table.rows.push_back(std::move(cells));
   }
@@ -111,17 +83,20 @@ Table seed_table(const study::StudyRows& rows) {
   if (std::none_of(found.begin(), found.end(), [](const RowFamily& f) { return f.rows.size() > 1; }))
     return table;
   table.head = head_of(found.front().axes);
-  for (const char* name : {"seeds", "ratio", "broberg", "error_broberg", "wall_fracture_s"})
+  for (const char* name :
+       {"specimens", "G_ID/G_I0 ± between specimens", "Broberg", to_broberg, "run time [s]"})
     table.head.emplace_back(name);
   for (const RowFamily& family : found) {
-    const MeanScatter ratio = mean_of(family.rows, &study::SummaryRow::ratio);
+    const MeanScatter ratio = mean_over(family.rows, &study::SummaryRow::ratio);
+    std::vector<double> times;
+    for (const study::SummaryRow& row : family.rows) times.push_back(run_time(row));
     std::vector<std::string> cells;
     add_axes(cells, family.axes);
     cells.push_back(std::to_string(ratio.count));
     cells.push_back(scatter_cell(ratio.mean, ratio.scatter));
-    cells.push_back(number_cell(mean_of(family.rows, &study::SummaryRow::broberg).mean, "{:.3f}"));
-    cells.push_back(number_cell(mean_of(family.rows, &study::SummaryRow::error_broberg).mean, "{:+.3f}"));
-    cells.push_back(number_cell(mean_of(family.rows, &study::SummaryRow::wall_fracture_s).mean, "{:.2f}"));
+    cells.push_back(number_cell(mean_over(family.rows, &study::SummaryRow::broberg).mean, "{:.3f}"));
+    cells.push_back(number_cell(mean_over(family.rows, &study::SummaryRow::error_broberg).mean, "{:+.3f}"));
+    cells.push_back(number_cell(base::mean_of(times), "{:.3g}"));
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -168,128 +143,6 @@ std::string study_csv(const Json& rows) {
 
 namespace {
 
-constexpr std::size_t most_families = 12, most_curves = 6;  // in a chart against velocity, against position
-
-/// How an axis' value reads in a label; others speak for themselves: "progressive", "0.5 c_r".
-std::string part_of_label(const std::string& name, const std::string& text) {
-  const std::string value = escape_label(text);
-  if (name == "damage_zone_ratio") return "r_l = " + value;
-  if (name == "damping_alpha") return "α = " + value;
-  if (name == "beta") return "β = " + value;
-  if (name == "dt_fraction") return "dt = " + value + " dt_c";
-  if (name == "seed") return "seed " + value;
-  if (name == "elements" || name == "layers" || name == "samples") return value + " " + name;
-  if (name == "relaxation" && text.find_first_not_of("0123456789.") == std::string::npos)
-    return "p = " + value;
-  return name == "crack_velocity" ? text : value;
-}
-
-/// What sets a scenario or a family apart: "progressive, linear, r_l = 1, seed 2".
-std::string axes_label(const study::AxisTexts& axes) {
-  std::string label;
-  for (const auto& [name, text] : axes)
-    if (text != "-") label += (label.empty() ? "" : ", ") + part_of_label(name, text);
-  return label.empty() ? "rift" : label;
-}
-
-/// "name", "name_2", ... for charts that share what is too much for one.
-std::string numbered(const std::string& name, std::size_t k) {
-  return k == 0 ? name : fmt::format("{}_{}", name, k + 1);
-}
-
-/// Mean over the rows of one velocity, velocities ascending; no bar where there is one row only.
-ChartSeries against_velocity(const RowFamily& family, int colour) {
-  std::map<double, std::vector<study::SummaryRow>> by_velocity;
-  for (const study::SummaryRow& row : family.rows)
-    if (!std::isnan(row.crack_velocity_over_cr)) by_velocity[row.crack_velocity_over_cr].push_back(row);
-  return series_of(axes_label(family.axes), ChartSeries::Style::line_points, colour, by_velocity,
-                   [](const auto& at) {
-                     const MeanScatter ratio = mean_of(at.second, &study::SummaryRow::ratio);
-                     return ChartPoint{at.first, ratio.mean, ratio.scatter};
-                   });
-}
-
-bool has_points(const ChartSeries& series) {
-  return std::any_of(series.y.begin(), series.y.end(), [](double y) { return std::isfinite(y); });
-}
-
-ChartSeries against_tip(const study::SummaryRow& row, const std::filesystem::path& csv, int colour) {
-  const study::SeriesTable table = study::read_series(csv);
-  if (table.empty()) throw base::WorldError("read", csv, "it holds no series");
-  ChartSeries series{
-      .label = axes_label(row.axes), .x = table.at("tip_m"), .y = table.at("ratio"), .colour = colour};
-  for (double& x : series.x) x *= 1e3;
-  return series;
-}
-
-/// Tip position at which the first boundary reflection arrives [mm]; NaN where it is not known.
-double echo_free_mm(const study::SummaryRow& row) { return 1e3 * row.echo_free_over_length * row.length_m; }
-
-/// Ratio against crack velocity beside Broberg, Freund and the strip, mean over seeds with their scatter as
-/// bars; none where the study does not vary the velocity. At most 12 series a chart.
-std::vector<NamedChart> velocity_charts(const study::StudyRows& rows) {
-  std::vector<NamedChart> charts;
-  std::vector<ChartSeries> measured;
-  for (const RowFamily& family : families(rows, {"crack_velocity", "seed"})) {
-    const study::AxisTexts& axes = family.rows.front().axes;
-    if (std::none_of(axes.begin(), axes.end(), [](const auto& a) { return a.first == "crack_velocity"; }))
-      return charts;
-    measured.push_back(against_velocity(family, static_cast<int>(measured.size() % most_families)));
-  }
-  std::erase_if(measured, [](const ChartSeries& series) { return !has_points(series); });
-  const auto first = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
-  for (std::size_t from = 0; from < measured.size(); from += most_families) {
-    Chart chart{.title = "Release rate against crack velocity",
-                .x_label = "crack velocity [c_R]",
-                .y_label = "G_{ID} / G_{I0} [-]",
-                .x_range = {.min = 0.0},
-                .y_range = {.min = 0.0}};
-    const auto to = std::min(measured.size(), from + most_families);
-    chart.series.assign(measured.begin() + static_cast<std::ptrdiff_t>(from),
-                        measured.begin() + static_cast<std::ptrdiff_t>(to));
-    for (ChartSeries& reference :
-         theory_curves((*first)->poisson_ratio,
-                       (*first)->plane == "stress" ? theory::Plane::stress : theory::Plane::strain))
-      chart.series.push_back(std::move(reference));
-    charts.push_back(
-        {numbered("ratio_velocity", charts.size()),
-         "Release rate in the window against crack velocity; bars: standard deviation over seeds.",
-         std::move(chart)});
-  }
-  return charts;
-}
-
-/// Ratio against tip position of each scenario. @param series  their files, by row of the study
-std::vector<NamedChart> tip_charts(const study::StudyRows& rows,
-                                   const std::vector<std::filesystem::path>& series) {
-  std::vector<Chart> charts;
-  std::vector<ChartSeries> echo;  // of each chart
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (!rows[k]) continue;
-    if (charts.empty() || charts.back().series.size() == most_curves) {
-      charts.push_back({.title = "Release rate against tip position",
-                        .x_label = "tip position [mm]",
-                        .y_label = "G_{ID} / G_{I0} [-]"});
-      echo.push_back(echo_marks());
-    }
-    std::vector<ChartSeries>& drawn = charts.back().series;
-    ChartSeries curve = against_tip(*rows[k], series[k], static_cast<int>(drawn.size()));
-    if (!has_points(curve)) continue;
-    mark_echo(echo.back(), curve, echo_free_mm(*rows[k]));
-    drawn.push_back(std::move(curve));
-  }
-  std::vector<NamedChart> named;
-  for (std::size_t k = 0; k < charts.size(); ++k) {
-    if (charts[k].series.empty()) continue;
-    if (!echo[k].x.empty()) charts[k].series.push_back(echo[k]);
-    named.push_back(
-        {numbered("ratio_tip", k),
-         "Release rate against tip position, damping included; up to the mark free of boundary reflections.",
-         std::move(charts[k])});
-  }
-  return named;
-}
-
 std::vector<fs::path> series_files(const scene::Preset& preset, const simulation::BuildInfo& build,
                                    const fs::path& folder) {
   std::vector<fs::path> files;
@@ -303,28 +156,58 @@ std::string timings(const study::StudyResult& result) {
   double marching = 0.0;
   std::size_t there = 0;
   for (const auto& row : result.rows)
-    if (row) marching += row->wall_fracture_s, ++there;
+    if (row) marching += study::marching_time(*row), ++there;
   return fmt::format(
-      "{} of {} scenarios; the cracks took {} in all, the last call {} ({} computed, {} reused).", there,
+      "{} of {} scenarios; marching took {} in all; the last call took {} ({} computed, {} reused).", there,
       result.rows.size(), duration_text(marching), duration_text(result.wall_s), result.computed,
       result.found);
 }
 
+/// The axes' columns by their names in words, those without a second value left out: they are among the fixed
+/// parameters.
+Table in_words(const Table& table, const study::StudyRows& rows) {
+  const std::vector<std::string> varied = varied_axes(rows);
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < table.head.size(); ++k) {
+    const bool axis = scene::find_axis(table.head[k]) != nullptr;
+    if (!axis || std::find(varied.begin(), varied.end(), table.head[k]) != varied.end()) kept.push_back(k);
+  }
+  Table out{{}, {}};
+  for (const std::size_t k : kept) out.head.push_back(axis_in_words(table.head[k]));
+  for (const auto& row : table.rows) {
+    std::vector<std::string>& cells = out.rows.emplace_back();
+    for (const std::size_t k : kept) cells.push_back(row[k]);
+  }
+  return out;
+}
+
+/// What a study varies: "technique (2), v (3), specimen (seed) (2)".
+std::string varied_text(const study::StudyRows& rows) {
+  std::string text;
+  for (const std::string& name : varied_axes(rows))
+    text += fmt::format("{}{} ({} values)", text.empty() ? "" : ", ", axis_in_words(name),
+                        values_of_axis(rows, name).size());
+  return text.empty() ? "One scenario." : "Varied: " + text + ".";
+}
+
 }  // namespace
 
-void write_study_report(const scene::Preset& preset, const simulation::BuildInfo& build,
-                        const study::StudyResult& result, const fs::path& folder) {
+void write_study_report(const scene::Preset& preset, const StudyCall& call, const study::StudyResult& result,
+                        const fs::path& folder) {
+  const WorkPrecision work = work_precision(result.rows);
   std::vector<NamedChart> charts = velocity_charts(result.rows);
-  for (NamedChart& chart : tip_charts(result.rows, series_files(preset, build, folder)))
+  for (NamedChart& chart : tip_charts(result.rows, series_files(preset, call.build, folder)))
     charts.push_back(std::move(chart));
-  Report report{
-      .title = "Study " + fs::path(preset.name).stem().string(),
-      .opening = {fmt::format("Preset {}, rift {} ({}).", preset.name, build.version, build.compiler),
-                  timings(result)}};
-  if (const Table seeds = seed_table(result.rows); !seeds.rows.empty())
-    report.sections.push_back({"Mean and scatter over seeds", seeds});
-  report.sections.push_back({"Scenarios", scenario_table(result.rows)});
-  report.sections.push_back({"Charts", std::move(charts)});
+  Report report{.title = "Release rates of the study " + preset_in_titles(preset.name),
+                .made = {call.command, call.build, call.wall_s},
+                .opening = {varied_text(result.rows), timings(result)},
+                .scenes = study::scenes_of_study(preset)};
+  report.sections.push_back(
+      {work.converged ? "Error against run time" : "Difference to Broberg against run time",
+       work_precision_charts(work), work_precision_text(work)});
+  report.sections.push_back({"Schemes", work_precision_table(work)});
+  report.sections.push_back({"Release rates", std::move(charts)});
+  report.sections.push_back({"Scenarios", in_words(scenario_table(result.rows), result.rows)});
   write_report(report, folder);
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/files.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/simulation/record.hpp"
 #include "studio/reports/report.hpp"
 #include "studio/text/html.hpp"
 
@@ -115,17 +116,26 @@ const std::vector<Lesson>& table() {
   return all;
 }
 
+/// Titles have "0.5 c_r", as presets do; the symbol is c_R.
+std::string with_symbol(std::string title) {
+  if (const auto at = title.find("c_r"); at != std::string::npos) title.replace(at, 3, "c_R");
+  return title;
+}
+
 NamedChart rate_chart(const Live& live) {
-  Chart chart{.x_label = "tip position [mm]", .y_label = "G_{ID} / G_{I0}"};
+  Chart chart{.title = "Release rate against tip position",
+              .x_label = "tip position [mm]",
+              .y_label = "G_{ID} / G_{I0} [-]",
+              .x_range = {.min = 0.0}};
   for (std::size_t k = 0; k < live.lanes.size(); ++k) {
-    // The title's c_r and r_l are written as a chart wants them.
-    ChartSeries series = series_of(live.lanes[k].title, ChartSeries::Style::line, static_cast<int>(k),
-                                   live.lanes[k].rates, [](const results::RatePoint& p) {
+    // The title's c_R and r_l are written as a chart wants them.
+    ChartSeries series = series_of(with_symbol(live.lanes[k].title), ChartSeries::Style::line,
+                                   static_cast<int>(k), live.lanes[k].rates, [](const results::RatePoint& p) {
                                      return ChartPoint{1e3 * p.tip_m, p.ratio};
                                    });
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
-  return {"rates", "Release rate against tip position of the run on the screen.", std::move(chart)};
+  return {"rates", "Of the run on the screen, sample by sample, without any smoothing.", std::move(chart)};
 }
 
 }  // namespace
@@ -161,7 +171,8 @@ Table lesson_table(const Lanes& lanes) {
 
 void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
                    const std::filesystem::path& file) {
-  std::string body;
+  std::string body =
+      html_made({fmt::format("rift studio --lesson {}", lesson.name), {lanes.front().version, {}}, {}});
   for (const std::string_view page : lesson.before) body += html_paragraph(page);
   body += html_section("What the run shows", html_paragraph(lesson.watch));
   std::optional<base::WorldError> no_chart;  // the page says why
@@ -176,8 +187,9 @@ void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
       html_paragraph(fmt::format("{}. {}. {}", answer.right + 1, lesson.choices[answer.right], answer.why)) +
           html_table(lesson_table(lanes)) + curves);
   body += html_section("What follows", html_paragraph(lesson.after));
-  body += html_paragraph(fmt::format("Made by rift studio --lesson {}; the run is that of rift run {}.",
-                                     lesson.name, lesson.preset));
+  const scene::Preset preset = simulation::preset_of_run(file.parent_path());
+  body += html_scenes(preset.lanes.empty() ? std::vector{preset.scene} : preset.lanes);
+  body += html_paragraph(fmt::format("The run is that of rift run {}.", lesson.preset));
   base::write_whole_file(file, html_page(lesson.title, body));
 }
 

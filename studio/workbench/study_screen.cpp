@@ -4,6 +4,7 @@
 #include "engine/base/text.hpp"
 #include "engine/theory/references.hpp"
 #include "studio/reports/study_report.hpp"
+#include "studio/reports/work_precision.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/curves.hpp"
 #include "studio/screen/layouts.hpp"
@@ -84,12 +85,14 @@ void StudyScreen::work() {
   std::string message;
   try {
     base::Cache cache = context_.cache;
-    const study::StudyResult result = study::run_study(
-        preset_, {.folder = folder_, .threads = context_.threads}, cache, context_.build, observer);
+    study::StudyResult result = study::run_study(preset_, {.folder = folder_, .threads = context_.threads},
+                                                 cache, context_.build, observer);
+    result.rows = with_converged_errors(std::move(result.rows));
     if (const std::string csv = study_csv(to_json(result.rows)); !csv.empty())
       base::write_whole_file(folder_ / "table.csv", csv);
     if (result.outcome != simulation::Outcome::stopped)
-      write_study_report(preset_, context_.build, result, folder_);
+      write_study_report(preset_, {"rift studio " + preset_.name, context_.build, result.wall_s}, result,
+                         folder_);
     message = result.outcome == simulation::Outcome::stopped
                   ? "stopped; press u to resume it"
                   : fmt::format("done: {}/report.html", folder_.string());

@@ -23,11 +23,13 @@ TEST(Job, ComesBackFromItsText) {
               .chart = false,
               .boundaries = true,
               .large_text = true,
-              .title = "a \"title\"\nof two lines"};
+              .title = "a \"title\"\nof two lines",
+              .scheme = "linear relaxation, damage zone 1 R, α = 0"};
   const std::string text = to_json(job);
   EXPECT_EQ(text.find('\n'), std::string::npos);
   EXPECT_EQ(to_json(job_from_json(text)), text);
   EXPECT_EQ(job_from_json(text).panes[0].title, "simple release, α = 0");
+  EXPECT_EQ(job_from_json(text).look.scheme, job.look.scheme);
   EXPECT_EQ(job_from_json(text).look.camera, Camera::tip);
   EXPECT_EQ(job_from_json(text).look.range[1], 12.5);
 }

@@ -24,7 +24,7 @@ bool overlap(const Box& a, const Box& b) {
 }
 
 std::vector<Box> boxes_of(const Layout& layout) {
-  std::vector<Box> all{layout.title, layout.colour_bar, layout.scale_bar};
+  std::vector<Box> all{layout.title, layout.colour_bar, layout.scale_bar, layout.beam_bar};
   for (const PaneLayout& pane : layout.panes) all.insert(all.end(), {pane.title, pane.moment, pane.picture});
   all.insert(all.end(), layout.chart.begin(), layout.chart.end());
   if (!layout.chart.empty()) all.push_back(layout.key);

@@ -150,7 +150,12 @@ void add_key(vtkRenderer& overlay, const Box& box, int text_px, const std::vecto
   Sheet sheet;
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const double y = box.y0 + 0.6 * text_px;
-    sheet.add(Box{x, y - 0.1 * text_px, x + line * text_px, y + 0.1 * text_px}, entries[k].colour);
+    const int dashes = entries[k].dashed ? 3 : 1;
+    const double pitch = line * text_px / (dashes - (dashes > 1 ? 0.4 : 0.0));
+    for (int dash = 0; dash < dashes; ++dash)
+      sheet.add(Box{x + dash * pitch, y - 0.1 * text_px, x + dash * pitch + (dashes > 1 ? 0.6 : 1.0) * pitch,
+                    y + 0.1 * text_px},
+                entries[k].colour);
     names[k]->SetPosition(x + (line + gap) * text_px, box.y0);
     names[k]->GetSize(&overlay, size);
     x += size[0] + (line + gap + between) * text_px;

@@ -56,10 +56,11 @@ void add_colour_bar(vtkRenderer& overlay, const Box& box, int text_px, const Fie
 /// A length that is as long as it says.
 void add_scale_bar(vtkRenderer& overlay, const Box& box, int text_px, double metres_per_pixel);
 
-/// A name and the colour of its line.
+/// A name, and the colour of its line, which may be dashed.
 struct KeyEntry {
   std::string name;
   Colour colour;
+  bool dashed = false;
 };
 
 /// The key of a chart's lines, in one row in the middle of its box.

@@ -11,17 +11,17 @@
 namespace rift::viz {
 namespace {
 
-/// Whole beams are slate, softening ones run from yellow to red as they lose their stiffness, broken ones are
-/// pale.
-vtkNew<vtkLookupTable> factor_colours() {
+/// Whole beams are slate, softening ones have the colour of what they have lost.
+vtkNew<vtkLookupTable> factor_colours(const ColourMap& lost, bool to_the_end) {
   vtkNew<vtkLookupTable> table;
   constexpr int colours = 256;
   table->SetNumberOfTableValues(colours);
   for (int k = 1; k < colours - 1; ++k) {
-    const double lost = 1 - k / (colours - 1.0);
-    table->SetTableValue(k, 1.0 - 0.2 * lost, 0.78 * (1 - lost), 0.05, 1);
+    const Colour c = colour_at(lost, 1 - k / (colours - 1.0));
+    table->SetTableValue(k, c[0], c[1], c[2], 1);
   }
-  table->SetTableValue(0, 0.80, 0.82, 0.85, 1);
+  const Colour broken = to_the_end ? colour_at(lost, 1) : Colour{0.80, 0.82, 0.85};
+  table->SetTableValue(0, broken[0], broken[1], broken[2], 1);
   table->SetTableValue(colours - 1, 0.24, 0.30, 0.38, 1);
   table->SetTableRange(0, 1);
   return table;
@@ -29,7 +29,19 @@ vtkNew<vtkLookupTable> factor_colours() {
 
 }  // namespace
 
-BeamLines::BeamLines(const results::Geometry& geometry, Beams which, double pixels) : geometry_(geometry) {
+const ColourMap& softening() {
+  static const ColourMap map{"softening", Scale::sequential, "", {0xffc70d, 0xcc000d}};
+  return map;
+}
+
+const Field& beam_damage() {
+  static const Field field{"beams", "beams: stiffness lost", "1", 1, Scale::sequential, "damage"};
+  return field;
+}
+
+BeamLines::BeamLines(const results::Geometry& geometry, Beams which, double pixels, const ColourMap& lost,
+                     bool to_the_end)
+    : geometry_(geometry) {
   std::vector<std::int32_t> place(geometry.beam.size(), -1);
   for (std::size_t k = 0; k < geometry.crossing.size(); ++k)
     place[geometry.crossing[k]] = static_cast<std::int32_t>(k);
@@ -50,7 +62,7 @@ BeamLines::BeamLines(const results::Geometry& geometry, Beams which, double pixe
 
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(lines_);
-  mapper->SetLookupTable(factor_colours());
+  mapper->SetLookupTable(factor_colours(lost, to_the_end));
   mapper->UseLookupTableScalarRangeOn();
   actor_->SetMapper(mapper);
   actor_->GetProperty()->SetLineWidth(static_cast<float>(pixels));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/results/schema.hpp"
+#include "viz/field.hpp"
 #include "viz/job.hpp"
 
 #include <vtkActor.h>
@@ -16,11 +17,19 @@ class vtkLookupTable;
 
 namespace rift::viz {
 
+/// Yellow to red: the colours of the stiffness that a beam has lost, where no field shows damage; and what
+/// their bar says.
+const ColourMap& softening();
+const Field& beam_damage();
+
 /// Beams as lines, coloured by their factor: softening ones stand out, broken ones are a faint trace.
 class BeamLines {
  public:
   /// @param which  crossing or all;  @param pixels  width of a line
-  BeamLines(const results::Geometry& geometry, Beams which, double pixels);
+  /// @param lost  colours of the stiffness lost;  @param to_the_end  a broken beam has the last of them, not
+  /// the pale one
+  BeamLines(const results::Geometry& geometry, Beams which, double pixels, const ColourMap& lost,
+            bool to_the_end);
 
   /// @param factor  of each crossing beam; empty: all are whole
   void show(std::span<const std::array<float, 3>> displacement, std::span<const float> factor,

@@ -7,6 +7,7 @@
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkFloatArray.h>
+#include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderer.h>
 #include <vtkTable.h>
@@ -23,12 +24,14 @@ struct Entry {
   const char* name;
   double results::Sample::*energy;
   std::array<unsigned char, 3> colour;
+  int line = vtkPen::SOLID_LINE;  // kinetic and fracture are near to one another for the colour-blind
 };
-constexpr Entry entries[] = {{"elastic", &results::Sample::elastic_j, {0, 114, 178}},
-                             {"kinetic", &results::Sample::kinetic_translation_j, {230, 159, 0}},
-                             {"fracture", &results::Sample::fracture_j, {213, 94, 0}},
-                             {"damping", &results::Sample::damping_j, {0, 158, 115}},
-                             {"contact", &results::Sample::contact_j, {204, 121, 167}}};
+constexpr Entry entries[] = {
+    {"elastic", &results::Sample::elastic_j, {0, 114, 178}},
+    {"kinetic", &results::Sample::kinetic_translation_j, {230, 159, 0}, vtkPen::DASH_LINE},
+    {"fracture", &results::Sample::fracture_j, {213, 94, 0}},
+    {"damping", &results::Sample::damping_j, {0, 158, 115}, vtkPen::DASH_DOT_LINE},
+    {"contact", &results::Sample::contact_j, {204, 121, 167}, vtkPen::DOT_LINE}};
 constexpr double microsecond = 1e-6;
 
 std::vector<Entry> shown(const BudgetLines& lines) {
@@ -76,7 +79,9 @@ BudgetLines budget_lines(std::span<const results::Sample> samples) {
 std::vector<KeyEntry> budget_key(const BudgetLines& lines) {
   std::vector<KeyEntry> key;
   for (const Entry& entry : shown(lines))
-    key.push_back({entry.name, {entry.colour[0] / 255.0, entry.colour[1] / 255.0, entry.colour[2] / 255.0}});
+    key.push_back({entry.name,
+                   {entry.colour[0] / 255.0, entry.colour[1] / 255.0, entry.colour[2] / 255.0},
+                   entry.line != vtkPen::SOLID_LINE});
   return key;
 }
 
@@ -88,8 +93,7 @@ BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, dou
   style(*chart_->GetAxis(vtkAxis::BOTTOM), text_px,
         box.width() > 24 * text_px ? "time since the crack's start [µs]" : "time [µs]", 0,
         lasts_s / microsecond);
-  style(*chart_->GetAxis(vtkAxis::LEFT), text_px, box.height() > 9 * text_px ? "energy [J]" : "[J]", 0,
-        1.05 * most_j);
+  style(*chart_->GetAxis(vtkAxis::LEFT), text_px, "energy [J]", 0, 1.05 * most_j);
   for (const Entry& entry : shown(lines)) {
     vtkNew<vtkFloatArray> column;
     column->SetName(entry.name);
@@ -99,6 +103,7 @@ BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, dou
     line->SetInputData(table_, 0, static_cast<vtkIdType>(energy_.size()));
     line->SetColor(entry.colour[0], entry.colour[1], entry.colour[2], 255);
     line->SetWidth(static_cast<float>(0.16 * text_px));
+    line->GetPen()->SetLineType(entry.line);
   }
   chart_->SetAutoSize(false);
   chart_->SetSize(vtkRectf(0, 0, static_cast<float>(box.width()), static_cast<float>(box.height())));

@@ -35,7 +35,8 @@ std::array<float, 3> magnification_of(const Look& look) {
   return look.camera == Camera::side ? std::array{1.0F, 1.0F, m} : std::array{m, m, m};
 }
 
-constexpr const char* widest_caption = "t = 0000.0 µs   tip 000.0 mm   0000 m/s = 0.00 c_R   (end)";
+constexpr const char* widest_caption =
+    "t = 0000.0 µs   tip 000.0 mm   0000 m/s = 0.00 × Rayleigh speed   (end)";
 
 void place(vtkRenderer& renderer, const Box& box, const Job& job) {
   renderer.SetViewport(box.x0 / job.width, box.y0 / job.height, box.x1 / job.width, box.y1 / job.height);
@@ -57,7 +58,12 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
         &spheres_.emplace(geometry, elements_shown(look_, geometry), sphere_scale(look_), colours).actor());
   if (look_.beams != Beams::none) {
     const double pixels = std::max(1.5, 0.35 * geometry.radius.front() / metres_per_pixel);
-    renderer_->AddActor(&beams_.emplace(geometry, look_.beams, pixels).actor());
+    const ColourMap& field_colours = find_colour_map(look_.colours) != nullptr
+                                         ? *find_colour_map(look_.colours)
+                                         : colour_map_of(*find_field(look_.field));
+    const bool same = look_.field == "damage";  // one quantity has one code of colours
+    renderer_->AddActor(
+        &beams_.emplace(geometry, look_.beams, pixels, same ? field_colours : softening(), same).actor());
   }
   const int text = layout.text_px;
   title_ = text_at(place_.title.x0, place_.title.y0 + 0.2 * text, text, Align::left,
@@ -134,7 +140,8 @@ std::string PaneView::caption(const Moment& moment) const {
   std::string text =
       fmt::format("t = {:.1f} µs   tip {:.1f} mm", moment.since_start_s * 1e6, moment.tip_m * 1e3);
   if (rayleigh > 0)
-    text += fmt::format("   {:.0f} m/s = {:.2f} c_R", moment.velocity_m_s, moment.velocity_m_s / rayleigh);
+    text += fmt::format("   {:.0f} m/s = {:.2f} × Rayleigh speed", moment.velocity_m_s,
+                        moment.velocity_m_s / rayleigh);
   return moment.is_last ? text + "   (end)" : text;
 }
 

@@ -1,5 +1,7 @@
 #include "viz/draw/picture.hpp"
 
+#include "viz/draw/beam_lines.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
@@ -68,10 +70,17 @@ void Picture::add_panes() {
                   window_of(job_.look, box, plate_, {0, 0}).height / box.height());
   }
   add_colour_bar(*overlay_, layout_.colour_bar, layout_.text_px, field, map, job_.look.range);
+  if (job_.look.beams != Beams::none && field.name != "damage")
+    add_colour_bar(*overlay_, layout_.beam_bar, layout_.text_px, beam_damage(), softening(), {0, 1});
   const auto title = text_at(layout_.title.x0, layout_.title.y0, static_cast<int>(1.35 * layout_.text_px),
                              Align::left, job_.look.title, true);
   overlay_->AddActor2D(title);
-  fit(*title, *overlay_, layout_.title.width());
+  const double share = job_.look.scheme.empty() ? 1.0 : 0.55;  // of the line; the scheme has the rest
+  fit(*title, *overlay_, share * layout_.title.width());
+  const auto scheme = text_at(layout_.title.x1, layout_.title.y0 + 0.2 * layout_.text_px, layout_.text_px,
+                              Align::right, job_.look.scheme);
+  overlay_->AddActor2D(scheme);
+  fit(*scheme, *overlay_, (0.98 - share) * layout_.title.width());
 }
 
 void Picture::add_charts() {

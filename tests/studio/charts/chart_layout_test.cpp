@@ -1,6 +1,7 @@
 #include "studio/charts/chart_layout.hpp"
 
 #include "studio/charts/chart_script.hpp"
+#include "studio/charts/text_width.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ TEST(Label, OfDataIsShownLetterByLetter) {
 TEST(ChartData, NamesEachSeriesOnce) {
   Chart chart;
   for (const char* label : {"a", "a", "", "x, \"y\""}) chart.series.push_back({label, {1}, {2}, {}, {}, 0});
-  EXPECT_EQ(series_names(chart), (std::vector<std::string>{"a", "a (2)", "series 3", "x; 'y'"}));
+  EXPECT_EQ(series_names(chart.series), (std::vector<std::string>{"a", "a (2)", "series 3", "x; 'y'"}));
 }
 
 TEST(ChartLook, TellsThirtySeriesApart) {
@@ -35,24 +36,81 @@ TEST(ChartLook, TellsThirtySeriesApart) {
   EXPECT_NE(series_look(-1, 0).dash, series_look(-1, 1).dash);
 }
 
-TEST(KeyPlace, IsOutsideTheAxes) {
-  Chart chart;
-  chart.series = {{"rising", {0, 1}, {0, 1}, {}, ChartSeries::Style::line, 0}};
-  EXPECT_EQ(key_place(chart), KeyPlace::right);
-  EXPECT_NE(key_lines(chart).find("set rmargin at screen"), std::string::npos);
-  chart.series[0].label = std::string(60, 'x');
-  EXPECT_EQ(key_place(chart), KeyPlace::below);
-  EXPECT_NE(key_lines(chart).find("set key outside below"), std::string::npos);
-  chart.series[0].label.clear();
-  EXPECT_EQ(key_place(chart), KeyPlace::none);
+TEST(ChartLook, OrderedSeriesHaveSequentialColoursAndSolidLines) {
+  std::vector<ChartSeries> series(3);
+  shade_in_order(series);
+  EXPECT_EQ(look_of(series[0], 0).colour, "#440154");
+  EXPECT_EQ(look_of(series[1], 0).colour, "#2a788e");
+  EXPECT_EQ(look_of(series[2], 0).colour, "#7ad151");
+  for (ChartSeries& s : series) EXPECT_EQ(look_of(s, 0).dash, 1);
 }
 
-TEST(KeyPlace, MakesRoomForManySeries) {
+TEST(LabelString, KeepsTheBlankBehindASubscript) {
+  EXPECT_EQ(label_string("G_{ID} / c_R [-]"), "'G_{ID}\u2060 / c_R\u2060 [-]'");
+  EXPECT_EQ(label_string(escape_label("run_a b")), "'run\\_a b'");
+}
+
+TEST(TextWidth, IsThatOfTheFontAndCountsNoMarkup) {
+  EXPECT_NEAR(text_px("20000 elements", 14), 14e-3 * 8142, 1e-9);  // DejaVu Sans
+  EXPECT_EQ(text_px("G_{ID}", 14), text_px("G_ID", 14));
+  EXPECT_GT(text_px("ω", 14), text_px("i", 14));
+}
+
+TEST(WrappedLabel, BreaksAfterCommasAndLosesNothing) {
+  const std::vector<std::string> lines = wrapped_label("progressive, square-root, r_l = 1", 170, 12);
+  EXPECT_EQ(lines, (std::vector<std::string>{"progressive, square-root,", "r_l = 1"}));
+  EXPECT_EQ(wrapped_label("indivisible", 10, 12), std::vector<std::string>{"indivisible"});
+}
+
+Chart chart_of(std::size_t series, const std::string& label) {
   Chart chart;
-  chart.series = {{"one", {0, 1}, {0, 1}, {}, ChartSeries::Style::line, 0}};
-  const int height = picture_height(chart);
-  chart.series.assign(30, chart.series[0]);
-  EXPECT_GT(picture_height(chart), height);
+  for (std::size_t k = 0; k < series; ++k)
+    chart.series.push_back({label + std::to_string(k), {0, 1}, {0, 1}, {}, ChartSeries::Style::line, 0});
+  return chart;
+}
+
+TEST(KeyLayout, IsBesideThePlotWhereItFitsAndElseBelow) {
+  EXPECT_EQ(key_layout(chart_of(1, "rising")).place, KeyPlace::right);
+  EXPECT_EQ(key_layout(chart_of(1, std::string(60, 'x'))).place, KeyPlace::below);
+  EXPECT_EQ(key_layout(chart_of(28, "rising")).place, KeyPlace::below);
+  EXPECT_EQ(key_layout(chart_of(0, "")).place, KeyPlace::none);
+}
+
+// A key of many long labels once left sixty pixels to the plot.
+TEST(PlotArea, HasItsLeastSizeWhateverTheKeyHolds) {
+  for (const std::size_t series : {1U, 7U, 14U, 28U})
+    for (const char* label :
+         {"v", "square root, r_l = 1", "progressive, square-root, r_l = 4, α = 0.02, 0.5 c_R"}) {
+      const Chart chart = chart_of(series, label);
+      const PlotArea area = plot_area(chart);
+      const KeyLayout key = key_layout(chart);
+      EXPECT_GE(area.width(), least_plot_width) << series << label;
+      EXPECT_GE(area.height(), least_plot_height) << series << label;
+      EXPECT_GE(static_cast<std::size_t>(key.rows * key.columns), series);
+      EXPECT_LE(key.place == KeyPlace::right ? area.right + key.width_px() : area.left + key.width_px(),
+                chart_width)
+          << series << label;
+      EXPECT_GE(key.place == KeyPlace::below ? area.bottom : 1e9, key.height_px());
+    }
+}
+
+TEST(GridLayout, PanelsAreApartAndWithinThePicture) {
+  ChartGrid grid;
+  for (int k = 0; k < 7; ++k)
+    grid.panels.push_back({"progressive, square-root, r_l = " + std::to_string(k), chart_of(3, "v").series});
+  const GridLayout layout = grid_layout(grid);
+  ASSERT_EQ(layout.panels.size(), 7U);
+  EXPECT_EQ(key_entries(grid).size(), 3U);  // each label once
+  for (const PlotArea& a : layout.panels) {
+    EXPECT_GE(a.width(), 230);
+    EXPECT_GE(a.height(), 190);
+    EXPECT_LE(a.right, chart_width);
+    EXPECT_LE(a.top, layout.height);
+    for (const PlotArea& b : layout.panels) {
+      if (&a == &b) continue;
+      EXPECT_TRUE(a.right < b.left || b.right < a.left || a.top < b.bottom || b.top < a.bottom);
+    }
+  }
 }
 
 TEST(ChartSeries, KeepsBarsBesideTheirPoints) {

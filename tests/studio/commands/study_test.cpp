@@ -40,16 +40,19 @@ TEST(StudyCommand, LeavesTableChartsAndReport) {
   const TinyStudy plate;
   const Ran ran = plate.study();
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* name : {"ratio", "broberg", "error_broberg", "wall_fracture_s", "simple",
-                           "mean ± scatter between specimens", "8 computed, 0 reused"})
+  for (const char* name :
+       {"G_ID/G_I0 ± along the window", "difference to Broberg", "run time [s]", "simple",
+        "mean ± scatter between specimens", "G_ID/G_I0 ± between specimens", "8 computed, 0 reused"})
     EXPECT_TRUE(contains(ran.out, name));
   EXPECT_TRUE(contains(ran.err, "[8/8]"));
   EXPECT_EQ(table_in(plate.out()).size(), 8U);
   for (const char* file : {"study.json", "charts/ratio_velocity.svg", "charts/ratio_velocity.png",
-                           "charts/ratio_tip.csv", "charts/ratio_tip.gp"})
+                           "charts/ratio_tip.csv", "charts/ratio_tip.gp", "charts/work_precision.svg"})
     EXPECT_GT(fs::file_size(plate.out() / file), 100U) << file;
   const std::string report = read_text(plate.out() / "report.html");
-  for (const char* part : {"<svg", "Broberg", "Mean and scatter over seeds", "wall_fracture_s"})
+  for (const char* part :
+       {"<svg", "Difference to Broberg against run time", "This study holds no converged reference",
+        "± between specimens", "Fixed parameters", "specimen.height", "Left out", "CPU", "rift study "})
     EXPECT_TRUE(contains(report, part));
   EXPECT_EQ(report.find("src="), std::string::npos);  // self-contained
   const Ran again = plate.study();
@@ -103,7 +106,7 @@ TEST(StudyCommand, CommandsOfRunsSayOfAStudyWhatItIs) {
   ASSERT_EQ(plate.study("--quiet").exit_code, 0);
   const std::string folder = "'" + plate.out().string() + "'";
   for (const std::string& command : {"export " + folder + " --to csv", "verify " + folder, "resume " + folder,
-                                    "measure " + folder, "watch " + folder})
+                                     "measure " + folder, "watch " + folder})
     if (const Ran ran = run_rift(command, plate.environment()); !contains(ran.err, "built without")) {
       EXPECT_EQ(ran.exit_code, 2) << command;
       EXPECT_TRUE(contains(ran.err, plate.out().string() + ": holds a study, not a run: ")) << ran.err;

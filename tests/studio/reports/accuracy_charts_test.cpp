@@ -50,12 +50,17 @@ TEST(AccuracyCharts, LeaveOutAnErrorOfZeroAndSaySo) {
   }
 }
 
-TEST(AccuracyCharts, DrawTheGoalAndTheScatterBesideWorkAndPrecision) {
+TEST(AccuracyCharts, DrawTheFrontTheGoalAndTheScatterBesideWorkAndPrecision) {
   const auto chart = std::get<Chart>(chart_of(accuracy_charts({}, steps(), 0.01), "work_precision").chart);
   std::vector<std::string> labels;
   for (const ChartSeries& series : chart.series) labels.push_back(series.label);
-  EXPECT_EQ(labels, (std::vector<std::string>{"time step, double", "the scene unchanged", "goal 0.01",
-                                              "scatter of specimens"}));
+  EXPECT_EQ(labels,
+            (std::vector<std::string>{"time step, double", "the scene unchanged", "efficient front",
+                                      "recommended: as it is", "goal 0.01", "scatter between specimens"}));
+  const ChartSeries& front = chart.series[2];  // the reference has no error to be drawn
+  EXPECT_EQ(front.x, (std::vector{0.2, 0.25, 0.5}));
+  EXPECT_EQ(front.text, (std::vector<std::string>{"recommended", "0.4 of critical", "0.2 of critical"}));
+  EXPECT_EQ(chart.series[0].style, ChartSeries::Style::points);  // only the front is joined
 }
 
 TEST(AccuracyCharts, TellTheObservedOrder) {
