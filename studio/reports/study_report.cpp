@@ -4,6 +4,7 @@
 #include "engine/base/numbers.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
+#include "engine/scene/needs.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/store.hpp"
 #include "studio/charts/chart_script.hpp"
@@ -126,6 +127,21 @@ Table seed_table(const study::StudyRows& rows) {
     table.rows.push_back(std::move(cells));
   }
   return table;
+}
+
+std::string left_out_text(const study::StudyRows& rows) {
+  std::vector<std::string> parts;
+  const auto there = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
+  for (const scene::OptionalPart& part : scene::optional_parts()) {
+    const auto without = std::count_if(rows.begin(), rows.end(), [&](const auto& row) {
+      return row && std::find(row->left_out.begin(), row->left_out.end(), part.name) != row->left_out.end();
+    });
+    if (without == 0) continue;
+    std::string& text = parts.emplace_back(part.name);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    if (without < there) text += fmt::format(" ({} of {} scenarios)", without, there);
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 namespace {
@@ -323,7 +339,7 @@ void write_study_report(const scene::Preset& preset, const simulation::BuildInfo
   Report report{
       .title = "Study " + fs::path(preset.name).stem().string(),
       .opening = {fmt::format("Preset {}, rift {} ({}).", preset.name, build.version, build.compiler),
-                  timings(result)}};
+                  timings(result), fmt::format("Left out: {}.", left_out_text(result.rows))}};
   if (const Table seeds = seed_table(result.rows); !seeds.rows.empty())
     report.sections.push_back({"Mean and scatter over seeds", seeds});
   report.sections.push_back({"Scenarios", scenario_table(result.rows)});

@@ -213,6 +213,10 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
     canvas.text(area.x, y, label, {Ink::reference, true}, labels - 1);
     y += std::max(1, draw_paragraph(canvas, {area.x + labels, y, area.width - labels, end - y}, text, style));
   };
+  const auto draw_left_out = [&] {
+    const char* label = "left out";
+    for (const std::string& line : scene::left_out_lines(preset_)) row(label, line, {Ink::dim}), label = "";
+  };
   for (const scene::Issue& issue : preset_.issues)
     row(y == area.y ? "mistakes" : "",
         issue.key.empty() ? scene::to_text(issue) : issue.key + ": " + issue.text, {Ink::bad});
@@ -221,6 +225,7 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
   if (!preset_.study.empty()) {
     row("study", fmt::format("{} scenarios", preset_.study.size()));
     for (const auto& [label, text] : at_once(preset_.study.front().scene)) row(label, text);
+    draw_left_out();
     return;
   }
   const DryRunThread::Found found = dry_run_.found();
@@ -229,8 +234,7 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
     return;
   }
   for (const auto& [label, text] : at_once(scene)) row(label, text);
-  const char* label = "left out";
-  for (const std::string& line : scene::left_out(scene)) row(label, line, {Ink::dim}), label = "";
+  draw_left_out();
   if (!found.trouble.empty())
     row("trouble", found.trouble, {Ink::bad});
   else
