@@ -76,7 +76,11 @@ std::string preset_text(const Preset& preset) {
   std::string out = preset_text(preset.scene);
   const std::vector<const Axis*> in_lanes = varied_in_lanes(preset);
   for (const Scene& lane : preset.lanes) out += "\n[[lanes]]\n" + axis_lines(lane, in_lanes);
+  if (!preset.grid.empty()) out += "\n[study]\n";
+  for (const GridAxis& axis : preset.grid)
+    out += fmt::format("{} = [{}]\n", axis.name, fmt::join(axis.values, ", "));
   for (const StudyRow& row : preset.study) {
+    if (!row.combinations.empty()) continue;  // of the grid
     std::vector<const Axis*> varied;
     for (const auto& [name, text] : row.axes) varied.push_back(find_axis(name));
     out += "\n[[study.rows]]\n" + axis_lines(row.scene, varied);
@@ -94,6 +98,8 @@ A preset is a TOML file with the tables below; a key that is not there has its d
 Any key can be set on the command line by its full name: `--set crack.velocity='0.3 c_r'`.
 `--set` replaces what the preset says of that key and of the keys that it excludes, with a note: `--set specimen.thickness='3 mm'` on a preset with `layers` takes their place.
 `rift run PRESET --print-config` prints the effective preset.
+
+The thickness of a plate follows from `layers`: B = 2 mm (20,000/N · LH/(200 mm · 40 mm))^½ (layers/2)^(3/2). Another number of elements is therefore another specimen, whose forces and energies grow with its thickness: 5,000 elements make the plate of 20,000 twice as thick. Where `--set` or an axis of a study changes a thickness in this way, a note says so with both numbers. Plates of one thickness, as in a study of convergence, have `thickness` in place of `layers`.
 
 Quantities are numbers in SI units or text with a unit:
 
