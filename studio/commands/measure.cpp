@@ -86,12 +86,12 @@ void read_run(const MeasureOptions& options, InstrumentsReport& report, FieldFil
   double next_tip = 0.0;
   report.seen =
       measurement::read_instruments(options.run, options.instruments, session.progress_of("frames"),
-                                   [&](const measurement::Grid& grid, const measurement::SeenField& field) {
-                                     file.append(field_csv_rows(grid, field));
-                                     if (field.tip < next_tip) return;
-                                     report.field.push_back(field);
-                                     next_tip = field.tip + grid.point.back().x() / fields_kept;
-                                   });
+                                    [&](const measurement::Grid& grid, const measurement::SeenField& field) {
+                                      file.append(field_csv_rows(grid, field));
+                                      if (field.tip < next_tip) return;
+                                      report.field.push_back(field);
+                                      next_tip = field.tip + grid.point.back().x() / fields_kept;
+                                    });
   session.line.clear();
 }
 
@@ -104,18 +104,10 @@ void lay_over(InstrumentsReport& report, const std::vector<std::string>& files) 
     }
 }
 
-/// An experiment keeps its run in a folder below.
-void check_run(const std::string& run) {
-  const fs::path below = fs::path(run) / "run";
-  if (fs::exists(fs::path(run) / results::journal_name)) return;
-  if (fs::exists(below / results::journal_name))
-    refuse(run, "holds no run: did you mean " + below.string() + "?");
-  (void)simulation::preset_of_run(run);  // says why
-}
-
 ExitCode measure(const MeasureOptions& options) {
   check(options.instruments);
-  check_run(options.run);
+  check_is_run(options.run);
+  (void)simulation::preset_of_run(options.run);  // says why it is no run
   base::OwnedFolder owned(folder_of(options), [&](const fs::path& there) {
     if (!options.out.empty()) check_report(there, options.force, {.own = "stress_intensity.csv"});
   });
@@ -138,7 +130,10 @@ ExitCode measure(const MeasureOptions& options) {
     base::print_text(instruments_text(report, session.color()));
     base::print("{}/  report.html, stress_intensity.csv, field.csv, charts\n", owned.path().string());
   });
-  return code;
+  const std::string none = no_intensity_text(report.seen, options.instruments);
+  if (none.empty()) return code;
+  session.message(none);
+  return code == ExitCode::done ? ExitCode::bad_input : code;
 }
 
 }  // namespace
@@ -149,10 +144,13 @@ void add_measure(CLI::App& app, ExitCode& exit_code) {
       "What a test's instruments would have shown of a run: grip force, gauges, a camera's fields, K");
   const auto options = std::make_shared<MeasureOptions>();
   measurement::InstrumentOptions& instruments = options->instruments;
-  command.add_option("run", options->run, "Folder of the run, unfinished ones too")->required();
-  command.add_option(
-      "--against", options->against,
-      "Measured curves to lay over: a CSV file such as \"time [us];grip_force [N]\" (repeatable)");
+  command.add_option("run", options->run, "Folder of the run, unfinished ones too")
+      ->type_name("FOLDER")
+      ->required();
+  command
+      .add_option("--against", options->against,
+                  "Measured curves to lay over: a CSV file such as \"time [us];grip_force [N]\" (repeatable)")
+      ->type_name("FILE");
   command.add_option("--lane", instruments.lane, "Which lane")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -170,10 +168,11 @@ void add_measure(CLI::App& app, ExitCode& exit_code) {
   command.add_option("--outer", instruments.outer, "Its outer radius, in mean radii")
       ->check(radii)
       ->capture_default_str();
-  command.add_option("--out", options->out, "Folder of the results (default: RUN/measure)");
-  command.add_flag("--force", options->force, "Replace the results that are in --out");
-  command.add_flag("--quiet", options->quiet, "No progress");
-  command.add_flag("--json", options->json, "The result as JSON on stdout");
+  command.add_option("-o,--out", options->out, "Folder of the results (default: RUN/measure)")
+      ->type_name("FOLDER");
+  command.add_flag("-f,--force", options->force, "Replace the results that are in --out");
+  command.add_flag("-q,--quiet", options->quiet, "No progress");
+  command.add_flag("-j,--json", options->json, "The result as JSON on stdout");
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = measure(*options); });
 }
