@@ -259,7 +259,7 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
   command.add_option("--runs", options->runs, "Runs of each kernel")->check(CLI::Range(1, 1000));
   command.add_option("--seconds", options->seconds, "Length of a run")->check(CLI::Range(0.001, 100.0));
   command.add_flag("--needs", options->needs, "What each piece costs that a scene may leave out");
-  command.add_flag("--json", options->json, "The result as JSON on stdout");
+  command.add_flag("-j,--json", options->json, "The result as JSON on stdout");
   add_quiet(command, *options);
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = bench(*options); });

@@ -61,22 +61,30 @@ void add_film_options(CLI::App& command, FilmOptions& options) {
   const auto add = [&](const char* name, auto& value, const char* text) {
     return command.add_option(name, value, text)->group(group);
   };
-  add("--field", request.field, "Field of the colours")->check(CLI::IsMember(names_of(viz::fields())));
-  add("--colours", request.colours, "Colour map")->check(CLI::IsMember(names_of(viz::colour_maps())));
-  add("--range", options.range, "Ends of the colours in the shown unit, such as 0,2 (default: of all panes)");
+  add("--field", request.field, "Field of the colours")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names_of(viz::fields())));
+  add("--colours", request.colours, "Colour map")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names_of(viz::colour_maps())));
+  add("--range", options.range, "Ends of the colours in the shown unit, such as 0,2 (default: of all panes)")
+      ->type_name("A,B");
   add("--camera", request.camera,
       "plate: all of it; tip: a close-up that follows the tip; side: what leaves the plane")
+      ->type_name("NAME")
       ->check(CLI::IsMember({"plate", "tip", "side"}));
   add("--beams", request.beams, "Beams drawn: none, those on the crack's path, all")
+      ->type_name("NAME")
       ->check(CLI::IsMember({"none", "crossing", "all"}));
   add("--magnification", request.magnification, "Of the displacements")->check(CLI::Range(0.0, 1000.0));
   add("--close-up", request.close_up_m, "Height of a close-up [m]")->check(CLI::Range(1e-6, 100.0));
-  add("--title", request.title, "Title over the picture");
+  add("--title", request.title, "Title over the picture")->type_name("TITLE");
   command.add_flag("--no-chart", options.no_chart, "No energy budget under the picture")->group(group);
   command.add_flag("--large-text", request.large_text, "For lecture halls")->group(group);
-  add("--size", options.size, "Width and height in pixels")->capture_default_str();
+  add("--size", options.size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
   add("--fps", options.fps, "Frames a second (default: a film of about 8 s)")->check(CLI::Range(0.1, 240.0));
   add("--gl", options.gl, "OpenGL: osmesa, egl, or auto for the first that works")
+      ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}))
       ->capture_default_str();
 }
@@ -188,8 +196,10 @@ struct FilmOfRun::Maker {
 
 FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
   command.add_flag("--render", maker_->asked, "Make a film, while the run goes on as far as can be");
-  command.add_option("--film", maker_->film,
-                     "The film's file: .mp4, .webm or .gif (default: in the run's folder)");
+  command
+      .add_option("--film", maker_->film,
+                  "The film's file: .mp4, .webm or .gif (default: in the run's folder)")
+      ->type_name("FILE");
   add_film_options(command, maker_->options);
 }
 
