@@ -4,6 +4,7 @@
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/study/store.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -110,7 +111,7 @@ fs::path own_presets_folder() {
   return fs::path(environment("HOME")) / ".local" / "share" / "rift" / "presets";
 }
 
-fs::path resolve_preset(const std::string& preset) {
+std::optional<fs::path> find_preset(const std::string& preset) {
   std::error_code ignored;
   const fs::file_status status = fs::status(preset, ignored);  // a pipe or /dev/stdin will do
   if (fs::exists(status) && !fs::is_directory(status)) return preset;
@@ -121,7 +122,25 @@ fs::path resolve_preset(const std::string& preset) {
         if (fs::is_regular_file(candidate, ignored)) return candidate;
       }
   }
-  refuse_preset(preset);
+  return std::nullopt;
+}
+
+fs::path resolve_preset(const std::string& preset) {
+  const std::optional<fs::path> found = find_preset(preset);
+  if (!found) refuse_preset(preset);
+  return *found;
+}
+
+void check_is_run(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path below = folder / "run";
+  if (fs::exists(folder / results::journal_name, ignored)) return;
+  if (fs::exists(folder / study::study_name, ignored))
+    refuse(folder.string(),
+           "is a study, which keeps numbers and no runs: 'rift compare' shows its scenarios, 'rift "
+           "study' goes on with it");
+  if (fs::exists(below / results::journal_name, ignored))
+    refuse(folder.string(), "holds no run: did you mean " + below.string() + "?");
 }
 
 void check_report(const fs::path& folder, bool force, ReportKind kind) {
@@ -150,6 +169,7 @@ const fs::path& ReportFolder::keep() {
 void add_color_option(CLI::App& command, std::string& when) {
   when = "auto";
   command.add_option("--color", when, "Colours: auto (on a terminal, unless NO_COLOR is set), always, never")
+      ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
 }

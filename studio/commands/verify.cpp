@@ -31,6 +31,7 @@ std::string verdict(const results::Verification& v, const std::string& run) {
 }
 
 ExitCode verify(const VerifyOptions& options) {
+  check_is_run(options.run);
   ProgressLine line(progress_style(false, options.json));
   line.show("verify", 0.0);
   const results::Verification v = results::verify_run(options.run, !options.check_only);
@@ -60,9 +61,9 @@ void add_verify(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "verify", "Look at every file of a run by its checksums; make anew what can be, save what is whole");
   const auto options = std::make_shared<VerifyOptions>();
-  command.add_option("run", options->run, "Folder of the run")->required();
+  command.add_option("run", options->run, "Folder of the run")->type_name("FOLDER")->required();
   command.add_flag("--check-only", options->check_only, "Change nothing");
-  command.add_flag("--json", options->json, "The result as JSON on stdout");
+  command.add_flag("-j,--json", options->json, "The result as JSON on stdout");
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = verify(*options); });
 }

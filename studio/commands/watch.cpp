@@ -1,3 +1,5 @@
+#include "engine/base/world_error.hpp"
+#include "engine/results/archive.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/run_panel.hpp"
 #include "studio/terminal/event_loop.hpp"
@@ -6,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace rift::studio {
@@ -16,6 +19,9 @@ struct WatchOptions : SessionOptions {
 };
 
 ExitCode watch(const WatchOptions& options) {
+  check_is_run(options.run);
+  if (!std::filesystem::exists(std::filesystem::path(options.run) / results::journal_name))
+    throw base::WorldError("watch", options.run, "there is no run");
   if (const std::string why = Terminal::why_not(); !why.empty()) {
     base::message(
         "rift watch: needs a terminal, and this is {0}; without one, look at {1}/series.csv or rift render "
@@ -33,7 +39,7 @@ ExitCode watch(const WatchOptions& options) {
 void add_watch(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand("watch", "A live panel of a run that goes on elsewhere, read only");
   const auto options = std::make_shared<WatchOptions>();
-  command.add_option("run", options->run, "Folder of the run")->required();
+  command.add_option("run", options->run, "Folder of the run")->type_name("FOLDER")->required();
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = watch(*options); });
 }

@@ -13,6 +13,13 @@ TEST(Watch, WithoutATerminalSaysWhatToUse) {
   EXPECT_EQ(ran.out, "");
 }
 
+TEST(Watch, OfAFolderThatIsNotThereSaysSoFirst) {
+  const Ran ran = run_rift("watch runs/none");
+  EXPECT_EQ(ran.exit_code, 1);
+  if (!contains(ran.err, "built without"))
+    EXPECT_EQ(ran.err, "rift: cannot watch runs/none: there is no run\n");
+}
+
 TEST(Watch, ShowsARunInATerminalAndGivesItBack) {
   if (!RealTerminal::there()) GTEST_SKIP() << "no tmux";
   const TinyPlate plate;
