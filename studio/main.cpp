@@ -4,9 +4,11 @@
 #include "engine/scene/issue.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/common.hpp"
+#include "studio/commands/help.hpp"
 #include "studio/commands/stop_signal.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <exception>
 #include <sstream>
@@ -25,18 +27,24 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
     rift::base::print_text(text.str());
     return ExitCode::done;
   }
-  std::string command = "rift";
-  for (const CLI::App* chosen : app.get_subcommands()) command += " " + chosen->get_name();
-  rift::base::message("{}: {}\nTry '{} --help'.\n", command, error.what(), command);
+  std::string command = "rift", hint;
+  const CLI::App* chosen = &app;
+  for (const CLI::App* one : app.get_subcommands()) command += " " + one->get_name(), chosen = one;
+  for (const std::string& argument : app.remaining(true))
+    if (hint.empty()) hint = rift::studio::nearest_argument(*chosen, argument);
+  if (!hint.empty()) hint = fmt::format(", did you mean '{}'?", hint);
+  rift::base::message("{}: {}{}\nTry '{} --help'.\n", command, error.what(), hint, command);
   return ExitCode::bad_input;
 }
 
 ExitCode run(int argc, char** argv) {
   CLI::App app("Dynamic fracture on a discrete-element beam lattice.", "rift");
-  app.set_version_flag("--version", rift::studio::version_and_libraries_text());
+  app.formatter(rift::studio::help_layout());
+  app.set_version_flag("-V,--version", rift::studio::version_and_libraries_text());
   app.require_subcommand(0, 1);
   ExitCode exit_code = ExitCode::done;
   for (const auto add_command : rift::studio::all_commands) add_command(app, exit_code);
+  rift::studio::add_footers(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -20,7 +20,7 @@ constexpr double step_fractions[] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.98};
 constexpr double least_single = 0.15, least_together = 0.35, most_together = 0.95;  // of critical
 constexpr int few_samples = 25, most_samples = 1600;
 constexpr int fewest_elements = 100, fewest_quick = 1000, finer = 4;
-constexpr double affordable_s = 150.0, beam_steps_per_s = 1e8;
+constexpr double affordable_s = 150.0;
 
 // The paper's ramp: 20,000 + 10,000 steps of 2.35e-8 s on a plate 40 mm high with c_r = 2200 m/s [model.md
 // §4]
@@ -240,7 +240,7 @@ double estimated_seconds(const AccuracyPlan& plan) {
         fmt::format("{} {} {}", v.scene.specimen.elements, v.scene.specimen.seed, corotational);
     if (lattices.insert(lattice).second) beam_steps += study::estimated_preparation(v.scene);
   }
-  return beam_steps / beam_steps_per_s;
+  return beam_steps / study::assumed_beam_steps_per_s;
 }
 
 std::vector<scene::Scene> side_by_side(const scene::Scene& scene, int count) {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -66,5 +67,10 @@ void note_printing_failure(int error) noexcept {
 }
 
 bool in_foreground(int descriptor) noexcept { return ::tcgetpgrp(descriptor) == ::getpgrp(); }
+
+std::size_t terminal_width(int descriptor) noexcept {
+  winsize size{};
+  return ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
 
 }  // namespace rift::base

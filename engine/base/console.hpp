@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <concepts>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -36,6 +37,9 @@ void note_printing_failure(int error) noexcept;
 
 /// Whether the descriptor is a terminal in whose foreground this process is: one that may be drawn on.
 [[nodiscard]] bool in_foreground(int descriptor) noexcept;
+
+/// Letters in a line of the terminal on this descriptor; 0 where it is none, or does not say.
+[[nodiscard]] std::size_t terminal_width(int descriptor) noexcept;
 
 /// A text among the arguments of a message is escaped; all else stays as it is.
 template <typename T>

@@ -9,9 +9,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 
 namespace rift::calibration {
 namespace {
+
+constexpr int most_secants = 5;
 
 std::vector<Scattered> over_packings(const std::vector<CylinderResult>& packings,
                                      const std::function<double(const Response&)>& of) {
@@ -111,7 +114,6 @@ std::vector<Scattered> poisson_of(const std::vector<CylinderResult>& packings) {
 Calibrated calibrate(const scene::Scene& scene, double young_modulus, double poisson_ratio,
                      base::Cache& cache, const base::ProgressCallback& progress, int threads) {
   constexpr double close_enough = 2e-4, share_of_scan = 0.7;
-  constexpr int most_secants = 5;
   const int elements = scene.calibration.elements;
   const auto part = [&](double from, double to) {
     return [&progress, from, to](double done) { return !progress || progress(from + (to - from) * done); };
@@ -213,17 +215,62 @@ std::vector<Row> rows_of(const CalibrationStudy& study) {
   return rows;
 }
 
+namespace {
+
+/// The cylinders of all sizes, with the paper's beams.
+std::vector<CylinderTest> cylinders_of_sizes(const scene::Scene& scene) {
+  std::vector<CylinderTest> sizes;
+  for (double elements : scene.calibration.sizes)
+    for (CylinderTest& test : cylinders_for(scene, static_cast<int>(elements), {paper_beams}))
+      sizes.push_back(std::move(test));
+  return sizes;
+}
+
+/// Those that show what nu_mu matters.
+std::vector<CylinderTest> twisted_cylinders(const scene::Scene& scene) {
+  return cylinders_for(scene, scene.calibration.elements,
+                       {{paper_beams.radius_ratio, 0.0}, {paper_beams.radius_ratio, 0.45}});
+}
+
+}  // namespace
+
+std::vector<PlannedSpecimen> planned_specimens(const scene::Scene& scene, bool study) {
+  constexpr int unit_strains = 6;
+  std::vector<PlannedSpecimen> planned;
+  std::set<std::string> packed;
+  const auto add = [&](const char* stage, const std::vector<CylinderTest>& tests, int times = 1) {
+    for (const CylinderTest& test : tests)
+      planned.push_back({.stage = stage,
+                         .elements = test.packing.elements,
+                         .packed_before = !packed.insert(packing::key_of(test.packing)).second,
+                         .solutions = times * static_cast<int>(test.beams.size())});
+  };
+  const std::vector<CylinderTest> scan =
+      cylinders_for(scene, scene.calibration.elements, scanned_beams(scene));
+  if (study) {
+    add("cylinders of all sizes", cylinders_of_sizes(scene));
+    add("scan of r_mu", scan);
+    add("scan of nu_mu", twisted_cylinders(scene));
+    for (int twice = 0; twice < 2; ++twice)
+      for (const BoxTest& box : boxes_of(scene, scene.specimen.coordination))
+        planned.push_back(
+            {.stage = "periodic boxes", .elements = box.packing.elements, .solutions = unit_strains});
+  } else {
+    add("scan of r_mu", scan);
+  }
+  add("beams of the material", cylinders_for(scene, scene.calibration.elements, {paper_beams}),
+      most_secants + 1);
+  return planned;
+}
+
 CalibrationStudy study_calibration(const scene::Scene& scene, base::Cache& cache, const StudyStage& progress,
                                    int threads) {
   const auto stage = [&](const char* name) {
     return [&progress, name](double done) { return !progress || progress(name, done); };
   };
   CalibrationStudy study;
-  std::vector<CylinderTest> sizes;
-  for (double elements : scene.calibration.sizes)
-    for (CylinderTest& test : cylinders_for(scene, static_cast<int>(elements), {paper_beams}))
-      sizes.push_back(std::move(test));
-  const auto pressed = press_cylinders(sizes, cache, stage("cylinders of all sizes"), threads);
+  const auto pressed =
+      press_cylinders(cylinders_of_sizes(scene), cache, stage("cylinders of all sizes"), threads);
   const auto packings = static_cast<std::size_t>(scene.calibration.packings);
   for (std::size_t k = 0; k < pressed.size(); k += packings)
     study.by_size.emplace_back(pressed.begin() + k, pressed.begin() + k + packings);
@@ -231,9 +278,7 @@ CalibrationStudy study_calibration(const scene::Scene& scene, base::Cache& cache
   const int elements = scene.calibration.elements;
   study.scan = press_cylinders(cylinders_for(scene, elements, scanned_beams(scene)), cache,
                                stage("scan of r_mu"), threads);
-  study.twisted = press_cylinders(
-      cylinders_for(scene, elements, {{paper_beams.radius_ratio, 0.0}, {paper_beams.radius_ratio, 0.45}}),
-      cache, stage("scan of nu_mu"), threads);
+  study.twisted = press_cylinders(twisted_cylinders(scene), cache, stage("scan of nu_mu"), threads);
 
   std::vector<BoxTest> boxes = boxes_of(scene, scene.specimen.coordination);
   for (BoxTest& test : boxes_of(scene, mean_core(study.scan))) boxes.push_back(std::move(test));

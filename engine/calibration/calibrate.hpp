@@ -82,6 +82,17 @@ struct CalibrationStudy {
   std::vector<BoxResult> boxes;  // at the coordination asked for, then at the scanned cylinders' core's
 };
 
+/// A specimen that a calibration presses, and for how many beams, known before it.
+struct PlannedSpecimen {
+  const char* stage = "";
+  int elements = 0;
+  bool packed_before = false;  // in an earlier stage
+  int solutions = 0;
+};
+
+/// What calibrate() presses at most for a scene, and with `study` what study_calibration() presses before it.
+std::vector<PlannedSpecimen> planned_specimens(const scene::Scene& scene, bool study);
+
 /// Told the stage and the fraction of it done.
 using StudyStage = std::function<bool(const char* stage, double done)>;
 

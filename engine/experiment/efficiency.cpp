@@ -51,18 +51,23 @@ scene::Scene steady(const scene::Scene& scene, double over_cr, double pulled) {
 
 }  // namespace
 
-std::vector<EfficiencyPoint> efficiency_of(const scene::Preset& preset, double pulled, double lowest,
-                                           double highest, base::Cache& cache, const Parts& parts,
-                                           const ExperimentProgress& progress) {
+std::vector<scene::Scene> steady_cracks(const scene::Scene& scene, double pulled, double lowest,
+                                        double highest) {
   std::vector<scene::Scene> scenes;
-  std::vector<EfficiencyPoint> points;
   for (std::size_t k = 0; k < velocities.size(); ++k) {
     const bool below = k + 1 < velocities.size() && velocities[k + 1] <= lowest;
     const bool above = k > 0 && velocities[k - 1] >= highest;
-    if (below || above) continue;
-    points.push_back({velocities[k]});
-    scenes.push_back(steady(preset.scene, velocities[k], pulled));
+    if (!below && !above) scenes.push_back(steady(scene, velocities[k], pulled));
   }
+  return scenes;
+}
+
+std::vector<EfficiencyPoint> efficiency_of(const scene::Preset& preset, double pulled, double lowest,
+                                           double highest, base::Cache& cache, const Parts& parts,
+                                           const ExperimentProgress& progress) {
+  const std::vector<scene::Scene> scenes = steady_cracks(preset.scene, pulled, lowest, highest);
+  std::vector<EfficiencyPoint> points;
+  for (const scene::Scene& scene : scenes) points.push_back({scene.crack.velocity.front().speed.value});
   scene::Preset strip = preset;
   strip.scene = scenes.front(), strip.steering.clear();
   const simulation::Prepared prepared = simulation::prepare(

@@ -16,6 +16,11 @@ std::vector<std::vector<history::HistoryPoint>> resampled(const scene::Scene& sc
                                                           const history::SmoothedHistory& course, int count,
                                                           std::uint64_t seed);
 
+/// The strips in which a lattice's efficiency is found: one for each velocity of the table that lies in
+/// [lowest, highest] c_R, and the next one on either side.
+std::vector<scene::Scene> steady_cracks(const scene::Scene& scene, double pulled, double lowest,
+                                        double highest);
+
 /// The lattice's efficiency at the velocities of [lowest, highest] c_R: the release ratio of a crack that
 /// runs steadily along the middle of the same strip, where all that is stored ahead arrives (Nilsson 1972).
 /// Lanes of one pass over the preset's own lattice, pulled by `pulled` [m].

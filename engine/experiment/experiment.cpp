@@ -4,6 +4,7 @@
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/kept_parts.hpp"
+#include "engine/experiment/plan.hpp"
 #include "engine/measurement/specimen_properties.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/derived.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 using results::Sample;
 
-constexpr int points = 60, static_parts = 8;
+constexpr int points = 60;
 
 std::vector<Sample> crack_rows(const simulation::LaneResult& lane) {
   std::vector<Sample> rows;

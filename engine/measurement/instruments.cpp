@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rift::measurement {
@@ -87,6 +88,27 @@ std::vector<std::optional<lattice::PlaneMotion>> look(const Camera& camera, cons
 
 }  // namespace
 
+std::string ring_that_fits(const Instruments& seen, const InstrumentOptions& options) {
+  constexpr double comfortable =
+      2.0;  // inner radii that are clear, with points enough between them and the edge
+  double clear = 0.0;
+  for (const IntensityPoint& p : seen.intensity) {
+    if (p.k) return {};
+    if (p.why != NoFit::fast && p.why != NoFit::tip) clear = std::max(clear, p.clear);
+  }
+  if (clear <= 0.0) return {};
+  const double wanted = comfortable * seen.ring.inner;
+  if (clear > wanted) return fmt::format("--grid {:g} puts more points into it", 0.5 * options.grid);
+  const double inner = std::floor(10.0 * clear / (comfortable * seen.mean_radius)) / 10.0;
+  // Radii go with N^-1/2 where the thickness follows from the layers, else with N^-1/3   [model.md §1].
+  const double elements = seen.elements * std::pow(wanted / clear, seen.of_layers ? 2.0 : 3.0);
+  return fmt::format(
+      "{:.3g} mm are clear around the tip and the ring wants {:.3g}, twice --inner. '--inner {:g} --grid "
+      "{:g}' "
+      "suits this run, specimen.elements = {:.0f} another one",
+      1e3 * clear, 1e3 * wanted, inner, 0.5 * options.grid, 100.0 * std::ceil(elements / 100.0));
+}
+
 Instruments read_instruments(const std::filesystem::path& run, const InstrumentOptions& options,
                              const std::function<bool(double done)>& progress,
                              const std::function<void(const Grid&, const SeenField&)>& see) {
@@ -109,6 +131,10 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentO
                             .outer = options.outer * radius,
                             .beside_faces = options.subset * radius,
                             .zone = zone ? scene.crack.damage_zone_ratio * radius : 0.0},
+                   .plate = {size.x(), size.y(), header.at("thickness_m")},
+                   .mean_radius = radius,
+                   .elements = scene.specimen.elements,
+                   .of_layers = scene.specimen.layers.has_value(),
                    .g_i0 = scale.g_i0,
                    .g_i0_slope = scale.g_i0_slope,
                    .samples = of_lane(scan.samples, options.lane),

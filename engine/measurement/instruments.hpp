@@ -23,6 +23,10 @@ struct Instruments {
   Grid grid;
   double subset = 0;  // radius [m]
   Ring ring;
+  Eigen::Vector3d plate = Eigen::Vector3d::Zero();  // length, height, thickness [m]
+  double mean_radius = 0;                           // [m]
+  int elements = 0;
+  bool of_layers = false;                 // the thickness follows from the elements
   double clock = 0;                       // of a measured history: its time less the run's [s]
   double g_i0 = 0, g_i0_slope = 0;        // G_I0 of the plate [J/m2], and per tip position [J/m3]
   std::vector<results::Sample> samples;   // of the lane
@@ -32,6 +36,10 @@ struct Instruments {
   bool grip_moves = false;                // while the crack runs: G_I0 is that of its start
   bool finished = false;                  // the run has come to its end
 };
+
+/// Which --inner and --grid, and how many elements of the same plate, would let a ring fit where none did, in
+/// a sentence; empty where some moment has its K, or it was no ring that was missing.
+std::string ring_that_fits(const Instruments& seen, const InstrumentOptions& options);
 
 /// Reads a run, unfinished ones too, at the moments of its frames.
 /// @param see  is given each moment's field, in time

@@ -75,6 +75,7 @@ IntensityReading::Clear IntensityReading::clear_around(const Tip& tip) const {
 void IntensityReading::fit(IntensityPoint& seen, const Tip& tip, const SeenField& field,
                            const std::vector<Eigen::Vector2d>& point) const {
   const Clear clear = clear_around(tip);
+  seen.clear = clear.radius;
   if (seen.over_cr >= 1.0) return void(seen.why = NoFit::fast);
   if (clear.radius <= 1.5 * ring_.inner) return void(seen.why = clear.what);
   std::vector<Eigen::Vector2d> from_tip, moved;

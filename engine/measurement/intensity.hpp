@@ -30,6 +30,7 @@ struct IntensityPoint {
   double over_cr = 0;                // velocity of the tip
   std::optional<StressIntensity> k;  // nothing where no ring around the tip can be fitted
   NoFit why = NoFit::none;
+  double clear = 0;  // [m] around the tip, before an edge, a bend or the other tip ends the expansion
   /// By the energy balance over twice the inner radius, damping with it as `rift experiment` reads it [J/m2].
   double g_id = std::numeric_limits<double>::quiet_NaN();
 };

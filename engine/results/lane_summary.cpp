@@ -40,7 +40,7 @@ constexpr std::array summary_table{
     COLUMN(outcome_where), COLUMN_IF(arrest_m, s.crack_course == "by itself"),
     COLUMN_IF(steering, !s.steering.empty()), COLUMN(wake_cell_m), COLUMN(wake_kinetic_j),
     COLUMN(wake_rotation_j), COLUMN(out_of_plane_m), COLUMN(wall_packing_s), COLUMN(wall_prestress_s),
-    COLUMN(wall_fracture_s), COLUMN(wall_pass_s), COLUMN(wall_total_s), COLUMN(cost_s),
+    COLUMN(wall_fracture_s), COLUMN(wall_pass_s), COLUMN(left_out), COLUMN(wall_total_s), COLUMN(cost_s),
     COLUMN(packing_from_cache), COLUMN(prestress_from_cache), COLUMN(element_steps_per_s),
     COLUMN(beam_steps_per_s), COLUMN(memory_peak_bytes)};
 #undef COLUMN
@@ -68,6 +68,11 @@ struct Write {
   Json operator()(std::vector<double> L::*numbers) const {
     Json list = Json::array();
     for (const double x : s.*numbers) list.push_back(json_number(x));
+    return list;
+  }
+  Json operator()(std::vector<std::string> L::*texts) const {
+    Json list = Json::array();
+    for (const std::string& text : s.*texts) list.push_back(text);
     return list;
   }
   Json operator()(std::vector<SteeringChange> L::*changes) const {
@@ -98,6 +103,10 @@ struct Read {
   void operator()(std::vector<double> L::*numbers) const {
     if (value.is_array())
       for (const Json& x : value) (s.*numbers).push_back(number_of(x));
+  }
+  void operator()(std::vector<std::string> L::*texts) const {
+    if (value.is_array())
+      for (const Json& text : value) (s.*texts).push_back(text_of(text));
   }
   void operator()(std::vector<SteeringChange> L::*changes) const {
     if (!value.is_array()) return;

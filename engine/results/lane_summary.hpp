@@ -85,6 +85,7 @@ struct LaneSummary {
   double cost_s = undefined;  // of a study's scenario: by its kernel at full lanes, not by who marched beside
   bool packing_from_cache = false, prestress_from_cache = false;
   double element_steps_per_s = undefined, beam_steps_per_s = undefined, memory_peak_bytes = undefined;
+  std::vector<std::string> left_out;  // what the scenario does not need, by name: "damping", "corotation"
 };
 
 /// A number that is a whole one in JSON.
@@ -99,7 +100,7 @@ struct SummaryColumn {
   const char* name;
   std::variant<double LaneSummary::*, WholeNumber, std::string LaneSummary::*, bool LaneSummary::*,
                std::array<double, 2> LaneSummary::*, std::vector<double> LaneSummary::*,
-               std::vector<SteeringChange> LaneSummary::*>
+               std::vector<std::string> LaneSummary::*, std::vector<SteeringChange> LaneSummary::*>
       member;
   bool (*is_there)(const LaneSummary&) = nullptr;  // which lanes have the column; null: all of them
 };

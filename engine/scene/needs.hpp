@@ -1,8 +1,12 @@
 #pragma once
 
+#include "engine/scene/preset.hpp"
 #include "engine/scene/scene.hpp"
 
+#include <array>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rift::scene {
@@ -26,7 +30,32 @@ Needs needs_of(const Scene& scene);
 /// Whether [calibration] says anything: of cylinders, and of beams calibrated to the material.
 bool needs_calibration(const Scene& scene);
 
-/// One line for each thing that is left out, and why, as `rift check` prints it.
+/// A thing that a scene may leave out.
+struct OptionalPart {
+  std::string_view name;  // as summary.json's left_out has it: "numerical_damping"
+  /// How many times as long a step takes with it: one scenario in double, eight in single precision
+  /// [rift bench --needs --elements 20000, docs/performance.md]. NaN where that is not measured, 1 being
+  /// none.
+  std::array<double, 2> step_factor;
+};
+
+/// All of them, in the order in which they are listed.
+std::span<const OptionalPart> optional_parts();
+
+/// The part of a name, or null.
+const OptionalPart* find_optional_part(std::string_view name);
+
+/// Names of what this scene leaves out: THE decision, of one scenario or of one lane.
 std::vector<std::string> left_out(const Scene& scene);
+
+/// A line for each thing that some of these lanes leave out: which of them, and why; and what the step that
+/// they share computes all the same, where others need it.
+std::vector<std::string> left_out_by_lanes(std::span<const Scene> lanes);
+
+/// The same for scenarios of a study, which are counted: "damping: 6 of 30 scenarios (alpha = 0)".
+std::vector<std::string> left_out_by_scenarios(std::span<const Scene> scenarios);
+
+/// The same for whatever the preset holds, as `rift check` and the form print it.
+std::vector<std::string> left_out_lines(const Preset& preset);
 
 }  // namespace rift::scene

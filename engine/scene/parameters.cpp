@@ -44,7 +44,7 @@ std::vector<Parameter> specimen_rows() {
        "Thickness B of the plate along z, in place of `layers`; of a block or a periodic box.", length,
        above(0, 100)},
       {"specimen.elements", "20000", [](Scene& s) -> Slot { return &s.specimen.elements; },
-       "Number N of spheres.", none, closed(2, 5e6)},
+       "Number N of spheres. With `layers`, fewer make a thicker plate.", none, closed(2, 5e6)},
       {"specimen.radii",
        "uniform",
        [](Scene& s) -> Slot { return &s.specimen.radii; },

@@ -5,18 +5,21 @@
 #include "engine/scene/rows_file.hpp"
 #include "engine/scene/scenario.hpp"
 #include "engine/scene/scenarios.hpp"
+#include "engine/scene/thickness_note.hpp"
 #include "engine/scene/toml_text.hpp"
 #include "engine/scene/validation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -37,8 +40,9 @@ struct Reading {
   Preset preset;
   TomlDocument document;
   std::vector<Given> given;
-  std::set<std::string> invalid;      // keys with an issue of their own
-  std::filesystem::path folder = {};  // of the preset, from which its files are found
+  std::vector<Given> replaced = {};    // what the preset says of keys that --set gives
+  std::set<std::string> invalid = {};  // keys with an issue of their own
+  std::filesystem::path folder = {};   // of the preset, from which its files are found
 
   void say(Issue issue) { preset.issues.push_back(std::move(issue)); }
 };
@@ -124,7 +128,11 @@ void take_override(Reading& reading, std::string_view text) {
     reading.say({"--set", 0, printable(key), unknown_key("", key), printable(written)});
     return;
   }
-  std::erase_if(reading.given, [&](const Given& earlier) { return earlier.row == row; });
+  std::erase_if(reading.given, [&](const Given& earlier) {
+    if (earlier.row != row) return false;
+    if (earlier.origin.file != "--set") reading.replaced.push_back(earlier);
+    return true;
+  });
   drop_rivals(reading, key);
   reading.given.push_back({row, value_from_text(written), {"--set", 0, printable(written)}});
 }
@@ -176,6 +184,30 @@ void assign_all(Reading& reading) {
   drop_excluded_defaults(reading.preset);
 }
 
+/// The scene with what the preset itself says of the keys in place of what --set says of them.
+Scene without_overrides(const Reading& reading, std::span<const char* const> keys) {
+  Scene scene = reading.preset.scene;
+  const Scene standard = default_scene();
+  for (const char* key : keys) {
+    const auto origin = reading.preset.origins.find(key);
+    if (origin == reading.preset.origins.end() || origin->second.file != "--set") continue;
+    const Parameter& row = *find_parameter(key);
+    const auto own = std::find_if(reading.replaced.begin(), reading.replaced.end(),
+                                  [&](const Given& given) { return given.row == &row; });
+    assign(scene, row,
+           own == reading.replaced.end() ? value_from_text(toml_value(standard, row)) : own->value);
+  }
+  return scene;
+}
+
+void add_notes(Reading& reading) {
+  constexpr std::array keys{"specimen.elements", "specimen.length", "specimen.height"};
+  Preset& preset = reading.preset;
+  if (std::string note = note_on_thickness(preset, without_overrides(reading, keys)); !note.empty())
+    preset.notes.push_back(std::move(note));
+  for (std::string& note : notes_on_rows(preset)) preset.notes.push_back(std::move(note));
+}
+
 void sort_by_place(std::vector<Issue>& issues) {
   const auto place = [](const Issue& issue) { return std::pair{issue.file == "--set", issue.line}; };
   std::stable_sort(issues.begin(), issues.end(),
@@ -191,8 +223,7 @@ Preset finished(Reading reading, const std::vector<std::string>& overrides, bool
     for (Issue& issue : take_steering(reading.preset, reading.document)) reading.say(std::move(issue));
   }
   sort_by_place(reading.preset.issues);
-  if (reading.preset.issues.empty())
-    for (std::string& note : notes_on_rows(reading.preset)) reading.preset.notes.push_back(std::move(note));
+  if (reading.preset.issues.empty()) add_notes(reading);
   return std::move(reading.preset);
 }
 

@@ -99,6 +99,8 @@ Any key can be set on the command line by its full name: `--set crack.velocity='
 `--set` replaces the value of that key in the preset and removes the keys that it excludes, with a note: `--set specimen.thickness='3 mm'` replaces `layers` of the preset.
 `rift run PRESET --print-config` prints the effective preset.
 
+The thickness of a plate follows from `layers`: B = 2 mm (20,000/N · LH/(200 mm · 40 mm))^½ (layers/2)^(3/2). Another number of elements is therefore another specimen, whose forces and energies grow with its thickness: 5,000 elements make the plate of 20,000 twice as thick. Where `--set` or an axis of a study changes a thickness in this way, a note says so with both numbers. Plates of one thickness, as in a study of convergence, have `thickness` in place of `layers`.
+
 Quantities are numbers in SI units or text with a unit:
 
 | quantity | units |

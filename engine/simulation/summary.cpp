@@ -2,6 +2,7 @@
 
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/needs.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/rows_text.hpp"
 #include "engine/simulation/steering.hpp"
@@ -291,6 +292,7 @@ results::LaneSummary lane_summary(const Prepared& prepared, const RunResult& res
   add_energy_balance(summary, prepared, lane, result.lane[k]);
   add_wake(summary, result.lane[k].wake);
   add_costs(summary, prepared, result, result.lane[k], wall_total_s);
+  summary.left_out = scene::left_out(lane.scene);
   return summary;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/scenarios.hpp"
 #include "engine/simulation/schedule.hpp"
+#include "engine/study/resources.hpp"
 #include "engine/study/store.hpp"
 
 #include <fmt/format.h>
@@ -58,7 +59,6 @@ std::string study_hash(const scene::Preset& preset) {
 
 namespace {
 
-constexpr double beams_per_element = 3.0;
 constexpr double critical_radii = 0.63;        // critical step x c_r / R
 constexpr double preparation_steps = 10000.0;  // packing and static solve last as long as so many steps
 
@@ -98,7 +98,7 @@ double estimated_step_cost(const scene::Scene& scene) {
                          : scene.damping.region == scene::DampingRegion::surface ? 1.5
                                                                                  : 1.0;
   const double turning = scene.solver.kinematics == lattice::Kinematics::corotational ? 3.5 : 1.0;
-  return damping * turning * beams_per_element * scene.specimen.elements;
+  return damping * turning * expected_size(scene).beams;
 }
 
 double estimated_cost(const scene::Scene& scene) {
@@ -106,7 +106,7 @@ double estimated_cost(const scene::Scene& scene) {
 }
 
 double estimated_preparation(const scene::Scene& scene) {
-  return beams_per_element * scene.specimen.elements * preparation_steps;
+  return expected_size(scene).beams * preparation_steps;
 }
 
 namespace {
@@ -152,10 +152,10 @@ void share_costs(std::vector<StudyItem>& items) {
 
 }  // namespace
 
-std::vector<StudyItem> plan_study(const scene::Preset& preset, const std::string& version) {
+std::vector<StudyItem> plan_scenes(std::vector<scene::Scene> scenes, const std::string& version) {
   std::vector<StudyItem> items;
   std::map<std::string, int> groups;
-  for (scene::Scene& scene : scenes_of_study(preset)) {
+  for (scene::Scene& scene : scenes) {
     StudyItem item;
     item.row = static_cast<int>(items.size());
     item.key = result_key(scene, version);
@@ -167,6 +167,20 @@ std::vector<StudyItem> plan_study(const scene::Preset& preset, const std::string
                    [](const StudyItem& a, const StudyItem& b) { return a.group < b.group; });
   share_costs(items);
   return items;
+}
+
+std::vector<StudyItem> plan_study(const scene::Preset& preset, const std::string& version) {
+  return plan_scenes(scenes_of_study(preset), version);
+}
+
+double estimated_seconds(const std::vector<StudyItem>& items) {
+  double beam_steps = 0.0;
+  int group = -1;
+  for (const StudyItem& item : items) {
+    beam_steps += item.cost + (item.group != group ? estimated_preparation(item.scene) : 0.0);
+    group = item.group;
+  }
+  return beam_steps / assumed_beam_steps_per_s;
 }
 
 std::vector<StudyItem> part_of(const std::vector<StudyItem>& items, int shard, int shards) {

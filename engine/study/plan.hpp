@@ -32,7 +32,10 @@ struct StudyItem {
   double cost = 0;  // its share of the pass that it marches in
 };
 
-/// The scenarios of a study, group by group in the order of first appearance.
+/// Scenarios, group by group in the order of first appearance.
+std::vector<StudyItem> plan_scenes(std::vector<scene::Scene> scenes, const std::string& version);
+
+/// The same of a study.
 std::vector<StudyItem> plan_study(const scene::Preset& preset, const std::string& version);
 
 /// The i-th of n parts of about equal cost, which keep groups together as far as that allows. The same for
@@ -76,5 +79,14 @@ double estimated_cost(const scene::Scene& scene);
 
 /// The same for packing and pre-stress together.
 double estimated_preparation(const scene::Scene& scene);
+
+/// Packing's part of it; the rest is one static solution.
+inline constexpr double packing_share = 0.7;
+
+/// What estimates take a machine to do in a second, in the unit of a step's cost.
+inline constexpr double assumed_beam_steps_per_s = 1e8;
+
+/// Seconds that these items of a plan take from nothing, roughly.
+double estimated_seconds(const std::vector<StudyItem>& items);
 
 }  // namespace rift::study

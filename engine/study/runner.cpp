@@ -179,7 +179,7 @@ simulation::Prepared prepare_lanes(Study& study, std::span<const StudyItem> item
   return simulation::prepare(preset_of(study, items.front()), scenes, study.cache,
                              [&](std::string_view stage, double done) {
                                const bool packing = stage == "packing";
-                               return study.tell(stage, packing ? 0.7 * done : 0.7, preparation);
+                               return study.tell(stage, packing_share * (packing ? done : 1.0), preparation);
                              });
 }
 

@@ -171,8 +171,10 @@ StoredStudy read_study(const fs::path& folder) {
   if (!study.preset.issues.empty()) throw scene::InputError(study.preset.issues);
   if (study.preset.study.empty() || study.preset.study.size() != manifest["scenarios"].size())
     refuse_study(file, "is damaged: its preset and its list of scenarios do not fit each other");
-  for (const Json& scenario : manifest["scenarios"])
+  for (const Json& scenario : manifest["scenarios"]) {
     study.rows.push_back(stored_result(folder, text_of(scenario, "file"), study.notes));
+    study.files.push_back(folder / text_of(scenario, "file"));
+  }
   return study;
 }
 

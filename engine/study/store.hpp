@@ -58,8 +58,9 @@ results::LaneSummary write_result(const std::filesystem::path& folder, const std
 struct StoredStudy {
   scene::Preset preset;
   std::vector<std::optional<results::LaneSummary>>
-      rows;                        // in the order of preset.study; none: not computed yet
-  std::vector<std::string> notes;  // which results are damaged
+      rows;                                  // in the order of preset.study; none: not computed yet
+  std::vector<std::string> notes;            // which results are damaged
+  std::vector<std::filesystem::path> files;  // of the results, there or not; beside each its series, a .csv
 };
 
 /// Reads the preset and the results of a study's folder, and computes nothing. Throws InputError where

@@ -1,12 +1,13 @@
 #include "engine/accuracy/cases.hpp"
 #include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
-#include "engine/claims/curve.hpp"
+#include "engine/results/archive.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
+#include "studio/commands/step_error.hpp"
 #include "studio/reports/accuracy_report.hpp"
 #include "studio/reports/study_report.hpp"
 
@@ -41,16 +42,11 @@ void check_one_scene(const scene::Preset& preset) {
              preset.study.empty() ? "lanes" : "a study"));
 }
 
-/// What the folder is the accuracy of: the scene as the preset gives it.
-Json mark_of(const scene::Preset& preset) {
-  return {{"accuracy_of", preset.name}, {"scene", study::hash_text(scene::preset_text(preset.scene))}};
-}
-
 /// Makes the folder, or goes on in one of the same scene; anything else is left alone.
 void open_folder(const fs::path& folder, const scene::Preset& preset) {
   std::error_code ignored;
   const fs::path file = folder / "accuracy.json";
-  const Json mark = mark_of(preset);
+  const Json mark = accuracy_mark(preset);
   if (fs::exists(file)) {
     const Json there = results::json_or_discarded(base::read_whole_file(file));
     if (there == results::read_json(base::json_text(mark), file))
@@ -145,11 +141,12 @@ ExitCode compute(const AccuracyCommand& command, const scene::Preset& preset,
   print_notes(packings.cache);
   report.wall_s = session.seconds();
   base::write_whole_file(folder / "table.csv", study_csv(accuracy_rows(report)));
+  base::write_whole_file(folder / results::summary_name, base::json_text(accuracy_json(report), 2) + "\n");
   const ExitCode files = session.write_or_say([&] { write_accuracy_report(report, folder); });
   session.print_result(accuracy_json(report), [&] {
     base::print_text(accuracy_text(report, session.color()));
-    base::print("{} computed, {} reused, {} in total; {}/  table.csv, report.html, charts\n", run.computed,
-                run.found, duration_text(report.wall_s), folder.string());
+    base::print("{} computed, {} reused, {} in total; {}/  summary.json, table.csv, report.html, charts\n",
+                run.computed, run.found, duration_text(report.wall_s), folder.string());
   });
   return files != ExitCode::done ? files : session.ended(run.outcome);
 }
@@ -167,9 +164,7 @@ ExitCode accuracy(const AccuracyCommand& command) {
            fmt::format("this takes about {} with an empty cache (at 100 M beam-steps/s): --yes starts it, "
                        "--budget TIME computes what fits, --quick or smaller --elements take less",
                        duration_text(seconds)));
-  const fs::path folder = command.out.empty()
-                              ? fs::path(fs::path(command.preset).stem().string() + "_accuracy")
-                              : fs::path(command.out);
+  const fs::path folder = command.out.empty() ? accuracy_folder(command.preset) : fs::path(command.out);
   open_folder(folder, preset);
   return compute(command, preset, plan, folder, budget);
 }
@@ -183,8 +178,10 @@ void add_accuracy(CLI::App& app, ExitCode& exit_code) {
                           "...; recommends the cheapest setting within a tolerance");
   const auto options = std::make_shared<AccuracyCommand>();
   add_scene_options(command, *options);
-  command.add_option("--out", options->out,
-                     "Folder of the results (default: NAME_accuracy); one of the same scene is continued");
+  command
+      .add_option("-o,--out", options->out,
+                  "Folder of the results (default: NAME_accuracy); one of the same scene is continued")
+      ->type_name("FOLDER");
   command
       .add_option("--goal", options->goal, "Largest error of G_ID/G_I0 that the recommended variant may have")
       ->check(CLI::Range(1e-6, 1.0))
@@ -199,8 +196,10 @@ void add_accuracy(CLI::App& app, ExitCode& exit_code) {
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   command.add_flag("--quick", options->quick, "The same scene with a fourth of the elements, and no ramp");
-  command.add_option("--budget", options->budget,
-                     "Stop after this time (\"10 min\"); the same command continues");
+  command
+      .add_option("--budget", options->budget,
+                  "Stop after this time (\"10 min\"); the same command continues")
+      ->type_name("TIME");
   command.add_flag("--yes", options->yes, "Start even where it takes more than 10 minutes");
   command.callback([options, &exit_code] { exit_code = accuracy(*options); });
 }

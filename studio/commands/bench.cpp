@@ -275,7 +275,7 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
       ->check(CLI::Range(0.001, 100.0));
   command.add_flag("--needs", options->needs,
                    "Cost of each part that a scene may leave out (damping, corotational beams, ...)");
-  command.add_flag("--json", options->json, "The result as JSON on stdout");
+  command.add_flag("-j,--json", options->json, "The result as JSON on stdout");
   add_quiet(command, *options);
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = bench(*options); });

@@ -92,8 +92,9 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
       "calibrate", "Beam parameters of a material of given E and ν, from cylinders in compression");
   const auto options = std::make_shared<CalibrateOptions>();
   add_report_options(command, *options, "convergence, scans, periodic boxes, charts and material.toml");
-  command.add_option("--young", options->young, "Young's modulus E, such as \"3.2 GPa\"");
-  command.add_option("--poisson", options->poisson, "Poisson's ratio");
+  command.add_option("--young", options->young, "Young's modulus E, such as \"3.2 GPa\"")
+      ->type_name("MODULUS");
+  command.add_option("--poisson", options->poisson, "Poisson's ratio")->type_name("NUMBER");
   command.callback([options, &exit_code] { exit_code = calibrate_material(*options); });
 }
 

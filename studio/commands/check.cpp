@@ -1,7 +1,11 @@
 #include "engine/base/console.hpp"
 #include "engine/measurement/specimen_properties.hpp"
+#include "studio/commands/chosen_claims.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/planned.hpp"
 #include "studio/commands/session.hpp"
+#include "studio/commands/step_error.hpp"
+#include "studio/text/catalogue.hpp"
 #include "studio/text/dry_run.hpp"
 
 #include <CLI/CLI.hpp>
@@ -52,12 +56,26 @@ void print_measured(const Json& j, bool color) {
 }
 
 struct CheckOptions : SceneOptions {
-  bool measure = false;
+  bool measure = false, reproduce = false, quick = false;
+  experiment::ExperimentOptions parts;
 };
 
-ExitCode check(const CheckOptions& options) {
-  const scene::Preset preset = read_scene(options);
-  if (prints_config(options, preset)) return ExitCode::done;
+void print_plan(const Json& plan, bool color) {
+  base::print_text(heading(plan.at("command").get<std::string>(), color) + "\n");
+  for (const auto& [label, text] : planned_rows(plan))
+    if (label != "command") base::print("  {:<16}{}\n", label, text);
+}
+
+/// A study, a calibration or a reproduction: what is known of it without a lattice.
+ExitCode say_plan(const CheckOptions& options, const PlannedWork& work, const scene::Preset& preset) {
+  const Session session("rift check", options);
+  const Json plan = planned_json(work, preset);
+  session.print_result(plan, [&] { print_plan(plan, session.color()); });
+  return ExitCode::done;
+}
+
+/// One scene or its lanes, prepared and marched for a moment; of a measured crack the experiment too.
+ExitCode check_run(const CheckOptions& options, const scene::Preset& preset, bool is_experiment) {
   const std::vector<scene::Scene> lanes = scenes_of_run(preset);
   Session session("rift check", options);
   return session.until_stopped([&] {
@@ -71,26 +89,55 @@ ExitCode check(const CheckOptions& options) {
       j["measured"]["ratio_quasi_static"] = measurement::quasi_static_ratio(
           prepared, prepared.lane.front().window, session.progress_of("quasi-static"));
     }
+    if (const std::string error = step_error_text(options, preset); !error.empty()) j["step_error"] = error;
+    if (is_experiment)
+      j["experiment"] = planned_json(planned_experiment(preset, options.preset, options.parts), preset);
     session.line.clear();
     session.print_notes();
     session.print_result(j, [&] {
       print_table(j, prepared.preset.name, session.color());
       if (options.measure) print_measured(j["measured"], session.color());
+      if (is_experiment) base::print("\n"), print_plan(j["experiment"], session.color());
     });
     return ExitCode::done;
   });
+}
+
+/// Of a claim's name that is no preset's too.
+bool is_reproduction(const CheckOptions& options) {
+  return options.reproduce || (!find_preset(options.preset) && is_claim_name(options.preset));
+}
+
+ExitCode check(const CheckOptions& options) {
+  if (is_reproduction(options)) {
+    const claims::Effort effort = options.quick ? claims::Effort::quick : claims::Effort::full;
+    return say_plan(options, planned_reproduction({options.preset}, effort, options.threads), {});
+  }
+  const scene::Preset preset = read_scene(options);
+  if (prints_config(options, preset)) return ExitCode::done;
+  const std::string taker = command_for(preset);
+  if (taker == "study") return say_plan(options, planned_study(preset, options.preset), preset);
+  if (taker == "calibrate")
+    return say_plan(options, planned_calibration(preset.scene, options.preset, options.threads), preset);
+  return check_run(options, preset, taker == "experiment");
 }
 
 }  // namespace
 
 void add_check(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "check", "Dry run: derived quantities, time step, cost, and what the scene leaves out");
+      "check",
+      "Dry run of a preset of any command, or of a claim: derived quantities, time step, cost, memory, disk, "
+      "and what is left out");
   const auto options = std::make_shared<CheckOptions>();
   add_scene_options(command, *options);
   command.add_flag("--measure", options->measure,
                    "Also measure E, ν and the wave speeds of this specimen, by static pulls and by waves, "
                    "and the release rate of an infinitely slow crack");
+  add_experiment_parts(command, options->parts);
+  command.add_flag("--reproduce", options->reproduce,
+                   "The name is that of a claim, as 'rift reproduce' takes it, where a preset has it too");
+  command.add_flag("--quick", options->quick, "Of a claim: the quick reproduction");
   command.callback([options, &exit_code] { exit_code = check(*options); });
 }
 

@@ -16,9 +16,11 @@ void add_accuracy(CLI::App& app, ExitCode& exit_code);
 void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_calibrate(CLI::App& app, ExitCode& exit_code);
 void add_check(CLI::App& app, ExitCode& exit_code);
+void add_compare(CLI::App& app, ExitCode& exit_code);
 void add_completion(CLI::App& app, ExitCode& exit_code);
 void add_experiment(CLI::App& app, ExitCode& exit_code);
 void add_export(CLI::App& app, ExitCode& exit_code);
+void add_help(CLI::App& app, ExitCode& exit_code);
 void add_list(CLI::App& app, ExitCode& exit_code);
 void add_manual(CLI::App& app, ExitCode& exit_code);
 void add_measure(CLI::App& app, ExitCode& exit_code);
@@ -39,8 +41,9 @@ ExitCode open_studio();
 
 /// All subcommands, in the order of `rift --help`.
 inline constexpr std::array all_commands = {
-    add_studio,     add_run,      add_resume,    add_render,    add_watch, add_study,  add_reproduce,
-    add_experiment, add_accuracy, add_stability, add_calibrate, add_pack,  add_check,  add_list,
-    add_theory,     add_measure,  add_export,    add_verify,    add_bench, add_manual, add_completion};
+    add_studio,    add_run,        add_resume,   add_render,    add_watch,     add_study,
+    add_reproduce, add_experiment, add_accuracy, add_stability, add_calibrate, add_pack,
+    add_check,     add_compare,    add_list,     add_theory,    add_measure,   add_export,
+    add_verify,    add_bench,      add_help,     add_manual,    add_completion};
 
 }  // namespace rift::studio

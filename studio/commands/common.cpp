@@ -93,7 +93,7 @@ fs::path own_presets_folder() {
   return fs::path(environment("HOME")) / ".local" / "share" / "rift" / "presets";
 }
 
-fs::path resolve_preset(const std::string& preset) {
+std::optional<fs::path> find_preset(const std::string& preset) {
   std::error_code ignored;
   const fs::file_status status = fs::status(preset, ignored);  // a pipe or /dev/stdin will do
   if (fs::exists(status) && !fs::is_directory(status)) return preset;
@@ -104,19 +104,26 @@ fs::path resolve_preset(const std::string& preset) {
         if (fs::is_regular_file(candidate, ignored)) return candidate;
       }
   }
-  refuse_preset(preset);
+  return std::nullopt;
 }
 
-void check_is_run(const std::string& run) {
+fs::path resolve_preset(const std::string& preset) {
+  const std::optional<fs::path> found = find_preset(preset);
+  if (!found) refuse_preset(preset);
+  return *found;
+}
+
+void check_is_run(const fs::path& folder) {
   std::error_code ignored;
-  const fs::path folder(run), below = folder / "run";
+  const fs::path below = folder / "run";
   if (fs::exists(folder / results::journal_name, ignored)) return;
   if (fs::exists(folder / study::study_name, ignored))
-    refuse(run, fmt::format("holds a study, not a run: its results are in table.csv and runs/; 'rift study "
-                            "PRESET --out {}' verifies and completes them",
-                            run));
+    refuse(folder.string(),
+           fmt::format("holds a study, not a run: 'rift compare {0}' shows its scenarios, 'rift study PRESET "
+                       "--out {0}' verifies and completes them",
+                       folder.string()));
   if (fs::exists(below / results::journal_name, ignored))
-    refuse(run, fmt::format("holds an experiment, not a run: its run is {}", below.string()));
+    refuse(folder.string(), fmt::format("holds an experiment, not a run: its run is {}", below.string()));
 }
 
 void check_report(const fs::path& folder, bool force, ReportKind kind) {
@@ -144,6 +151,7 @@ const fs::path& ReportFolder::keep() {
 void add_color_option(CLI::App& command, std::string& when) {
   when = "auto";
   command.add_option("--color", when, "Colours: auto (on a terminal, unless NO_COLOR is set), always, never")
+      ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
 }

@@ -9,6 +9,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,13 +26,16 @@ std::filesystem::path presets_folder();
 /// need not exist.
 std::filesystem::path own_presets_folder();
 
+/// The preset that the user means, or nothing where there is none.
+std::optional<std::filesystem::path> find_preset(const std::string& preset);
+
 /// The preset that the user means: a path to a file, or the bare name of one in the presets folder
 /// ("quickstart") or among the user's own. Throws InputError, with the nearest name, where there is none.
 std::filesystem::path resolve_preset(const std::string& preset);
 
-/// Throws InputError where the folder holds a study or an experiment in place of a run, saying what to do.
-/// Other folders are left to the command, which says what is wrong with them.
-void check_is_run(const std::string& run);
+/// Throws InputError where the folder is a study, or keeps its run in a folder below, and says so: for
+/// commands that want a run. What else may be wrong with it is theirs to say.
+void check_is_run(const std::filesystem::path& folder);
 
 /// What distinguishes a kind of report.
 struct ReportKind {

@@ -6,6 +6,7 @@
 #include "engine/scene/rows_file.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
+#include "studio/commands/planned.hpp"
 #include "studio/commands/session.hpp"
 #include "studio/reports/experiment_report.hpp"
 
@@ -26,17 +27,6 @@ struct ExperimentOptions : SceneOptions {
   bool force = false, no_application = false;
   std::unique_ptr<FilmOfRun> film;
 };
-
-void check_one_history(const scene::Preset& preset) {
-  if (!preset.study.empty() || !preset.lanes.empty())
-    refuse(preset.name, "holds lanes or a study: 'rift experiment' takes one measured crack");
-  if (preset.scene.crack.history.empty())
-    refuse(preset.name,
-           "has no crack.history: 'rift experiment' needs a measured one, such as --set "
-           "crack.history=measured.csv");
-  if (preset.scene.crack.tips != 1)
-    refuse(preset.name, "has two tips: 'rift experiment' takes a crack with one tip");
-}
 
 /// The critical rate to lay over the charts, read as crack.toughness is.
 fracture::CriticalRate read_truth(const std::string& file) {
@@ -137,21 +127,18 @@ void add_experiment(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<ExperimentOptions>();
   add_scene_options(command, *options);
   options->film = std::make_unique<FilmOfRun>(command);
-  command.add_option("--out", options->out, "Folder of the results (default: NAME_experiment)");
-  command.add_flag("--force", options->force, "Replace the results that are in the folder");
+  command.add_option("-o,--out", options->out, "Folder of the results (default: NAME_experiment)")
+      ->type_name("FOLDER");
+  command.add_flag("-f,--force", options->force, "Replace the results that are in the folder");
+  add_experiment_parts(command, options->parts);
   command
-      .add_option("--resamples", options->parts.resamples,
-                  "Resampled histories (parametric bootstrap) for the uncertainty from noise")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
-  command.add_option("--specimens", options->parts.specimens, "Packings for the uncertainty from packing")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  command.add_option(
-      "--against", options->truth,
-      "Reference curve of the critical release rate, a CSV file in the form of crack.toughness");
-  command.add_option("--budget", options->budget,
-                     "Stop after this time (\"2 h\") with exit code 4; the same command continues");
+      .add_option("--against", options->truth,
+                  "Reference curve of the critical release rate, a CSV file in the form of crack.toughness")
+      ->type_name("FILE");
+  command
+      .add_option("--budget", options->budget,
+                  "Stop after this time (\"2 h\") with exit code 4; the same command continues")
+      ->type_name("TIME");
   command.add_flag("--no-application", options->no_application,
                    "Skip the forward check, a predicted crack driven by the identified G_IDc");
   command.callback([options, &exit_code] { exit_code = experiment(*options); });

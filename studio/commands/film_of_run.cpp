@@ -61,25 +61,33 @@ void add_film_options(CLI::App& command, FilmOptions& options) {
   const auto add = [&](const char* name, auto& value, const char* text) {
     return command.add_option(name, value, text)->group(group);
   };
-  add("--field", request.field, "Field of the colours")->check(CLI::IsMember(names_of(viz::fields())));
-  add("--colours", request.colours, "Colour map")->check(CLI::IsMember(names_of(viz::colour_maps())));
+  add("--field", request.field, "Field of the colours")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names_of(viz::fields())));
+  add("--colours", request.colours, "Colour map")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names_of(viz::colour_maps())));
   add("--range", options.range,
-      "Range of the colour bar in its unit, such as 0,2 (default: the range of all panes)");
+      "Range of the colour bar in its unit, such as 0,2 (default: the range of all panes)")
+      ->type_name("A,B");
   add("--camera", request.camera,
       "plate: the whole plate; tip: a close-up that follows the tip; side: the out-of-plane displacement")
+      ->type_name("NAME")
       ->check(CLI::IsMember({"plate", "tip", "side"}));
   add("--beams", request.beams, "Beams drawn: none, those on the crack's path, all")
+      ->type_name("NAME")
       ->check(CLI::IsMember({"none", "crossing", "all"}));
   add("--magnification", request.magnification, "Magnification of the displacements")
       ->check(CLI::Range(0.0, 1000.0));
   add("--close-up", request.close_up_m, "Height of a close-up [m]")->check(CLI::Range(1e-6, 100.0));
-  add("--title", request.title, "Title above the picture");
+  add("--title", request.title, "Title above the picture")->type_name("TITLE");
   command.add_flag("--no-chart", options.no_chart, "Leave out the chart of the energy budget")->group(group);
   command.add_flag("--large-text", request.large_text, "Large text for lecture halls")->group(group);
-  add("--size", options.size, "Width and height in pixels")->capture_default_str();
+  add("--size", options.size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
   add("--fps", options.fps, "Frames per second (default: a film of about 8 s)")
       ->check(CLI::Range(0.1, 240.0));
   add("--gl", options.gl, "OpenGL: osmesa, egl, or auto for the first that works")
+      ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}))
       ->capture_default_str();
 }
@@ -191,8 +199,10 @@ struct FilmOfRun::Maker {
 
 FilmOfRun::FilmOfRun(CLI::App& command) : maker_(std::make_unique<Maker>()) {
   command.add_flag("--render", maker_->asked, "Make a film, rendered during the run where possible");
-  command.add_option("--film", maker_->film,
-                     "The film's file: .mp4, .webm or .gif (default: in the run's folder)");
+  command
+      .add_option("--film", maker_->film,
+                  "The film's file: .mp4, .webm or .gif (default: in the run's folder)")
+      ->type_name("FILE");
   add_film_options(command, maker_->options);
 }
 

@@ -1,14 +1,14 @@
 #include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
-#include "engine/scene/issue.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/help.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,33 +20,19 @@ namespace {
 /// An option as people see it.
 struct OptionText {
   std::vector<std::string> names;  // with their dashes; empty for a positional argument
-  std::string argument;            // "TEXT", "INT"; empty for a flag
+  std::string argument;            // "FOLDER", "INT"; empty for a flag
   std::vector<std::string> choices;
   std::string description;
 };
-
-std::vector<std::string> choices_in(const std::string& type) {
-  const std::size_t open = type.find('{'), close = type.find('}');
-  if (open == std::string::npos || close == std::string::npos) return {};
-  std::vector<std::string> choices;
-  std::string word;
-  for (const char letter : type.substr(open + 1, close - open - 1) + ",") {
-    if (letter == ',')
-      choices.push_back(std::exchange(word, {}));
-    else
-      word += letter;
-  }
-  return choices;
-}
 
 OptionText text_of(const CLI::Option& option) {
   OptionText text;
   for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
-  const std::string type = option.get_type_name();
-  if (option.get_items_expected_max() > 0) text.argument = type.substr(0, type.find_first_of(":{= "));
+  OptionType type = type_of(option);
+  if (option.get_items_expected_max() > 0) text.argument = type.word;
   if (text.names.empty()) text.argument = option.get_name();
-  text.choices = choices_in(type);
+  text.choices = std::move(type.choices);
   text.description = option.get_description();
   return text;
 }
@@ -55,10 +41,6 @@ std::vector<OptionText> options_of(const CLI::App& command) {
   std::vector<OptionText> options;
   for (const CLI::Option* option : command.get_options()) options.push_back(text_of(*option));
   return options;
-}
-
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App* command) { return !command->get_name().empty(); });
 }
 
 /// Text of a man page: what starts a line with a dot, or a backslash or a dash, is text.
@@ -83,6 +65,12 @@ std::string roff_of(const OptionText& option) {
   return fmt::format(".TP\n{}\n{}\n", head, roff(option.description));
 }
 
+std::string rows_of(const char* title, std::span<const Explained> words) {
+  std::string rows = fmt::format(".SH {}\n", title);
+  for (const Explained& e : words) rows += fmt::format(".TP\n{}\n{}\n", roff(e.word), roff(e.meaning));
+  return rows;
+}
+
 /// The page of one command: rift-COMMAND(1), after man-pages(7).
 std::string man_page(const CLI::App& command) {
   const std::string name = "rift-" + command.get_name();
@@ -95,7 +83,10 @@ std::string man_page(const CLI::App& command) {
     if (option.names.empty()) page += fmt::format(" \\fI{}\\fR", roff(option.argument));
     rows += roff_of(option);
   }
-  return page + "\n.SH OPTIONS\n" + rows + ".SH SEE ALSO\n\\fBrift\\fR(1)\n";
+  page += "\n.SH OPTIONS\n" + rows + ".SH EXAMPLES\n";
+  for (const std::string& example : examples_of(command.get_name()))
+    page += fmt::format(".TP\n\\fB{}\\fR\n", roff(example));
+  return page + rows_of("EXIT STATUS", exit_codes()) + ".SH SEE ALSO\n\\fBrift\\fR(1)\n";
 }
 
 /// The page of the program: rift(1).
@@ -108,43 +99,7 @@ std::string man_page_of_all(const CLI::App& app) {
   for (const CLI::App* command : commands_of(app))
     page += fmt::format(".TP\n\\fBrift\\-{}\\fR(1)\n{}\n", roff(command->get_name()),
                         roff(command->get_description()));
-  page += R"(.SH EXIT STATUS
-.TP
-0
-The command has succeeded.
-.TP
-1
-The disk, the network, a library or another program has failed.
-.TP
-2
-The input is wrong: a preset, an option, a file.
-.TP
-3
-A computation has diverged.
-.TP
-4
-The time of \-\-budget is over; the same command continues.
-.TP
-128+n
-Signal n has stopped the command.
-.SH ENVIRONMENT
-.TP
-RIFT_PRESETS
-The folder of presets, in place of the one that was installed.
-.TP
-RIFT_SIMD
-The instruction set of the kernels: baseline, avx2 or avx512.
-.TP
-XDG_CACHE_HOME
-Packings and static solutions are kept in its folder rift (~/.cache/rift).
-.TP
-XDG_DATA_HOME
-Presets of your own are kept in its folder rift/presets (~/.local/share/rift/presets).
-.TP
-NO_COLOR
-If set, tables have no colours.
-)";
-  return page;
+  return page + rows_of("EXIT STATUS", exit_codes()) + rows_of("ENVIRONMENT", environment_variables());
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -181,7 +136,7 @@ std::string bash_completion(const CLI::App& app) {
 _rift() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command=${{COMP_WORDS[1]}} options
   if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W '{} --help --version' -- "$word"))
+    COMPREPLY=($(compgen -W '{} --help --version -V' -- "$word"))
     return
   fi
   case "$command:$before" in
@@ -280,16 +235,7 @@ namespace {
 
 std::string page_of(const CLI::App& app, const std::string& command) {
   if (command.empty()) return man_page_of_all(app);
-  std::vector<std::string> names;
-  for (const CLI::App* candidate : commands_of(app)) names.push_back(candidate->get_name());
-  if (std::find(names.begin(), names.end(), command) != names.end())
-    return man_page(*app.get_subcommand(command));
-  const std::string nearest = scene::nearest_name(command, names);
-  throw scene::InputError(
-      {scene::Issue{.file = "rift manual",
-                    .key = {},
-                    .text = fmt::format("no such command '{}'{}", scene::printable(command),
-                                        nearest.empty() ? "" : ", did you mean '" + nearest + "'?")}});
+  return man_page(command_named(app, command, "rift manual"));
 }
 
 /// All pages and completions as an installation wants them.
@@ -315,9 +261,12 @@ void add_manual(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "manual", "The man page of rift or of one of its commands, to be read by 'man -l -'");
   const auto options = std::make_shared<ManualOptions>();
-  command.add_option("command", options->command, "The command; without it the page of the program");
-  command.add_option("--into", options->folder,
-                     "Write all pages, and the completions of all shells, into this folder");
+  command.add_option("command", options->command, "The command; without it the page of the program")
+      ->type_name("NAME");
+  command
+      .add_option("--into", options->folder,
+                  "Write all pages, and the completions of all shells, into this folder")
+      ->type_name("FOLDER");
   command.callback([&app, options, &exit_code] {
     if (options->folder.empty())
       base::print_text(page_of(app, options->command));
@@ -331,6 +280,7 @@ void add_completion(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand("completion", "The completion script of a shell");
   const auto shell = std::make_shared<std::string>();
   command.add_option("shell", *shell, "bash, zsh or fish")
+      ->type_name("SHELL")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   command.callback([&app, shell, &exit_code] {

@@ -132,7 +132,10 @@ ExitCode measure(const MeasureOptions& options) {
     base::print_text(instruments_text(report, session.color()));
     base::print("{}/  report.html, stress_intensity.csv, field.csv, charts\n", owned.path().string());
   });
-  return code;
+  const std::string none = no_intensity_text(report.seen, options.instruments);
+  if (none.empty()) return code;
+  session.message(none);
+  return code == ExitCode::done ? ExitCode::bad_input : code;
 }
 
 }  // namespace
@@ -142,10 +145,14 @@ void add_measure(CLI::App& app, ExitCode& exit_code) {
       "measure", "Virtual instruments of a run: grip force, gauges, camera fields, stress intensity factors");
   const auto options = std::make_shared<MeasureOptions>();
   measurement::InstrumentOptions& instruments = options->instruments;
-  command.add_option("run", options->run, "Folder of the run, which may be unfinished")->required();
-  command.add_option(
-      "--against", options->against,
-      "Measured curves to compare with: a CSV file such as \"time [us];grip_force [N]\" (repeatable)");
+  command.add_option("run", options->run, "Folder of the run, which may be unfinished")
+      ->type_name("FOLDER")
+      ->required();
+  command
+      .add_option(
+          "--against", options->against,
+          "Measured curves to compare with: a CSV file such as \"time [us];grip_force [N]\" (repeatable)")
+      ->type_name("FILE");
   command.add_option("--lane", instruments.lane, "Lane that is read")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -163,10 +170,11 @@ void add_measure(CLI::App& app, ExitCode& exit_code) {
   command.add_option("--outer", instruments.outer, "Outer radius of that ring, in mean radii")
       ->check(radii)
       ->capture_default_str();
-  command.add_option("--out", options->out, "Folder of the results (default: RUN/measure)");
-  command.add_flag("--force", options->force, "Replace the results that are in --out");
-  command.add_flag("--quiet", options->quiet, "No progress");
-  command.add_flag("--json", options->json, "The result as JSON on stdout");
+  command.add_option("-o,--out", options->out, "Folder of the results (default: RUN/measure)")
+      ->type_name("FOLDER");
+  command.add_flag("-f,--force", options->force, "Replace the results that are in --out");
+  command.add_flag("-q,--quiet", options->quiet, "No progress");
+  command.add_flag("-j,--json", options->json, "The result as JSON on stdout");
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = measure(*options); });
 }

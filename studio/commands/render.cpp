@@ -180,28 +180,34 @@ void add_render(CLI::App& app, ExitCode& exit_code) {
   command
       .add_option("run", options->runs,
                   "Folders of one to four runs, drawn with one clock and one colour scale")
+      ->type_name("FOLDER")
       ->required();
   command
       .add_option("--lane", options->look.request.lanes,
                   "Lane of each run; repeat the option for more lanes (default: all)")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--film", options->film,
-                     "Film: .mp4, .webm or .gif (default: film_FIELD.mp4 in the run's folder)");
+  command
+      .add_option("--film", options->film,
+                  "Film: .mp4, .webm or .gif (default: film_FIELD.mp4 in the run's folder)")
+      ->type_name("FILE");
   command
       .add_option("--frames", options->frames,
                   "Number of frames, chosen evenly from the stored ones (default: all)")
       ->check(CLI::Range(1, 1000000));
-  command.add_option("--from", options->from, "Film and pictures from this time of the crack on: \"12 us\"");
-  command.add_option("--to", options->to, "Film and pictures up to this time of the crack");
-  command.add_option("--png", options->pictures, "Folder for the frames as pictures");
+  command.add_option("--from", options->from, "Film and pictures from this time of the crack on: \"12 us\"")
+      ->type_name("TIME");
+  command.add_option("--to", options->to, "Film and pictures up to this time of the crack")
+      ->type_name("TIME");
+  command.add_option("--png", options->pictures, "Folder for the frames as pictures")->type_name("FOLDER");
   command.add_option("--at", options->at, "One picture, at this fraction of the stored frames")
       ->check(CLI::Range(0.0, 1.0));
-  command.add_option("--picture", options->picture, "File of the one picture (default: in the run's folder)");
+  command.add_option("--picture", options->picture, "File of the one picture (default: in the run's folder)")
+      ->type_name("FILE");
   command.add_flag("--poster", options->poster,
                    "A picture with large text, where the crack has run six tenths of its path");
-  command.add_flag("--force", options->force, "Replace existing files");
-  command.add_flag("--quiet", options->quiet, "No progress");
-  command.add_flag("--json", options->json, "Progress as JSON lines on standard error");
+  command.add_flag("-f,--force", options->force, "Replace existing files");
+  command.add_flag("-q,--quiet", options->quiet, "No progress");
+  command.add_flag("-j,--json", options->json, "Progress as JSON lines on standard error");
   add_film_options(command, options->look);
   command.callback([options, &exit_code] { exit_code = render(*options); });
 }

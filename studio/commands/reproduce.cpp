@@ -6,6 +6,7 @@
 #include "engine/scene/issue.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
+#include "studio/commands/chosen_claims.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/draw_claim.hpp"
 #include "studio/commands/session.hpp"
@@ -27,36 +28,9 @@ namespace {
 
 struct ReproduceOptions : SessionOptions {
   std::vector<std::string> names;
-  std::string out = "reproduction";
+  std::string out = reproduction_folder;
   bool quick = false;
 };
-
-/// The claims of the names, in the table's order; for none or "all" all of the paper's, for "beyond" the
-/// others.
-std::vector<const claims::Claim*> chosen_claims(const std::vector<std::string>& names) {
-  std::set<std::string> wanted(names.begin(), names.end());
-  std::vector<std::string> known{"all", "beyond"};
-  for (const claims::Claim& claim : claims::claims()) known.push_back(claim.name);
-  std::vector<scene::Issue> issues;
-  for (const std::string& name : wanted) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string nearest = scene::nearest_name(name, known);
-    issues.push_back({.file = "rift reproduce",
-                      .key = {},
-                      .text = nearest.empty()
-                                  ? fmt::format("unknown name '{}': the names are {}", scene::printable(name),
-                                                scene::listed(known, "and"))
-                                  : fmt::format("unknown name '{}', did you mean '{}'?",
-                                                scene::printable(name), nearest)});
-  }
-  if (!issues.empty()) throw scene::InputError(issues);
-  std::vector<const claims::Claim*> chosen;
-  if (wanted.empty()) wanted.insert("all");
-  for (const claims::Claim& claim : claims::claims())
-    if (wanted.contains(claim.beyond ? "beyond" : "all") || wanted.contains(claim.name))
-      chosen.push_back(&claim);
-  return chosen;
-}
 
 /// A folder of something else is left alone.
 void check_folder(const fs::path& folder) {
@@ -66,23 +40,6 @@ void check_folder(const fs::path& folder) {
     return;
   refuse("rift reproduce", fmt::format("'{}' exists and holds other files: choose another folder with --out",
                                        scene::printable(folder.string())));
-}
-
-claims::PaperStudy study_of(const std::vector<const claims::Claim*>& chosen, claims::Effort effort) {
-  std::vector<std::string> names;
-  for (const claims::Claim* claim : chosen)
-    for (const std::string& name : claim->needs)
-      if (claim->judge && !claim->calibration && std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-  std::vector<std::pair<std::string, scene::Preset>> presets;
-  std::vector<scene::Issue> issues;
-  for (const std::string& name : names) {
-    presets.emplace_back(name, scene::read_preset(resolve_preset(name)));
-    const std::vector<scene::Issue>& found = presets.back().second.issues;
-    issues.insert(issues.end(), found.begin(), found.end());
-  }
-  if (!issues.empty()) throw scene::InputError(issues);
-  return claims::merge_presets(presets, effort);
 }
 
 /// The rows a claim looks at, of any stiffness.
@@ -128,25 +85,12 @@ JudgedClaim judged(const claims::Claim& claim, const claims::PaperStudy& study,
   return out;
 }
 
-/// What --quick leaves of a calibration: two packings of the cylinders below the size of the quick plate.
-scene::Scene calibration_scene(scene::Scene scene, claims::Effort effort) {
-  if (effort == claims::Effort::full) return scene;
-  scene::Scene::Calibration& c = scene.calibration;
-  const double most = claims::plate_elements(effort);
-  std::erase_if(c.sizes, [&](double elements) { return elements > most; });
-  if (c.sizes.empty()) c.sizes = {most};
-  c.elements = std::min(c.elements, static_cast<int>(most) / 2);
-  c.packings = std::min(c.packings, 2);
-  return scene;
-}
-
 /// Judges a claim about cylinders.
 JudgedClaim calibrated(const claims::Claim& claim, const ReproduceOptions& options, claims::Effort effort,
                        Session& session) {
   const double start_s = session.seconds();
-  const scene::Preset preset = without_mistakes(scene::read_preset(resolve_preset(claim.needs.front())));
   const calibration::CalibrationStudy study = calibration::study_calibration(
-      calibration_scene(preset.scene, effort), session.cache, session.progress_of_stages(), options.threads);
+      calibration_scene(claim, effort), session.cache, session.progress_of_stages(), options.threads);
   JudgedClaim out;
   out.claim = &claim;
   const std::vector<nlohmann::ordered_json> rows = calibration::rows_of(study);
@@ -245,7 +189,7 @@ void write_reproduction(const Reproduction& report, const fs::path& folder, cons
 ExitCode reproduce(const ReproduceOptions& options) {
   const std::vector<const claims::Claim*> chosen = chosen_claims(options.names);
   const claims::Effort effort = options.quick ? claims::Effort::quick : claims::Effort::full;
-  const claims::PaperStudy study = study_of(chosen, effort);
+  const claims::PaperStudy study = paper_study(chosen, effort);
   check_folder(options.out);
   study::open_shared(options.out);
   base::check_target(fs::path(options.out) / "report.html");
@@ -280,17 +224,21 @@ void add_reproduce(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("reproduce", "The paper's figures and claims, each recomputed and judged");
   const auto options = std::make_shared<ReproduceOptions>();
-  command.add_option(
-      "names", options->names,
-      "Claims to judge, such as fig07 or sec4_longer; all (default); beyond: questions beyond the paper");
+  command
+      .add_option(
+          "names", options->names,
+          "Claims to judge, such as fig07 or sec4_longer; all (default); beyond: questions beyond the paper")
+      ->type_name("NAME");
   command.add_flag("--quick", options->quick, "The same plate with 5,000 elements, a minute or two");
   command
-      .add_option("--out", options->out, "Folder of runs, charts and report; an existing one is continued")
+      .add_option("-o,--out", options->out, "Folder of runs, charts and report; an existing one is continued")
+      ->type_name("FOLDER")
       ->capture_default_str();
   add_threads(command, *options);
   add_no_cache(command, *options);
   add_quiet(command, *options);
-  command.add_flag("--json", options->json,
+  add_plain(command, *options);
+  command.add_flag("-j,--json", options->json,
                    "Progress as JSON lines on stderr, the verdicts as JSON on stdout");
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = reproduce(*options); });

@@ -9,6 +9,7 @@
 #include "studio/commands/film_of_run.hpp"
 #include "studio/commands/run_panel.hpp"
 #include "studio/commands/session.hpp"
+#include "studio/commands/step_error.hpp"
 #include "studio/text/run_table.hpp"
 
 #include <CLI/CLI.hpp>
@@ -27,13 +28,12 @@ namespace {
 
 struct RunOptions : SceneOptions {
   std::string out, replay, budget, checkpoint = "30 s";
-  bool force = false, plain = false;
+  bool force = false;
   std::unique_ptr<FilmOfRun> film;
 };
 
 struct ResumeOptions : SessionOptions {
   std::string run, budget;
-  bool plain = false;
 };
 
 /// Shows the march a few times a second; Ctrl-C is heard here.
@@ -53,13 +53,14 @@ simulation::Observer observer_of(Session& session, std::size_t elements) {
 
 /// The table of every scenario and where the files are, or with --json the summary.
 void print_run(const Session& session, const nlohmann::ordered_json& summary, const fs::path& folder,
-               const std::string& film = {}) {
+               const std::string& film = {}, const std::string& step_error = {}) {
   session.print_result(summary, [&] {
     bool any_stopped = false;
     for (const results::LaneSummary& lane : results::lane_summaries_of(summary.at("scenarios"))) {
       base::print_text(run_table(lane, session.color()));
       any_stopped = any_stopped || lane.outcome == simulation::name_of(simulation::Outcome::stopped);
     }
+    if (!step_error.empty()) base::print("  {:<22}{}\n", "accuracy", step_error);
     base::print("  {:<22}{}/  summary.json, series.csv, run.vtkhdf (ParaView 5.12 or later)\n", "files",
                 folder.string());
     if (!film.empty()) base::print("  {:<22}{}\n", "film", film);
@@ -75,8 +76,8 @@ void say_nothing_kept(Session& session, const std::string& what, const char* the
       fmt::format("{}{}: {}", what, session.ran_out_of_budget() ? " because the budget ran out" : "", then));
 }
 
-bool wants_panel(const SessionOptions& options, bool plain) {
-  return !plain && !options.quiet && !options.json && panel_there();
+bool wants_panel(const SessionOptions& options) {
+  return !options.plain && !options.quiet && !options.json && panel_there();
 }
 
 // rift resume
@@ -128,8 +129,8 @@ ExitCode resume(const ResumeOptions& options) {
   Session session("rift resume", options, budget);
   std::optional<simulation::Recorded> ran;
   try {
-    ran = wants_panel(options, options.plain) ? resume_live(options, preset, session)
-                                              : resume_plainly(options, preset, session);
+    ran = wants_panel(options) ? resume_live(options, preset, session)
+                               : resume_plainly(options, preset, session);
   } catch (const std::invalid_argument& error) {
     throw base::WorldError("resume", options.run, error.what());
   }
@@ -227,18 +228,19 @@ ExitCode run(const RunOptions& options) {
   }
   const fs::path path = folder_for(options, preset);
   if (goes_on(options, preset, path)) {
-    const ResumeOptions going_on{options, path.string(), options.budget, options.plain};
+    const ResumeOptions going_on{options, path.string(), options.budget};
     return resume(going_on);
   }
   Session session("rift run", options, budget);
   const std::optional<simulation::Recorded> ran =
-      wants_panel(options, options.plain) ? run_live(options, preset, path, checkpoint_s, session)
-                                          : run_plainly(options, preset, path, checkpoint_s, session);
+      wants_panel(options) ? run_live(options, preset, path, checkpoint_s, session)
+                           : run_plainly(options, preset, path, checkpoint_s, session);
   if (!ran) return session.stopped();
   const FilmOfRun::Result film = options.film->finish(session);
   session.line.clear();
   session.print_notes();
-  print_run(session, ran->summary, path, film.path);
+  print_run(session, ran->summary, path, film.path,
+            options.replay.empty() ? step_error_text(options, preset) : "");
   if (!film.trouble.empty()) session.message("no film: " + film.trouble);
   const ExitCode code = session.ended(ran->result.outcome);
   return code == ExitCode::done && !film.trouble.empty() ? ExitCode::world_failed : code;
@@ -252,20 +254,26 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<RunOptions>();
   add_scene_options(command, *options);
   options->film = std::make_unique<FilmOfRun>(command);
-  command.add_option("--out", options->out, "Folder of the run (default: runs/NAME, numbered if it exists)");
+  command
+      .add_option("-o,--out", options->out, "Folder of the run (default: runs/NAME, numbered if it exists)")
+      ->type_name("FOLDER");
   command
       .add_option("--checkpoint", options->checkpoint,
                   "Time between two checkpoints, for 'rift resume' after a kill or a power cut")
+      ->type_name("TIME")
       ->capture_default_str();
-  command.add_option("--budget", options->budget,
-                     "Stop after this time (\"2 h\") with exit code 4: the same command, or 'rift resume', "
-                     "continues from the checkpoint; before the first step nothing is written");
-  command.add_flag("--plain", options->plain, "Print progress line by line instead of the live panel");
-  command.add_flag("--force", options->force, "Replace the run that is in the folder");
+  command
+      .add_option("--budget", options->budget,
+                  "Stop after this time (\"2 h\") with exit code 4: the same command, or 'rift resume', "
+                  "continues from the checkpoint; before the first step nothing is written")
+      ->type_name("TIME");
+  command.add_flag("-f,--force", options->force, "Replace the run that is in the folder");
   CLI::Option* preset = command.get_option("preset");
   CLI::Option* replay =
-      command.add_option("--replay", options->replay,
-                         fmt::format("Repeat a steered run bit for bit from its {}", results::steering_name));
+      command
+          .add_option("--replay", options->replay,
+                      fmt::format("Repeat a steered run bit for bit from its {}", results::steering_name))
+          ->type_name("FILE");
   preset->required(false)->excludes(replay);
   command.callback([options, preset, &exit_code] {
     if (options->preset.empty() && options->replay.empty()) throw CLI::RequiredError(preset->get_name());
@@ -278,12 +286,14 @@ void add_resume(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "resume", "Resume a run that was stopped or killed; the results are the same to the bit");
   const auto options = std::make_shared<ResumeOptions>();
-  command.add_option("run", options->run, "Folder of the run")->required();
+  command.add_option("run", options->run, "Folder of the run")->type_name("FOLDER")->required();
   add_threads(command, *options);
-  command.add_option(
-      "--budget", options->budget,
-      "Stop after this time (\"2 h\") with a checkpoint and exit code 4; the same command continues");
-  command.add_flag("--plain", options->plain, "Print progress line by line instead of the live panel");
+  command
+      .add_option(
+          "--budget", options->budget,
+          "Stop after this time (\"2 h\") with a checkpoint and exit code 4; the same command continues")
+      ->type_name("TIME");
+  add_plain(command, *options);
   add_quiet(command, *options);
   add_json(command, *options);
   add_no_cache(command, *options);

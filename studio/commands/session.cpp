@@ -20,11 +20,17 @@ void add_threads(CLI::App& command, SessionOptions& options) {
 }
 
 void add_quiet(CLI::App& command, SessionOptions& options) {
-  command.add_flag("--quiet", options.quiet, "No progress on stderr");
+  command.add_flag("-q,--quiet", options.quiet, "No progress on stderr");
+}
+
+void add_plain(CLI::App& command, SessionOptions& options) {
+  command.add_flag("--plain", options.plain,
+                   "Progress line by line, with no panel and no line that is redrawn");
 }
 
 void add_json(CLI::App& command, SessionOptions& options) {
-  command.add_flag("--json", options.json, "Progress as JSON lines on stderr, the result as JSON on stdout");
+  command.add_flag("-j,--json", options.json,
+                   "Progress as JSON lines on stderr, the result as JSON on stdout");
 }
 
 void add_no_cache(CLI::App& command, SessionOptions& options) {
@@ -34,13 +40,16 @@ void add_no_cache(CLI::App& command, SessionOptions& options) {
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("preset", options.preset, "A preset file, or the name of one that 'rift list' shows")
+      ->type_name("NAME|FILE")
       ->required();
   command
       .add_option("--set", options.overrides,
                   "key=value: any parameter of docs/parameters.md; may be repeated")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   add_threads(command, options);
   add_quiet(command, options);
+  add_plain(command, options);
   add_json(command, options);
   add_no_cache(command, options);
   command.add_flag("--print-config", options.print_config, "Print the effective preset and stop");
@@ -50,8 +59,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
 void add_report_options(CLI::App& command, ReportOptions& options, const std::string& holds) {
   add_scene_options(command, options);
   command.get_option("preset")->required(false);
-  command.add_option("--out", options.out, "Folder of a report: " + holds);
-  command.add_flag("--force", options.force, "Replace the results of an earlier run in the folder");
+  command.add_option("-o,--out", options.out, "Folder of a report: " + holds)->type_name("FOLDER");
+  command.add_flag("-f,--force", options.force, "Replace the results of an earlier run in the folder");
 }
 
 scene::Preset without_mistakes(scene::Preset preset) {
@@ -95,7 +104,7 @@ std::string command_with_preset(const std::string& name, const SceneOptions& opt
 Session::Session(std::string name, const SessionOptions& how, std::optional<double> budget)
     : options(how),
       stop(budget),
-      line(progress_style(how.quiet, how.json)),
+      line(progress_style(how.quiet, how.json, how.plain)),
       cache(cache_for(how)),
       name_(std::move(name)) {}
 

@@ -22,13 +22,14 @@ namespace rift::studio {
 
 /// How a command works and speaks: options that many have, each added by a function of its own.
 struct SessionOptions {
-  bool quiet = false, json = false, no_cache = false;
+  bool quiet = false, json = false, no_cache = false, plain = false;
   std::string color = "auto";
   int threads = 0;  // 0 for one per available CPU
 };
 
 void add_threads(CLI::App& command, SessionOptions& options);
 void add_quiet(CLI::App& command, SessionOptions& options);
+void add_plain(CLI::App& command, SessionOptions& options);
 void add_json(CLI::App& command, SessionOptions& options);
 void add_no_cache(CLI::App& command, SessionOptions& options);
 

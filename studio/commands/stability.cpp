@@ -58,10 +58,12 @@ void add_stability(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<StabilityOptions>();
   command.add_flag("--quick", options->suite.quick,
                    "10,000 steps of free vibration in place of a million, and no cracks below 0.01 c_R");
-  command.add_option("--only", options->suite.only, "Families whose name contains this");
-  command.add_option("--out", options->out,
-                     "Folder for report.html, table.csv, claims.csv, summary.json and charts");
-  command.add_flag("--force", options->force, "Replace the report that is in the folder");
+  command.add_option("--only", options->suite.only, "Families whose name contains this")->type_name("NAME");
+  command
+      .add_option("-o,--out", options->out,
+                  "Folder for report.html, table.csv, claims.csv, summary.json and charts")
+      ->type_name("FOLDER");
+  command.add_flag("-f,--force", options->force, "Replace the report that is in the folder");
   add_quiet(command, *options);
   add_json(command, *options);
   add_color_option(command, options->color);

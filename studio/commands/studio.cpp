@@ -42,10 +42,12 @@ void add_studio(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("studio", "The workbench in the terminal; 'rift' alone opens it too");
   const auto options = std::make_shared<StudioOptions>();
-  CLI::Option* preset = command.add_option("preset", options->preset, "A preset to begin with");
+  CLI::Option* preset =
+      command.add_option("preset", options->preset, "A preset to begin with")->type_name("NAME|FILE");
   command
       .add_option("--lesson", options->lesson,
                   "A guided lesson with a live run: node-release, damping, velocity")
+      ->type_name("NAME")
       ->excludes(preset);
   command
       .add_option("--threads", options->threads, "Threads (default: one per CPU that this process may use)")

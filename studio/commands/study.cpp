@@ -4,6 +4,7 @@
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/planned.hpp"
 #include "studio/commands/session.hpp"
 #include "studio/reports/study_report.hpp"
 #include "studio/reports/work_precision.hpp"
@@ -21,8 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double assumed_beam_steps_per_s = 1e8, long_study_s = 600.0;
 
 struct StudyCommand : SceneOptions {
   std::string out, shard, budget;
@@ -50,28 +49,15 @@ Shard read_shard(const std::string& text) {
   return shard;
 }
 
-void check_holds_study(const scene::Preset& preset) {
-  if (!preset.study.empty()) return;
-  const std::string what =
-      preset.lanes.empty()
-          ? "holds no [study]: write a table [study] with a list of values per axis, such as crack_velocity "
-            "= [\"0.3 c_r\", \"0.5 c_r\"] and seed = [1, 2]; 'rift run' runs one scene"
-          : "holds lanes and no [study]: 'rift run' runs them, and [[study.rows]] makes a study of them";
-  refuse(preset.name, what);
-}
-
 /// Seconds that what is missing of this part takes, roughly.
 double estimated_seconds(const scene::Preset& preset, const study::StudyOptions& options,
                          const simulation::BuildInfo& build) {
-  double beam_steps = 0.0;
-  int group = -1;
-  for (const study::StudyItem& item :
-       study::part_of(study::plan_study(preset, build.version), options.shard, options.shards)) {
-    if (fs::exists(study::result_file(options.folder, item.key))) continue;
-    beam_steps += item.cost + (item.group != group ? study::estimated_preparation(item.scene) : 0.0);
-    group = item.group;
-  }
-  return beam_steps / assumed_beam_steps_per_s;
+  std::vector<study::StudyItem> missing =
+      study::part_of(study::plan_study(preset, build.version), options.shard, options.shards);
+  std::erase_if(missing, [&](const study::StudyItem& item) {
+    return fs::exists(study::result_file(options.folder, item.key));
+  });
+  return study::estimated_seconds(missing);
 }
 
 std::string finished_text(const study::SummaryRow& row, int done, int of) {
@@ -107,6 +93,7 @@ void print_tables(const StudyCommand& command, const study::StudyResult& result,
   if (!table.rows.empty()) base::print_text(plain_table(table, color) + "\n");
   if (!seeds.rows.empty())
     base::print_text("mean ± scatter between specimens\n" + plain_table(seeds, color) + "\n");
+  if (!table.rows.empty()) base::print("left out: {}\n", left_out_text(result.rows));
   if (table.rows.size() < result.rows.size())
     base::print("{} of {} scenarios are not computed yet\n", result.rows.size() - table.rows.size(),
                 result.rows.size());
@@ -166,13 +153,12 @@ ExitCode study(const StudyCommand& command) {
   if (prints_config(command, preset)) return ExitCode::done;
   check_holds_study(preset);
   study::StudyOptions options;
-  options.folder =
-      command.out.empty() ? fs::path("studies") / fs::path(command.preset).stem() : fs::path(command.out);
+  options.folder = command.out.empty() ? study_folder(command.preset) : fs::path(command.out);
   options.threads = command.threads;
   options.shard = shard.index;
   options.shards = shard.of;
   const double seconds = estimated_seconds(preset, options, build_info());
-  if (seconds > long_study_s && !command.yes && !budget)
+  if (seconds > long_work_s && !command.yes && !budget)
     refuse("rift study", fmt::format("the missing scenarios take about {} (at 100 M beam-steps/s, lanes side "
                                      "by side): --yes starts them, --budget TIME computes what fits",
                                      duration_text(seconds)));
@@ -187,13 +173,18 @@ void add_study(CLI::App& app, ExitCode& exit_code) {
                                           "report; an interrupted study is continued");
   const auto options = std::make_shared<StudyCommand>();
   add_scene_options(command, *options);
-  command.add_option(
-      "--out", options->out,
-      "Folder of the study (default: studies/NAME); one that holds the same study is continued");
-  command.add_option("--shard", options->shard,
-                     "i/n: compute only the i-th of n parts; a call without --shard gathers all parts");
-  command.add_option("--budget", options->budget,
-                     "Stop after this time (\"10 min\"); the same command continues");
+  command
+      .add_option("-o,--out", options->out,
+                  "Folder of the study (default: studies/NAME); one that holds the same study is continued")
+      ->type_name("FOLDER");
+  command
+      .add_option("--shard", options->shard,
+                  "i/n: compute only the i-th of n parts; a call without --shard gathers all parts")
+      ->type_name("I/N");
+  command
+      .add_option("--budget", options->budget,
+                  "Stop after this time (\"10 min\"); the same command continues")
+      ->type_name("TIME");
   command.add_flag("--yes", options->yes, "Start even a study of more than 10 minutes");
   command.callback([options, &exit_code] { exit_code = study(*options); });
 }

@@ -150,6 +150,7 @@ void theory_factors(const TheoryOptions& options) {
 void add_options(CLI::App& command, TheoryOptions& o) {
   command.add_option("--poisson", o.poisson, "Poisson's ratio, in (-1, 0.5]")->capture_default_str();
   command.add_option("--plane", o.plane, "Plane elasticity")
+      ->type_name("PLANE")
       ->check(CLI::IsMember({"stress", "strain"}))
       ->capture_default_str();
   auto* v =
@@ -163,7 +164,7 @@ void add_options(CLI::App& command, TheoryOptions& o) {
   command.add_option("--steps", o.steps, "Number of velocities in the sweep, both ends counted")
       ->capture_default_str()
       ->excludes(v);
-  auto* json = command.add_flag("--json", o.json, "One JSON object; undefined factors are null");
+  auto* json = command.add_flag("-j,--json", o.json, "One JSON object; undefined factors are null");
   command.add_flag("--csv", o.csv, "Comma-separated values; undefined factors are nan")->excludes(json);
   add_color_option(command, o.color);
 }

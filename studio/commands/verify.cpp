@@ -61,9 +61,9 @@ void add_verify(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "verify", "Verify the checksums of every file of a run; repair or rebuild damaged files");
   const auto options = std::make_shared<VerifyOptions>();
-  command.add_option("run", options->run, "Folder of the run")->required();
+  command.add_option("run", options->run, "Folder of the run")->type_name("FOLDER")->required();
   command.add_flag("--check-only", options->check_only, "Report only, change nothing");
-  command.add_flag("--json", options->json, "The result as JSON on stdout");
+  command.add_flag("-j,--json", options->json, "The result as JSON on stdout");
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = verify(*options); });
 }

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace rift::studio {
@@ -39,7 +40,7 @@ void add_watch(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("watch", "Live panel of a run that another process computes, read only");
   const auto options = std::make_shared<WatchOptions>();
-  command.add_option("run", options->run, "Folder of the run")->required();
+  command.add_option("run", options->run, "Folder of the run")->type_name("FOLDER")->required();
   add_color_option(command, options->color);
   command.callback([options, &exit_code] { exit_code = watch(*options); });
 }

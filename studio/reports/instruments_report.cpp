@@ -110,6 +110,10 @@ Table conclusions(const InstrumentsReport& report) {
   const auto say = [&](const std::string& label, const std::string& text) {
     table.rows.push_back({label, text});
   };
+  say("plate",
+      fmt::format("{:.4g} x {:.4g} x {:.4g} mm, {} elements: forces and energies go with the thickness{}",
+                  1e3 * seen.plate.x(), 1e3 * seen.plate.y(), 1e3 * seen.plate.z(), seen.elements,
+                  seen.of_layers ? ", which follows from layers and elements" : ""));
   say("camera", fmt::format("{} x {} points, subset diameter {:.3g} mm", seen.grid.columns, seen.grid.rows,
                             2e3 * seen.subset));
   const bool blind =
@@ -210,6 +214,15 @@ std::string instruments_text(const InstrumentsReport& report, bool color) {
   if (!report.seen.intensity.empty()) text += plain_table(intensity_table(report), color) + "\n";
   for (const auto& row : conclusions(report).rows) text += label_line(row[0], row[1]);
   return text;
+}
+
+std::string no_intensity_text(const measurement::Instruments& seen,
+                              const measurement::InstrumentOptions& options) {
+  const auto has_k = [](const measurement::IntensityPoint& p) { return p.k.has_value(); };
+  if (seen.intensity.empty() || std::any_of(seen.intensity.begin(), seen.intensity.end(), has_k)) return {};
+  const std::string fits = measurement::ring_that_fits(seen, options);
+  return fmt::format("no stress intensity at any moment: {}{}", without_intensity(seen.intensity),
+                     fits.empty() ? "" : ". " + fits);
 }
 
 Json instruments_json(const InstrumentsReport& report) {

@@ -25,6 +25,11 @@ struct InstrumentsReport {
 /// Table, and what the instruments and the measured curves come to.
 std::string instruments_text(const InstrumentsReport& report, bool color);
 
+/// Why no moment has stress intensities, and what to change; empty where some have, or the plate can have
+/// none.
+std::string no_intensity_text(const measurement::Instruments& seen,
+                              const measurement::InstrumentOptions& options);
+
 nlohmann::ordered_json instruments_json(const InstrumentsReport& report);
 
 /// Writes stress_intensity.csv, summary.json, charts/ and report.html. Throws WorldError where a chart cannot

@@ -70,16 +70,13 @@ std::string html_made(const Made& made) {
 std::string html_scenes(const std::vector<scene::Scene>& scenes, bool marched) {
   if (scenes.empty()) return {};
   auto fixed = parameters_of(scenes.front(), marched);
-  std::vector<std::string> left_out = scene::left_out(scenes.front());
-  for (const scene::Scene& scene : scenes) {
-    keep_common(fixed, parameters_of(scene, marched));
-    keep_common(left_out, scene::left_out(scene));
-  }
+  for (const scene::Scene& scene : scenes) keep_common(fixed, parameters_of(scene, marched));
   Table table{{}, {}};
   for (const auto& [key, value] : fixed) table.rows.push_back({key, value});
   std::string html =
       html_section("Fixed parameters",
                    html_paragraph("By their keys in a preset; numbers are in SI units.") + html_pairs(table));
+  const std::vector<std::string> left_out = scene::left_out_by_scenarios(scenes);
   if (marched && !left_out.empty()) html += html_section("Left out", html_list(left_out));
   return html;
 }

@@ -3,6 +3,8 @@
 #include "engine/base/csv.hpp"
 #include "engine/base/numbers.hpp"
 #include "engine/base/text.hpp"
+#include "engine/base/world_error.hpp"
+#include "engine/scene/needs.hpp"
 #include "engine/scene/scenarios.hpp"
 #include "engine/study/plan.hpp"
 #include "engine/study/store.hpp"
@@ -100,6 +102,21 @@ Table seed_table(const study::StudyRows& rows) {
     table.rows.push_back(std::move(cells));
   }
   return table;
+}
+
+std::string left_out_text(const study::StudyRows& rows) {
+  std::vector<std::string> parts;
+  const auto there = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
+  for (const scene::OptionalPart& part : scene::optional_parts()) {
+    const auto without = std::count_if(rows.begin(), rows.end(), [&](const auto& row) {
+      return row && std::find(row->left_out.begin(), row->left_out.end(), part.name) != row->left_out.end();
+    });
+    if (without == 0) continue;
+    std::string& text = parts.emplace_back(part.name);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    if (without < there) text += fmt::format(" ({} of {} scenarios)", without, there);
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 namespace {

@@ -20,6 +20,10 @@ Table scenario_table(const study::StudyRows& rows);
 /// The same over the seeds; no rows where no two scenarios differ by seed only.
 Table seed_table(const study::StudyRows& rows);
 
+/// What the computed scenarios leave out, in a line: "damping (24 of 30 scenarios), ramp, gauges"; a part
+/// that all of them leave out has no count.
+std::string left_out_text(const study::StudyRows& rows);
+
 /// Rows of JSON as a csv with the columns of all of them: axes and lists are one text, what is undefined or
 /// missing is empty.
 std::string rows_csv(const std::vector<nlohmann::ordered_json>& rows);

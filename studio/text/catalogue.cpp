@@ -4,6 +4,8 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/lane_summary.hpp"
+#include "engine/scene/derived.hpp"
+#include "engine/study/resources.hpp"
 #include "engine/study/store.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -100,6 +104,25 @@ std::vector<PresetEntry> preset_entries(const fs::path& folder) {
         fmt::format("cannot list the presets in {}: {}", folder.string(), error.message()));
   std::ranges::sort(entries, {}, &PresetEntry::name);
   return entries;
+}
+
+std::string command_for(const scene::Preset& preset) {
+  if (!preset.issues.empty()) return "";
+  if (!preset.study.empty()) return "study";
+  if (preset.scene.specimen.shape == packing::Shape::cylinder) return "calibrate";
+  if (!scene::can_crack(preset.scene)) return "pack";
+  const bool measured = !preset.scene.crack.history.empty() && preset.scene.crack.tips == 1;
+  return measured && preset.lanes.empty() ? "experiment" : "run";
+}
+
+double expected_disk_bytes(const scene::Preset& preset) {
+  const std::string command = command_for(preset);
+  double bytes = 0.0;
+  for (const scene::StudyRow& row : preset.study) bytes += study::disk_bytes_of_scenario(row.scene);
+  if (command == "study") return bytes;
+  if (command != "run" && command != "experiment") return std::numeric_limits<double>::quiet_NaN();
+  return study::expected_disk_bytes(preset.lanes.empty() ? std::span(&preset.scene, 1)
+                                                         : std::span(preset.lanes));
 }
 
 std::vector<RunEntry> run_entries(const fs::path& folder) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/scene/preset.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +19,14 @@ struct PresetEntry {
 
 /// The presets of a folder by name. Throws where it cannot be read.
 std::vector<PresetEntry> preset_entries(const std::filesystem::path& folder);
+
+/// The command that takes a preset: "study", "calibrate" (of a cylinder), "pack" (of what has no grips),
+/// "experiment" (of a measured crack), else "run"; empty of one with mistakes.
+std::string command_for(const scene::Preset& preset);
+
+/// Bytes that it leaves on the disk, at most, as `rift check` tells them; NaN where nothing is kept but in
+/// the cache.
+double expected_disk_bytes(const scene::Preset& preset);
 
 /// A folder with a run or a study in it.
 struct RunEntry {

@@ -6,12 +6,14 @@
 #include "engine/scene/needs.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/summary.hpp"
+#include "engine/study/resources.hpp"
 #include "engine/theory/wave_speeds.hpp"
 #include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rift::studio {
@@ -35,22 +37,15 @@ double measured_seconds_per_step(const simulation::Prepared& p, int threads) {
   return (result.wall_prestress_s + result.wall_fracture_s) / static_cast<double>(result.lane_steps);
 }
 
-/// Bytes that a frame of one field or another takes in the archive, before compression.
-double frame_bytes(const simulation::Prepared& p) {
-  double bytes = 0.0;
-  for (const std::string& field : p.preset.scene.output.fields)
-    bytes += field == "damage" ? 5.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size())
-                               : 12.0 * static_cast<double>(p.lattice.centre.size());
-  return bytes;
-}
-
-/// Journal and archive each hold the frames once; the geometry is small beside them.
 double disk_bytes(const simulation::Prepared& p) {
-  double bytes = 24.0 * static_cast<double>(p.lattice.beam.size() + p.lattice.centre.size());
+  std::vector<study::Moments> moments;
   for (const simulation::LanePlan& lane : p.lane)
-    bytes += static_cast<double>(lane.schedule.frames.size()) * frame_bytes(p) +
-             200.0 * static_cast<double>(lane.schedule.samples.size());
-  return 2.0 * bytes;
+    moments.push_back({.frames = static_cast<double>(lane.schedule.frames.size()),
+                       .samples = static_cast<double>(lane.schedule.samples.size())});
+  return study::disk_bytes_of_run(p.preset.scene,
+                                  {.elements = static_cast<double>(p.lattice.centre.size()),
+                                   .beams = static_cast<double>(p.lattice.beam.size())},
+                                  moments);
 }
 
 /// What this process has taken at most so far: the scene has marched in it for a moment.
@@ -72,7 +67,8 @@ Json derived(const simulation::Prepared& p, double seconds_per_step) {
   const theory::WaveSpeeds speeds = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
   const simulation::LanePlan& lane = p.lane.front();  // of several the first stands for all but the steps
   const double fastest = scene::highest_velocity(lane.scene) * p.rayleigh_speed;
-  const double zone = lane.scenario.law.zone_length;
+  double zone = 0.0;
+  for (const simulation::LanePlan& one : p.lane) zone = std::max(zone, one.scenario.law.zone_length);
   const double dt = p.step.dt * lane.units.time;
   const double fracture_s = static_cast<double>(lane.schedule.fracture) * dt;
   Json j;
@@ -112,7 +108,9 @@ Json derived(const simulation::Prepared& p, double seconds_per_step) {
   j["disk_estimate_bytes"] = disk_bytes(p);
   j["memory_estimate_bytes"] = peak_memory_bytes();
   j["memory_available_bytes"] = base::available_memory_bytes();
-  j["left_out"] = scene::left_out(lane.scene);
+  std::vector<scene::Scene> lanes;
+  for (const simulation::LanePlan& one : p.lane) lanes.push_back(one.scene);
+  j["left_out"] = scene::left_out_by_lanes(lanes);
   return j;
 }
 
@@ -164,6 +162,7 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
                           number("dt_element_bound_s")));
   if (number("dt_critical_damped_s") < number("dt_critical_s"))
     row("", fmt::format("with damping the critical step is {:.4e} s", number("dt_critical_damped_s")));
+  if (j.contains("step_error")) row("", j.at("step_error").get<std::string>());
   row("steps", fmt::format("{}{}", base::json_text(j.at("steps")),
                            j.at("steps_per_beam").is_null()
                                ? std::string()

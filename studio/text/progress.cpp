@@ -47,10 +47,10 @@ std::string magnitude_text(double value) {
   return fmt::format("{:.3g}", value);
 }
 
-ProgressStyle progress_style(bool quiet, bool json) {
+ProgressStyle progress_style(bool quiet, bool json, bool plain) {
   if (quiet) return ProgressStyle::none;
   if (json) return ProgressStyle::json;
-  return isatty(STDERR_FILENO) ? ProgressStyle::line : ProgressStyle::plain;
+  return !plain && isatty(STDERR_FILENO) ? ProgressStyle::line : ProgressStyle::plain;
 }
 
 void Pace::note(double now, double done) {

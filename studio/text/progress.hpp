@@ -70,7 +70,7 @@ std::string duration_text(double seconds);
 /// 1234567 -> "1.23 M", 1500 -> "1.5 k".
 std::string magnitude_text(double value);
 
-/// The style for a stream: none if quiet, JSON if asked, a redrawn line only on a terminal.
-ProgressStyle progress_style(bool quiet, bool json);
+/// The style for a stream: none if quiet, JSON or plain lines if asked, a redrawn line only on a terminal.
+ProgressStyle progress_style(bool quiet, bool json, bool plain = false);
 
 }  // namespace rift::studio

@@ -1,12 +1,17 @@
 #include "studio/text/run_table.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/scene/issue.hpp"
+#include "engine/scene/needs.hpp"
 #include "studio/text/progress.hpp"
 #include "studio/text/table.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace rift::studio {
 namespace {
@@ -130,12 +135,31 @@ std::string costs(const LaneSummary& s) {
                                 magnitude_text(s.beam_steps_per_s)));
 }
 
+/// What the scenario leaves out; and how many times as long a step would take with it where that is measured,
+/// with one scenario in double to eight in single precision.
+std::string left_out(const LaneSummary& s) {
+  std::vector<std::string> names, factors;
+  for (const std::string& name : s.left_out) {
+    std::string& words = names.emplace_back(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    const scene::OptionalPart* part = scene::find_optional_part(name);
+    if (part != nullptr && std::isfinite(part->step_factor[1]))
+      factors.push_back(fmt::format("{:g} to {:g} ({})", part->step_factor[0], part->step_factor[1], words));
+  }
+  if (names.empty()) return {};
+  std::string out = label_line("left out", fmt::format("{}", fmt::join(names, ", ")));
+  if (!factors.empty())
+    out += label_line(
+        "", fmt::format("a step would take {} times as long with it", scene::listed(factors, "or")));
+  return out;
+}
+
 }  // namespace
 
 std::string run_table(const LaneSummary& s, bool color) {
   std::string out = heading(title(s), color) + "\n";
   if (!s.outcome_where.empty()) out += label_line(s.outcome, s.outcome_where);
-  return out + ratios(s) + theory(s) + energy_balance(s, color) + lattice(s) + costs(s);
+  return out + ratios(s) + theory(s) + energy_balance(s, color) + lattice(s) + costs(s) + left_out(s);
 }
 
 }  // namespace rift::studio

@@ -76,4 +76,53 @@ std::string plain_table(const Table& raw, bool color) {
   return out;
 }
 
+namespace {
+
+/// Letters of the columns before the last and of what parts them from it.
+std::size_t width_before_last(const Table& table) {
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k + 1 < table.head.size(); ++k) {
+    std::size_t widest = width_of(table.head[k]);
+    for (const auto& row : table.rows) widest = std::max(widest, width_of(row[k]));
+    sum += widest + 2;
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::string plain_table(const Table& raw, bool color, std::size_t width) {
+  constexpr std::size_t narrowest = 20;
+  if (width == 0) return plain_table(raw, color);
+  const Table table = escaped_cells(raw);
+  const std::size_t before = width_before_last(table);
+  const std::size_t last = width > before + narrowest ? width - before : narrowest;
+  Table in_lines{table.head, {}};
+  for (const auto& row : table.rows) {
+    std::vector<std::string> lines = wrapped(row.back(), last);
+    if (lines.empty()) lines.emplace_back();
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      std::vector<std::string>& cells = in_lines.rows.emplace_back(row.size());
+      if (k == 0) cells = row;
+      cells.back() = lines[k];
+    }
+  }
+  return plain_table(in_lines, color);
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+  std::vector<std::string> lines;
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(' ');
+    if (begin == std::string_view::npos) return lines;
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word(text.substr(begin, end - begin));
+    if (!lines.empty() && width_of(lines.back()) + 1 + width_of(word) <= width)
+      lines.back() += " " + word;
+    else
+      lines.push_back(word);
+    text.remove_prefix(end);
+  }
+}
+
 }  // namespace rift::studio

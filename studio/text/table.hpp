@@ -19,6 +19,13 @@ std::string heading(std::string_view text, bool color);
 /// `color`. What a cell holds is escaped.
 std::string plain_table(const Table& table, bool color);
 
+/// The same, its last column in lines so that nothing is wider than `width` letters; as it is for a width of
+/// 0.
+std::string plain_table(const Table& table, bool color, std::size_t width);
+
+/// The text in lines of at most `width` letters, broken at its blanks; a longer word is a line by itself.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width);
+
 /// A number by fmt's format, "-" where it is none or infinite.
 std::string number_cell(double value, std::string_view format = "{:.4g}");
 

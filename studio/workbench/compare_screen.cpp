@@ -7,6 +7,7 @@
 #include "studio/screen/curves.hpp"
 #include "studio/screen/layouts.hpp"
 #include "studio/screen/live_of_run.hpp"
+#include "studio/text/comparison.hpp"
 #include "studio/text/table.hpp"
 
 #include <fmt/format.h>
@@ -20,31 +21,6 @@ namespace {
 constexpr std::size_t most_columns = 8;
 constexpr std::array inks{Ink::fracture, Ink::elastic, Ink::kinetic, Ink::damping,
                           Ink::good,     Ink::bad,     Ink::plain,   Ink::reference};
-
-/// A row of the table: a number of the summary.
-struct Quantity {
-  const char* name;
-  double results::LaneSummary::*number;
-  const char* format;
-};
-constexpr Quantity quantities[] = {
-    {"G_ID / G_I0", &results::LaneSummary::ratio, "{:.4f}"},
-    {"scatter in window", &results::LaneSummary::ratio_scatter, "{:.4f}"},
-    {"released beams", &results::LaneSummary::ratio_fracture, "{:.4f}"},
-    {"Broberg", &results::LaneSummary::broberg, "{:.4f}"},
-    {"to Broberg", &results::LaneSummary::error_broberg, "{:+.4f}"},
-    {"v / c_R", &results::LaneSummary::crack_velocity_over_cr, "{:.3g}"},
-    {"r_l", &results::LaneSummary::damage_zone_ratio, "{:.3g}"},
-    {"relaxation p", &results::LaneSummary::relaxation, "{:.3g}"},
-    {"alpha", &results::LaneSummary::damping_alpha, "{:.3g}"},
-    {"elements", &results::LaneSummary::elements, "{:.0f}"},
-    {"fracture J", &results::LaneSummary::energy_fracture_j, "{:.4g}"},
-    {"damping J", &results::LaneSummary::energy_damping_j, "{:.4g}"},
-    {"elastic J", &results::LaneSummary::energy_elastic_j, "{:.4g}"},
-    {"balance error", &results::LaneSummary::ledger_residual, "{:.0e}"},
-    {"steps", &results::LaneSummary::steps, "{:.0f}"},
-    {"wall s", &results::LaneSummary::wall_fracture_s, "{:.2f}"},
-};
 
 /// The summaries of a run's lanes; none where it has not ended.
 std::vector<results::LaneSummary> summaries_of(const std::filesystem::path& run) {
@@ -94,15 +70,15 @@ void CompareScreen::draw_table(Canvas& canvas, const Area& area) const {
                 {inks[k], true}, area.width - names - numbers * k);
   for (int y = 1; y < area.height; ++y) {
     const std::size_t row = static_cast<std::size_t>(y - 1 + first_row_);
-    if (row >= std::size(quantities)) return;
-    canvas.text(area.x, area.y + y, quantities[row].name, {Ink::dim}, names);
+    if (row >= compared_quantities().size()) return;
+    canvas.text(area.x, area.y + y, compared_quantities()[row].name, {Ink::dim}, names);
     for (int k = 0; k < static_cast<int>(columns_.size()); ++k)
-      canvas.text(
-          area.x + names + numbers * k, area.y + y,
-          fmt::format("{:>{}}",
-                      number_cell(columns_[k].summary.*quantities[row].number, quantities[row].format),
-                      numbers - 1),
-          {}, area.width - names - numbers * k);
+      canvas.text(area.x + names + numbers * k, area.y + y,
+                  fmt::format("{:>{}}",
+                              number_cell(columns_[k].summary.*compared_quantities()[row].number,
+                                          compared_quantities()[row].format),
+                              numbers - 1),
+                  {}, area.width - names - numbers * k);
   }
 }
 
@@ -122,7 +98,7 @@ void CompareScreen::draw_rates(Canvas& canvas, const Area& area, Glyphs glyphs) 
 
 Navigation CompareScreen::press(const KeyEvent& event) {
   const Action action = action_of(Where::compare, event.key);
-  const int last = static_cast<int>(std::size(quantities)) - 1;
+  const int last = static_cast<int>(compared_quantities().size()) - 1;
   if (action == Action::down) first_row_ = std::min(first_row_ + 1, last);
   if (action == Action::up) first_row_ = std::max(first_row_ - 1, 0);
   if (action == Action::back) return {Navigation::To::back, nullptr};

@@ -32,18 +32,6 @@ std::string zone_text(const std::vector<scene::Scene>& scenes) {
                        : fmt::format("about {:.3g} to {:.3g} mm", least, most);
 }
 
-/// What every scenario leaves out.
-std::vector<std::string> left_out_of_all(const std::vector<scene::Scene>& scenes) {
-  std::vector<std::string> common = scene::left_out(scenes.front());
-  for (const scene::Scene& scene : scenes) {
-    const std::vector<std::string> lines = scene::left_out(scene);
-    std::erase_if(common, [&](const std::string& line) {
-      return std::find(lines.begin(), lines.end(), line) == lines.end();
-    });
-  }
-  return common;
-}
-
 /// What follows from the scenarios at once, before any lattice; the first stands for what they share.
 DryRunThread::Rows at_once(const std::vector<scene::Scene>& scenes) {
   const scene::Scene& scene = scenes.front();
@@ -54,7 +42,8 @@ DryRunThread::Rows at_once(const std::vector<scene::Scene>& scenes) {
       {"mean radius", fmt::format("about {:.3g} mm", 1e3 * scene::expected_mean_radius_m(scene))},
       {"damage zone", zone_text(scenes)}};
   const char* label = "left out";
-  for (const std::string& line : left_out_of_all(scenes)) rows.emplace_back(label, line), label = "";
+  for (const std::string& line : scene::left_out_by_scenarios(scenes))
+    rows.emplace_back(label, line), label = "";
   return rows;
 }
 

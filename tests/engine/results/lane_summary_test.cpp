@@ -26,6 +26,7 @@ LaneSummary filled() {
       s.** list = {next, NAN};
   }
   s.window_over_length = {0.25, 0.75};
+  s.left_out = {"damping", "gauges"};
   s.steering = {{21, "crack_velocity", "0.3 c_r"}};
   s.crack_course = "by itself";
   return s;

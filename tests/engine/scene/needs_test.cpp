@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -59,23 +60,78 @@ TEST(Needs, OfALoadCurveAreBooksOfTheMovingGrip) {
   EXPECT_FALSE(needs_of(scene).step_energies);
 }
 
+std::vector<std::string> lines(const std::vector<Scene>& lanes) { return left_out_by_lanes(lanes); }
+
 TEST(LeftOut, SaysWhatAndWhy) {
   Scene scene = default_scene();
   scene.crack.technique = fracture::Technique::simple;
   scene.output.frames = 0;
-  EXPECT_EQ(left_out(scene),
+  EXPECT_EQ(lines({scene}),
             (std::vector<std::string>{
                 "damping: alpha = 0, no damped beams are built", "numerical damping: beta = 1",
                 "damage zone: technique = simple", "ramp: method = static, the pre-stress is one solve",
                 "moving grip: no loading.curve, the grips stand still while the crack runs",
                 "corotation: kinematics = linear, the beam axes stay fixed",
                 "contact: no friction, the crack's faces do not touch",
-                "energy balance of every step: no dissipation and no external work, energies are computed at "
-                "samples only",
+                "step energies: no dissipation and no external work, energies are computed at samples only",
                 "frames: frames = 0, no fields are written", "gauges: output.gauges has no points"}));
 }
 
-TEST(LeftOut, IsEmptyWhereAllIsNeeded) { EXPECT_TRUE(left_out(scene_with_everything()).empty()); }
+TEST(LeftOut, IsEmptyWhereAllIsNeeded) {
+  EXPECT_TRUE(lines({scene_with_everything()}).empty());
+  EXPECT_TRUE(left_out(scene_with_everything()).empty());
+}
+
+TEST(LeftOut, HasAShortNameForEachLine) {
+  const std::vector<std::string> names = left_out(default_scene());
+  EXPECT_EQ(names, (std::vector<std::string>{"damping", "numerical_damping", "ramp", "moving_grip",
+                                             "corotation", "contact", "step_energies", "gauges"}));
+  EXPECT_EQ(names.size(), lines({default_scene()}).size());
+  for (const std::string& name : names) EXPECT_NE(find_optional_part(name), nullptr) << name;
+  EXPECT_EQ(find_optional_part("books"), nullptr);
+}
+
+TEST(LeftOut, OfARampIsNoMovingGrip) {
+  Scene scene = default_scene();
+  scene.loading.method = LoadingMethod::ramp;
+  const std::vector<std::string> names = left_out(scene);
+  for (const char* name : {"ramp", "moving_grip", "step_energies"})
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 0) << name;
+}
+
+/// The one line that begins with this word.
+std::string line_of(const std::vector<std::string>& lines, const std::string& word) {
+  std::string found;
+  for (const std::string& line : lines)
+    if (line.starts_with(word + ":")) found += line;
+  return found;
+}
+
+TEST(LeftOut, OfLanesSaysWhichAndWhatTheirStepComputesForAll) {
+  Scene undamped = default_scene(), damped = default_scene();
+  damped.damping.alpha = 0.001, damped.damping.region = DampingRegion::surface;
+  damped.crack.technique = fracture::Technique::simple;
+  const std::vector<std::string> said = lines({undamped, damped, damped});
+  EXPECT_EQ(
+      line_of(said, "damping"),
+      "damping: lane 0 (alpha = 0, no damped beams are built); lanes 1 and 2 need it: the lanes share a "
+      "step, which evaluates the damped beams for all of them");
+  EXPECT_EQ(
+      line_of(said, "damage zone"),
+      "damage zone: lanes 1 and 2 (technique = simple); lane 0 needs it: each lane has a release law of "
+      "its own, and nothing is computed for the others");
+  EXPECT_TRUE(line_of(said, "step energies").starts_with("step energies: lane 0 (")) << said[0];
+  EXPECT_EQ(line_of(said, "corotation"), line_of(lines({undamped}), "corotation"));
+  EXPECT_EQ(line_of(lines({damped, damped}), "damping"), "");
+}
+
+TEST(LeftOut, OfAStudyCountsItsScenarios) {
+  const Preset preset = read_preset_text(
+      "[study]\ntechnique = [\"simple\", \"progressive\"]\ndamage_zone_ratio = [1, 2]\n", "x.toml");
+  EXPECT_EQ(line_of(left_out_lines(preset), "damage zone"),
+            "damage zone: 1 of 3 scenarios (technique = simple)");
+  EXPECT_EQ(line_of(left_out_lines(preset), "damping"), "damping: alpha = 0, no damped beams are built");
+}
 
 }  // namespace
 }  // namespace rift::scene

@@ -174,6 +174,31 @@ TEST(PresetText, WritesStudiesThatReadBack) {
   }
 }
 
+TEST(PresetText, WritesAStudyAsItsGridAndItsRows) {
+  const std::string text =
+      preset_text(sound("[study]\ntechnique = [\"simple\", \"progressive\"]\nrelaxation = [\"linear\", 0.7]\n"
+                        "[[study.rows]]\nrelaxation = 3\n"));
+  EXPECT_TRUE(
+      text.ends_with("\n[study]\ntechnique = [\"simple\", \"progressive\"]\n"
+                     "relaxation = [\"linear\", 0.7]\n\n[[study.rows]]\ntechnique = \"progressive\"\n"
+                     "relaxation = 3\n"))
+      << text;
+}
+
+TEST(Study, KeepsTheCombinationsThatEachScenarioStandsFor) {
+  const Preset preset = sound(
+      "[study]\ntechnique = [\"simple\", \"progressive\"]\ndamage_zone_ratio = [1, 2]\n"
+      "[[study.rows]]\ndamage_zone_ratio = 3\n");
+  ASSERT_EQ(preset.study.size(), 4u);
+  using Combinations = std::vector<std::vector<std::string>>;
+  EXPECT_EQ(preset.study[0].combinations, (Combinations{{"simple", "1"}, {"simple", "2"}}));
+  EXPECT_EQ(preset.study[2].combinations, (Combinations{{"progressive", "2"}}));
+  EXPECT_TRUE(preset.study[3].combinations.empty());
+  ASSERT_EQ(preset.grid.size(), 2u);
+  EXPECT_EQ(preset.grid[0].name, "technique");
+  EXPECT_EQ(preset.grid[1].values, (std::vector<std::string>{"1", "2"}));
+}
+
 TEST(PresetText, WritesLanesThatReadBack) {
   for (const char* text :
        {"[[lanes]]\ntechnique = \"simple\"\n[[lanes]]\ncrack_velocity = \"0.3 c_r\"\nrelaxation = 3\n",

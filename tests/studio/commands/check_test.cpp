@@ -1,6 +1,10 @@
-#include "tests/studio/commands/tiny_plate.hpp"
+#include "tests/studio/commands/tiny_study.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
 
 namespace rift::studio {
 namespace {
@@ -38,6 +42,118 @@ TEST(Check, SaysWhatIsLeftOutAndWhy) {
                                    "--set 'output.gauges=[[\"36 mm\", \"9 mm\"]]'")
                                .out;
   EXPECT_FALSE(contains(full, "left out"));
+}
+
+TEST(Check, SaysOfEachLaneWhatItLeavesOut) {
+  const TinyPlate plate;
+  write_text(plate.preset(), read_text(plate.preset()) +
+                                 "[[lanes]]\ndamping_alpha = 0\n[[lanes]]\ndamping_alpha = 0.001\n"
+                                 "damping_region = \"surface\"\n[[lanes]]\ntechnique = \"simple\"\n");
+  const std::string out = plate.check().out;
+  EXPECT_TRUE(contains(out,
+                       "damping: lanes 0 and 2 (alpha = 0, no damped beams are built); lane 1 needs it: the "
+                       "lanes share a step, which evaluates the damped beams for all of them"));
+  EXPECT_TRUE(contains(out, "damage zone: lane 2 (technique = simple); lanes 0 and 1 need it"));
+  EXPECT_FALSE(contains(out, "damage zone 0 mm"));
+  ASSERT_EQ(plate.run().exit_code, 0);
+  const Json lanes = Json::parse(read_text(plate.out() / "summary.json")).at("scenarios");
+  const auto leaves_out = [&](int lane, const char* name) {
+    const Json& list = lanes.at(lane).at("left_out");
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  EXPECT_TRUE(leaves_out(0, "damping"));
+  EXPECT_FALSE(leaves_out(1, "damping"));
+  EXPECT_FALSE(leaves_out(0, "damage_zone"));
+  EXPECT_TRUE(leaves_out(2, "damage_zone"));
+}
+
+TEST(Check, OfAStudyCountsScenariosAndSaysWhatWasMerged) {
+  const TinyPlate plate;
+  write_text(plate.preset(), read_text(plate.preset()) +
+                                 "[study]\ntechnique = [\"simple\", \"progressive\"]\n"
+                                 "damage_zone_ratio = [1, 2, 4]\nseed = [1, 2]\n");
+  const Ran ran = plate.check();
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  for (const char* part :
+       {"rift study ", "8 scenarios of 12 combinations, 2 specimens",
+        "damage_zone_ratio does not count where technique = \"simple\": 3 combinations each are 2 scenarios",
+        "technique simple, seed 2", "900 elements", "cost", "MB of memory", "MB on disk",
+        "damage zone: 2 of 8 scenarios (technique = simple)"})
+    EXPECT_TRUE(contains(ran.out, part)) << part << "\n" << ran.out;
+  const Json plan = Json::parse(plate.check("--json").out);
+  EXPECT_EQ(plan.at("count"), 8);
+  EXPECT_EQ(plan.at("missing"), 8);
+  EXPECT_EQ(plan.at("merged").at(0).at("into").size(), 2U);
+  EXPECT_GT(plan.at("wall_estimate_s").get<double>(), 0.0);
+  EXPECT_FALSE(fs::exists("studies"));
+}
+
+TEST(Check, OfAStudyForeseesWhatIsOnTheDisk) {
+  const TinyStudy plate;
+  const Json plan = Json::parse(plate.check("--json").out);
+  ASSERT_EQ(plate.study().exit_code, 0);
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(plate.out()))
+    if (entry.is_regular_file()) bytes += entry.file_size();
+  EXPECT_GE(plan.at("disk_estimate_bytes").get<double>(), static_cast<double>(bytes));
+  EXPECT_LE(plan.at("disk_estimate_bytes").get<double>(), 5.0 * static_cast<double>(bytes));
+}
+
+TEST(Check, OfAMeasuredCrackTellsTheExperimentToo) {
+  const TinyPlate plate;
+  std::string rows;
+  for (int k = 0; k < 12; ++k)
+    rows += (k > 0 ? ", [" : "[") + std::to_string(k * 2e-6) + ", " + std::to_string(0.006 + 0.002 * k) + "]";
+  const std::string set =
+      "--set 'crack.history=[" + rows + "]' --set crack.end=28e-3 --resamples 5 --specimens 2";
+  const Ran ran = plate.check(set);
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  for (const char* part :
+       {"of the critical", "rift experiment ", "--resamples 5 --specimens 2", "measured crack",
+        "resampled histories         5", "other packings              1", "quasi-static"})
+    EXPECT_TRUE(contains(ran.out, part)) << part << "\n" << ran.out;
+}
+
+TEST(Check, OfACylinderTellsTheCalibration) {
+  const Ran ran = run_rift("check fig16_cylinders");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  for (const char* part :
+       {"rift calibrate fig16_cylinders", "cylinders of all sizes", "periodic boxes", "cost"})
+    EXPECT_TRUE(contains(ran.out, part)) << part;
+}
+
+TEST(Check, TellsTheErrorOfTheStepWhereItWasMeasured) {
+  const TinyPlate plate;
+  const auto in_its_folder = [&](const std::string& command) {
+    return run_shell("cd '" + plate.path().string() + "' && env " + plate.environment() + " '" RIFT_EXE "' " +
+                     command);
+  };
+  EXPECT_TRUE(contains(in_its_folder("check tiny.toml").out,
+                       "the error of the step is not measured: rift accuracy tiny.toml"));
+  ASSERT_EQ(
+      in_its_folder("accuracy tiny.toml --quick --threads 1 --seeds 1 --elements 1250 --quiet").exit_code, 0);
+  const std::string told = Json::parse(in_its_folder("check tiny.toml --json").out).at("step_error");
+  const Json lines = Json::parse(read_text(plate.path() / "tiny_accuracy" / "summary.json")).at("lines");
+  EXPECT_EQ(lines.at(0).at("knob"), "scene");
+  EXPECT_TRUE(contains(
+      told, fmt::format("the step adds {:+.4f} to G_ID/G_I0", lines.at(0).at("error").get<double>())))
+      << told;
+  EXPECT_TRUE(
+      contains(in_its_folder("check tiny.toml --set crack.velocity='0.4 c_r'").out, "is not measured"))
+      << "another scene";
+}
+
+TEST(Check, OfAClaimTellsTheReproduction) {
+  const Json all = Json::parse(run_rift("check fig07 --json").out);
+  const Json quick = Json::parse(run_rift("check fig07 --quick --json").out);
+  EXPECT_EQ(all.at("command"), "rift reproduce fig07");
+  EXPECT_GT(all.at("count").get<int>(), 10);
+  EXPECT_EQ(all.at("parts").at(0).at("name"), "fig07");
+  EXPECT_LT(quick.at("wall_estimate_s").get<double>(), all.at("wall_estimate_s").get<double>());
+  EXPECT_EQ(Json::parse(run_rift("check sec4_longer --json").out).at("command"), "rift study sec4_longer");
+  EXPECT_EQ(Json::parse(run_rift("check sec4_longer --reproduce --json").out).at("command"),
+            "rift reproduce sec4_longer");
+  EXPECT_EQ(run_rift("check fig77").exit_code, 2);
 }
 
 TEST(Check, TellsWindowAndFirstEchoOfOneTipAndOfTwo) {

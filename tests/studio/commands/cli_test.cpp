@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <regex>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace rift::studio {
 namespace {
@@ -35,7 +38,79 @@ TEST(CommandLine, AnUnknownCommandIsAUsageErrorWithAHint) {
   const Ran ran = run_rift("thory");
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.out, "");
-  EXPECT_EQ(ran.err, "rift: The following argument was not expected: thory\nTry 'rift --help'.\n");
+  EXPECT_EQ(
+      ran.err,
+      "rift: The following argument was not expected: thory, did you mean 'theory'?\nTry 'rift --help'.\n");
+  EXPECT_EQ(
+      run_rift("stud").err,
+      "rift: The following argument was not expected: stud, did you mean 'study'?\nTry 'rift --help'.\n");
+  EXPECT_EQ(run_rift("frobnicate").err,
+            "rift: The following argument was not expected: frobnicate\nTry 'rift --help'.\n");
+}
+
+TEST(CommandLine, AMisspeltOptionNamesTheNearestOfItsCommand) {
+  EXPECT_EQ(run_rift("run quickstart --budgt 3").exit_code, 2);
+  EXPECT_TRUE(
+      contains(run_rift("run quickstart --budgt 3").err, "did you mean '--budget'?\nTry 'rift run --help'."));
+}
+
+TEST(CommandLine, ShortOptionsAreTheLongOnes) {
+  EXPECT_EQ(run_rift("-V").out, run_rift("--version").out);
+  EXPECT_EQ(run_rift("list -j").out, run_rift("list --json").out);
+  for (const std::string command : {"run", "experiment", "pack", "measure", "compare", "stability"}) {
+    const std::string help = run_rift(command + " --help").out;
+    for (const char* names : {"-o,--out FOLDER", "-f,--force", "-q,--quiet", "-j,--json"})
+      EXPECT_TRUE(contains(help, names)) << command << ": " << names;
+  }
+}
+
+/// The names of all commands, as bash completes them.
+std::vector<std::string> all_commands() {
+  std::vector<std::string> names;
+  std::istringstream words(
+      run_shell("'" RIFT_EXE "' completion fish | sed -n "
+                "'s/^complete -c rift -n __fish_use_subcommand -f -a \\([a-z]*\\) .*/\\1/p'")
+          .out);
+  for (std::string name; words >> name;) names.push_back(name);
+  return names;
+}
+
+TEST(Help, FitsEightyColumnsSaysWhatValuesAreAndEndsWithExamplesCodesAndVariables) {
+  EXPECT_GT(all_commands().size(), 20U);
+  for (const std::string& command : all_commands()) {
+    const std::string help = run_rift(command + " --help").out;
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_LE(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }), 80)
+          << line;
+    EXPECT_FALSE(contains(help, " TEXT")) << command;
+    for (const char* part :
+         {"Examples:\n  ", "Exit codes:\n", "128+n", "RIFT_SIMD", "NO_COLOR", "XDG_CACHE_HOME"})
+      EXPECT_TRUE(contains(help, part)) << command << ": " << part;
+  }
+}
+
+TEST(Help, HasExamplesWhoseOptionsTheCommandKnows) {
+  for (const std::string& command : all_commands()) {
+    const std::string help = run_rift(command + " --help").out;
+    const std::string from = "Examples:\n", to = "\n\nExit codes";
+    const std::string examples =
+        help.substr(help.find(from) + from.size(), help.find(to) - help.find(from) - from.size());
+    EXPECT_EQ(std::count(examples.begin(), examples.end(), '\n'), 1) << command;  // two lines
+    const std::regex option("(?: )(--?[a-z][a-z-]*)");
+    for (auto it = std::sregex_iterator(examples.begin(), examples.end(), option);
+         it != std::sregex_iterator(); ++it)
+      if (!contains(examples, "man -l") || it->str(1) != "-l")
+        EXPECT_TRUE(contains(help.substr(0, help.find(from)), it->str(1))) << command << ": " << it->str(1);
+  }
+}
+
+TEST(Help, IsACommandToo) {
+  EXPECT_EQ(run_rift("help study").out, run_rift("study --help").out);
+  EXPECT_EQ(run_rift("help").out, run_rift("--help").out);
+  const Ran ran = run_rift("help stdy");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.err, "rift help: no such command 'stdy', did you mean 'study'?\n");
 }
 
 TEST(CommandLine, AnUnknownOptionPointsToTheHelpOfItsCommand) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <regex>
 
 namespace rift::studio {
 namespace {
@@ -90,6 +91,23 @@ TEST(MeasureCommand, SaysWhyABulkLatticeHasNoStressIntensity) {
   EXPECT_FALSE(fs::exists(plate.out() / "measure" / "charts" / "stress_intensity.svg"));
 }
 
+TEST(MeasureCommand, OfARingThatDoesNotFitNamesOneThatDoes) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run().exit_code, 0);
+  const Ran ran = measure(plate, "--inner 20 --outer 40");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(fs::exists(plate.out() / "measure" / "field.csv")) << "what was seen is kept";
+  std::smatch told;
+  ASSERT_TRUE(std::regex_search(ran.err, told,
+                                std::regex("'(--inner [0-9.]+ --grid [0-9.]+)' suits this run, "
+                                           "specimen.elements = ([0-9]+) another one")))
+      << ran.err;
+  // What is told is true.
+  const Ran again = run_rift("measure '" + plate.out().string() + "' --quiet --outer 40 " + told.str(1));
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_TRUE(contains(again.out, "G of the field is"));
+}
+
 TEST(MeasureCommand, ReplacesWhatItMeasuredBefore) {
   const TinyPlate plate;
   ASSERT_EQ(plate.run(two_gauges).exit_code, 0);
@@ -98,7 +116,9 @@ TEST(MeasureCommand, ReplacesWhatItMeasuredBefore) {
   ASSERT_TRUE(fs::exists(charts / "stress_intensity.svg"));
   write_text(plate.out() / "measure" / "notes.txt", "mine");
   const Ran ran = measure(plate, "--outer 5");  // no ring
-  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(
+      contains(ran.err, "rift measure: no stress intensity at any moment: 4 too few points in the ring"));
   EXPECT_TRUE(contains(ran.out, "moments without K"));
   EXPECT_FALSE(fs::exists(charts / "stress_intensity.svg")) << "of the former measurement";
   EXPECT_TRUE(fs::exists(charts / "grip_force.svg"));

@@ -51,10 +51,21 @@ TEST(Run, SummaryHoldsEveryNameOfTheInterface) {
       "energy_fracture_j energy_damping_j energy_numerical_damping_j work_external_j ledger_residual "
       "ledger_limit ledger_closes outcome "
       "wall_packing_s wall_prestress_s wall_fracture_s wall_pass_s wall_total_s cost_s element_steps_per_s "
-      "beam_steps_per_s memory_peak_bytes tips g_i0_reference echo_free_over_length");
+      "beam_steps_per_s memory_peak_bytes tips g_i0_reference echo_free_over_length left_out");
   for (std::string name; names >> name;) EXPECT_TRUE(scenario.contains(name)) << name;
   for (const auto& [name, value] : not_empty(scenario).items())
     EXPECT_EQ(value.is_null(), name == "error_converged" || name == "outcome_where") << name;
+}
+
+TEST(Run, EndsItsTableWithWhatIsLeftOut) {
+  const TinyPlate plate;
+  const std::string out = plate.run().out;
+  EXPECT_TRUE(contains(out,
+                       "  left out              damping, numerical damping, ramp, moving grip, corotation, "
+                       "contact, step energies, gauges\n"));
+  EXPECT_TRUE(contains(out,
+                       "a step would take 1 to 2.7 (damping), 1 to 1.7 (numerical damping) or 1.7 to 3.4 "
+                       "(corotation) times as long with it"));
 }
 
 TEST(Run, SummaryIsConsistentWithItself) {

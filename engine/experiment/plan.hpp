@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/experiment/experiment.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rift::experiment {
+
+/// Plates of equal crack length between which a quasi-static release rate is read.
+inline constexpr int static_parts = 8;
+
+/// A part of an experiment before anything is computed: scenes that march in one pass, and static solutions.
+struct PlannedPart {
+  std::string name;
+  std::vector<scene::Scene> scenes = {};
+  int solutions = 0;
+};
+
+/// What run_experiment() computes, part by part. The resampled histories stand as the measured one, and the
+/// crack that runs by itself as one that runs as measured.
+/// @param[in] preset  without issues, with crack.history
+std::vector<PlannedPart> planned_parts(const scene::Preset& preset, const ExperimentOptions& options);
+
+}  // namespace rift::experiment

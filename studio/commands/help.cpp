@@ -1,0 +1,199 @@
+#include "studio/commands/help.hpp"
+
+#include "engine/base/console.hpp"
+#include "engine/scene/issue.hpp"
+#include "studio/commands/commands.hpp"
+#include "studio/text/table.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace rift::studio {
+namespace {
+
+constexpr std::size_t page_width = 80, options_width = 26;
+
+constexpr std::array<Explained, 6> code_table{
+    {{"0", "The command has done what was asked for."},
+     {"1", "The disk, the network, a library or another program has failed."},
+     {"2", "The input is wrong: a preset, an option, a file."},
+     {"3", "A computation has diverged."},
+     {"4", "The time of --budget is over; the same command goes on."},
+     {"128+n", "Signal n has stopped the command."}}};
+
+constexpr std::array<Explained, 5> variable_table{
+    {{"NO_COLOR", "If set, there are no colours but those of --color always."},
+     {"RIFT_PRESETS", "The folder of presets, in place of the one that was installed."},
+     {"RIFT_SIMD",
+      "The instruction set of the kernels, baseline or AVX2, in place of the widest that the processor has."},
+     {"XDG_CACHE_HOME", "Packings and static solutions are kept in its folder rift (~/.cache/rift)."},
+     {"XDG_DATA_HOME",
+      "Presets of your own are kept in its folder rift/presets (~/.local/share/rift/presets)."}}};
+
+struct Example {
+  std::string_view command;
+  const char* first;
+  const char* second;
+};
+constexpr std::array example_table{
+    Example{"studio", "rift studio quickstart", "rift studio --lesson node-release"},
+    Example{"run", "rift run quickstart", "rift run plate_pnrt --print-config > mine.toml"},
+    Example{"resume", "rift resume runs/plate_pnrt", "rift resume runs/plate_pnrt --budget '2 h'"},
+    Example{"render", "rift render runs/quickstart",
+            "rift render runs/quickstart --at 0.6 --picture crack.png"},
+    Example{"watch", "rift watch runs/plate_pnrt", "rift watch runs/plate_pnrt --color never"},
+    Example{"study", "rift study study_release", "rift study study_release --shard 1/4 --quiet"},
+    Example{"reproduce", "rift reproduce fig07 fig13 --quick", "rift reproduce beyond -o beyond"},
+    Example{"experiment", "rift experiment experiment_polymer",
+            "rift experiment experiment_polymer --resamples 4 --specimens 1"},
+    Example{"accuracy", "rift accuracy quickstart --quick", "rift accuracy plate_pnrt --goal 0.005 --yes"},
+    Example{"stability", "rift stability --quick", "rift stability --only density -o stability"},
+    Example{"calibrate", "rift calibrate --young '3.2 GPa' --poisson 0.31",
+            "rift calibrate fig17_calibration -o calibration"},
+    Example{"pack", "rift pack --set specimen.elements=5000", "rift pack quickstart -o packing"},
+    Example{"check", "rift check plate_pnrt --set specimen.elements=80000", "rift check study_release -j"},
+    Example{"compare", "rift compare runs/plate_snrt runs/plate_pnrt",
+            "rift compare studies/study_release --csv > table.csv"},
+    Example{"list", "rift list", "rift list --names"},
+    Example{"theory", "rift theory --v 0.3 --v 0.5", "rift theory --steps 50 --csv > theory.csv"},
+    Example{"measure", "rift measure runs/plate_pnrt", "rift measure runs/plate_pnrt --against camera.csv"},
+    Example{"export", "rift export runs/quickstart --to csv", "rift export runs/quickstart --to pvd"},
+    Example{"verify", "rift verify runs/quickstart", "rift verify runs/quickstart --check-only -j"},
+    Example{"bench", "rift bench --elements 20000", "rift bench --needs -j > needs.json"},
+    Example{"manual", "rift manual run | man -l -", "rift manual --into share"},
+    Example{"completion", "source <(rift completion bash)", "rift completion zsh > _rift"},
+    Example{"help", "rift help study", "rift help"}};
+
+/// A text beside what it explains, in the columns of a page.
+std::string beside(const std::string& left, const std::string& text) {
+  std::string out = "  " + left, gap(options_width, ' ');
+  std::size_t at = width_of(out);
+  if (at + 2 > options_width && !text.empty()) out += "\n", at = 0;
+  for (const std::string& line : wrapped(text, page_width - options_width)) {
+    out += gap.substr(at) + line + "\n";
+    at = 0;
+  }
+  return out.ends_with('\n') ? out : out + "\n";
+}
+
+std::string paragraph(const std::string& text) {
+  return fmt::format("{}\n", fmt::join(wrapped(text, page_width), "\n"));
+}
+
+class HelpLayout : public CLI::Formatter {
+ public:
+  std::string make_description(const CLI::App* app) const override {
+    return paragraph(app->get_description()) + "\n";
+  }
+  std::string make_subcommand(const CLI::App* sub) const override {
+    return beside(sub->get_name(), sub->get_description());
+  }
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    const OptionType type = type_of(*option);
+    std::string left = make_option_name(option, is_positional), text = option->get_description();
+    if (option->get_items_expected_max() > 0) left += " " + type.word;
+    std::vector<std::string> also;
+    if (!type.choices.empty()) also.push_back(fmt::format("{}", fmt::join(type.choices, ", ")));
+    if (!type.range.empty()) also.push_back("in " + type.range);
+    if (!option->get_default_str().empty()) also.push_back("default " + option->get_default_str());
+    if (!also.empty()) text += fmt::format(" ({})", fmt::join(also, "; "));
+    return beside(left, text);
+  }
+};
+
+std::string list_of(std::string_view title, std::span<const Explained> words) {
+  std::string text = fmt::format("\n{}:\n", title);
+  for (const Explained& e : words) text += beside(e.word, e.meaning);
+  return text;
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
+  return names;
+}
+
+}  // namespace
+
+std::span<const Explained> exit_codes() { return code_table; }
+std::span<const Explained> environment_variables() { return variable_table; }
+
+std::vector<std::string> examples_of(std::string_view command) {
+  for (const Example& example : example_table)
+    if (example.command == command) return {example.first, example.second};
+  return {};
+}
+
+std::shared_ptr<CLI::FormatterBase> help_layout() { return std::make_shared<HelpLayout>(); }
+
+void add_footers(CLI::App& app) {
+  const std::string after = list_of("Exit codes", code_table) + list_of("Environment", variable_table);
+  for (const CLI::App* command : commands_of(app)) {
+    std::string text = "Examples:\n";
+    for (const std::string& example : examples_of(command->get_name())) text += "  " + example + "\n";
+    app.get_subcommand(command->get_name())->footer(text + after);
+  }
+  app.footer(fmt::format("Examples:\n  rift list\n  rift help run\n{}", after));
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_name().empty(); });
+}
+
+const CLI::App& command_named(const CLI::App& app, const std::string& name, const std::string& who) {
+  const std::vector<std::string> names = names_of_commands(app);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return *app.get_subcommand(name);
+  const std::string nearest = scene::nearest_name(name, names);
+  refuse(who, fmt::format("no such command '{}'{}", scene::printable(name),
+                          nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+}
+
+std::string help_of(const CLI::App& app, const std::string& command) {
+  // App::help() would be that of the command which runs.
+  const auto layout = app.get_formatter();
+  if (command.empty()) return layout->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal);
+  return layout->make_help(&command_named(app, command, "rift help"), app.get_name() + " " + command,
+                           CLI::AppFormatMode::Normal);
+}
+
+std::string nearest_argument(const CLI::App& chosen, const std::string& argument) {
+  if (!argument.starts_with('-')) return scene::nearest_name(argument, names_of_commands(chosen));
+  std::vector<std::string> names;
+  for (const CLI::Option* option : chosen.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return scene::nearest_name(argument, names);
+}
+
+void add_help(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command = *app.add_subcommand("help", "The same as --help, of rift or of one of its commands");
+  const auto name = std::make_shared<std::string>();
+  command.add_option("command", *name, "The command")->type_name("NAME");
+  command.callback([&app, name, &exit_code] {
+    base::print_text(help_of(app, *name));
+    exit_code = ExitCode::done;
+  });
+}
+
+OptionType type_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  OptionType found{.word = type.substr(0, type.find_first_of(":{ ")), .choices = {}, .range = {}};
+  if (const std::size_t open = type.find('{'), close = type.find('}');
+      open != std::string::npos && close != std::string::npos) {
+    std::string word;
+    for (const char letter : type.substr(open + 1, close - open - 1) + ",") {
+      if (letter == ',')
+        found.choices.push_back(std::exchange(word, {}));
+      else
+        word += letter;
+    }
+  }
+  if (const std::size_t range = type.find('['); range != std::string::npos)
+    found.range = type.substr(range, type.find(']', range) + 1 - range);
+  return found;
+}
+
+}  // namespace rift::studio

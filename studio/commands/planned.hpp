@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/claims/claims.hpp"
+#include "engine/experiment/experiment.hpp"
+#include "studio/text/planned_work.hpp"
+
+#include <CLI/App.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rift::studio {
+
+// What commands of many scenarios would do, from the very plans by which they do it; and what they ask of a
+// preset before they begin.
+
+/// Longer than this is not begun without being asked for [s].
+inline constexpr double long_work_s = 600.0;
+
+/// Where `rift study PRESET` works unless it is told: studies/NAME.
+std::filesystem::path study_folder(const std::string& preset);
+
+/// Throws InputError unless the preset holds a study.
+void check_holds_study(const scene::Preset& preset);
+
+/// Throws InputError unless the preset holds one crack with a measured history.
+void check_one_history(const scene::Preset& preset);
+
+/// --resamples and --specimens.
+void add_experiment_parts(CLI::App& command, experiment::ExperimentOptions& parts);
+
+/// @param[in] named  the preset as the user named it
+PlannedWork planned_study(const scene::Preset& preset, const std::string& named);
+PlannedWork planned_experiment(const scene::Preset& preset, const std::string& named,
+                               const experiment::ExperimentOptions& options);
+/// With the report that `--out` asks for.
+PlannedWork planned_calibration(const scene::Scene& scene, const std::string& named, int threads);
+PlannedWork planned_reproduction(const std::vector<std::string>& names, claims::Effort effort, int threads);
+
+}  // namespace rift::studio
