@@ -156,7 +156,7 @@ TEST(Studio, ATerminalThatIsNotKnownIsNamed) {
   const RealTerminal terminal(place.name(),
                               "TERM=nosuch; export TERM; " + place.command("studio") + "; " +
                                   place.command("run plate_tiny --set 'crack.velocity=0.5 c_r' --out out"));
-  EXPECT_TRUE(terminal.shows("not known here (TERM=nosuch)"));
+  EXPECT_TRUE(terminal.shows("does not know (TERM=nosuch)"));
   EXPECT_TRUE(terminal.shows("G_ID / G_I0"));  // a run does without its panel
   EXPECT_TRUE(terminal.shows("left with 0"));
 }
