@@ -85,9 +85,9 @@ TEST(Render, TellsEveryMistakeAndMakesNothing) {
   EXPECT_EQ(complaint("run --size 99999x720"),
             "rift render: --size 99999x720: must lie between 320x180 and 8192x8192\n");
   EXPECT_EQ(complaint("run --range 3"),
-            "rift render: --range 3: expected two ascending numbers, such as 0,2\n");
+            "rift render: --range 3: expected two ascending numbers such as 0,2\n");
   EXPECT_EQ(complaint("run --film a.avi"), "rift render: --film a.avi: must end in .mp4, .webm or .gif\n");
-  EXPECT_TRUE(contains(complaint("run --frames 7"), "--frames 7: the run holds 6 moments"));
+  EXPECT_TRUE(contains(complaint("run --frames 7"), "--frames 7: the run holds 6 frames"));
   EXPECT_TRUE(contains(complaint("run --field speed"), "speed"));
   EXPECT_TRUE(contains(complaint("run --at 1.5"), "1.5"));
   EXPECT_FALSE(fs::exists(folder / "run" / "film_uy.mp4"));

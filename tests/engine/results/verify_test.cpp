@@ -128,7 +128,7 @@ TEST(Verify, SavesWhatLiesBehindDamageOfTheJournal) {
   const Verification v = verify_run(run, true);
   EXPECT_FALSE(is_whole(v));
   EXPECT_EQ(found_of(v, journal_name), Found::damaged);
-  EXPECT_NE(text_of(v, journal_name).find("2 samples and 2 frames are saved"), std::string::npos)
+  EXPECT_NE(text_of(v, journal_name).find("2 samples and 2 frames were saved"), std::string::npos)
       << text_of(v, journal_name);
   EXPECT_EQ(read_text(run / "journal_damaged.rift").size(), bytes.size());
   EXPECT_EQ(found_of(v, checkpoint_name), Found::damaged);  // it would cut the new journal within a record

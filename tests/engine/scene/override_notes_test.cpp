@@ -58,7 +58,7 @@ TEST(ThicknessNote, OfAStudySaysBetweenWhichTheyLie) {
   EXPECT_TRUE(notes(std::string(plate) + "[study]\nseed = [1, 2]\n", {}).empty());
 }
 
-/// What --set gives takes the place of its rival in the preset, with a note that names both.
+/// What --set gives replaces its rival in the preset, with a note that names both.
 struct Rivals {
   const char* table;  // of the preset, with the rival
   const char* set;
@@ -78,33 +78,33 @@ INSTANTIATE_TEST_SUITE_P(
     All, RivalOfAPreset,
     testing::Values(
         Rivals{"[crack]\nvelocity = \"0.5 c_r\"\nsmoothing = \"none\"\n",
-               "crack.history=[[0, 0.01], [1e-5, 0.02], [2e-5, 0.03]]",
-               "--set crack.history takes the place of crack.velocity = \"0.5 c_r\" (x.toml:2)"},
+               "crack.history=[[0, 0.01], [1e-05, 0.02], [2e-05, 0.03]]",
+               "--set crack.history replaces crack.velocity = \"0.5 c_r\" (x.toml:2)"},
         Rivals{
-            "[crack]\nhistory = [[0, 0.01], [1e-5, 0.02], [2e-5, 0.03]]\nsmoothing = \"none\"\n",
+            "[crack]\nhistory = [[0, 0.01], [1e-05, 0.02], [2e-05, 0.03]]\nsmoothing = \"none\"\n",
             "crack.velocity=0.5 c_r",
-            "--set crack.velocity takes the place of crack.history = [[0, 0.01], [1e-5, 0.02], [2e-5, 0.03]] "
+            "--set crack.velocity replaces crack.history = [[0, 0.01], [1e-05, 0.02], [2e-05, 0.03]] "
             "(x.toml:2)"},
-        Rivals{"[crack]\nhistory = [[0, 0.01], [1e-5, 0.02], [2e-5, 0.03]]\nsmoothing = \"none\"\n",
+        Rivals{"[crack]\nhistory = [[0, 0.01], [1e-05, 0.02], [2e-05, 0.03]]\nsmoothing = \"none\"\n",
                "crack.toughness=[[\"0.1 c_r\", 100], [\"0.5 c_r\", 200]]",
-               "--set crack.toughness takes the place of crack.history = [[0, 0.01], [1e-5, 0.02], [2e-5, "
+               "--set crack.toughness replaces crack.history = [[0, 0.01], [1e-05, 0.02], [2e-05, "
                "0.03]] "
                "(x.toml:2)"},
         Rivals{"[specimen]\nlayers = 2\n", "specimen.thickness=2 mm",
-               "--set specimen.thickness takes the place of specimen.layers = 2 (x.toml:2)"},
+               "--set specimen.thickness replaces specimen.layers = 2 (x.toml:2)"},
         Rivals{"[specimen]\nthickness = \"2 mm\"\n", "specimen.layers=3",
-               "--set specimen.layers takes the place of specimen.thickness = \"2 mm\" (x.toml:2)"},
+               "--set specimen.layers replaces specimen.thickness = \"2 mm\" (x.toml:2)"},
         Rivals{"[loading]\ndisplacement = \"2 mm\"\n", "loading.force=100 kN",
-               "--set loading.force takes the place of loading.displacement = \"2 mm\" (x.toml:2)"},
+               "--set loading.force replaces loading.displacement = \"2 mm\" (x.toml:2)"},
         Rivals{"[loading]\nforce = \"100 kN\"\n", "loading.displacement=1 mm",
-               "--set loading.displacement takes the place of loading.force = \"100 kN\" (x.toml:2)"},
+               "--set loading.displacement replaces loading.force = \"100 kN\" (x.toml:2)"},
         Rivals{"[material]\nrayleigh_speed = \"2200 m/s\"\n", "material.density=1200 kg/m3",
-               "--set material.density takes the place of material.rayleigh_speed = \"2200 m/s\" (x.toml:2)"},
+               "--set material.density replaces material.rayleigh_speed = \"2200 m/s\" (x.toml:2)"},
         Rivals{
             "[material]\ndensity = \"1200 kg/m3\"\n", "material.rayleigh_speed=1000 m/s",
-            "--set material.rayleigh_speed takes the place of material.density = \"1200 kg/m3\" (x.toml:2)"},
+            "--set material.rayleigh_speed replaces material.density = \"1200 kg/m3\" (x.toml:2)"},
         Rivals{"[solver]\ndt = \"10 ns\"\n", "solver.dt_fraction=0.4",
-               "--set solver.dt_fraction takes the place of solver.dt = \"10 ns\" (x.toml:2)"}));
+               "--set solver.dt_fraction replaces solver.dt = \"10 ns\" (x.toml:2)"}));
 
 }  // namespace
 }  // namespace rift::scene
