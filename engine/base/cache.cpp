@@ -7,9 +7,9 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <system_error>
 
@@ -43,7 +43,7 @@ std::optional<std::vector<double>> decode(const std::string& bytes, const std::s
   const std::size_t payload = bytes.size() - before - sizeof(std::uint64_t);
   if (payload % sizeof(double) != 0) return std::nullopt;
   std::vector<double> numbers(payload / sizeof(double));
-  std::memcpy(numbers.data(), bytes.data() + before, payload);
+  std::copy_n(bytes.data() + before, payload, reinterpret_cast<char*>(numbers.data()));
   if (encode(key, numbers) != bytes) return std::nullopt;
   return numbers;
 }

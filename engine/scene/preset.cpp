@@ -85,6 +85,20 @@ void take_text(Reading& reading, std::string_view text) {
   }
 }
 
+/// Puts other lists in the place of [study]; where there is none, as if they stood at the end of the file.
+void replace_grid(TomlDocument& document, const std::vector<GridAxis>& grid, int end) {
+  const int begin = first_line(document, "study"), line = begin > 0 ? begin : end;
+  std::erase_if(document.entries,
+                [](const TomlEntry& entry) { return entry.table == "study" && entry.name != "rows"; });
+  std::erase_if(document.tables, [](const TomlTable& table) { return table.name == "study"; });
+  if (!grid.empty()) document.tables.push_back({"study", line});
+  for (const GridAxis& axis : grid) {
+    std::vector<Value> values;
+    for (const std::string& text : axis.values) values.push_back(value_from_text(text));
+    document.entries.push_back({"study", axis.name, {std::move(values)}, line});
+  }
+}
+
 /// What the preset says of the keys that an override excludes gives way to it.
 void drop_rivals(Reading& reading, const std::string& key) {
   for (const std::string& rival : rivals_of(key))
@@ -182,11 +196,25 @@ Preset finished(Reading reading, const std::vector<std::string>& overrides, bool
   return std::move(reading.preset);
 }
 
-Preset read(Reading reading, std::string_view text, const std::vector<std::string>& overrides) {
+Preset read(Reading reading, std::string_view text, const std::vector<std::string>& overrides,
+            const std::vector<GridAxis>* grid) {
   take_text(reading, text);
+  if (grid)
+    replace_grid(reading.document, *grid, static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1);
   // After a syntax error nothing is known of the file, so nothing can contradict it.
   const bool readable = reading.preset.issues.empty() || reading.preset.issues.front().column == 0;
   return finished(std::move(reading), overrides, readable);
+}
+
+Preset read_file(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                 const std::vector<GridAxis>* grid) {
+  const PresetFile file = read_preset_file(path, largest_preset);
+  Reading reading;
+  reading.preset.name = path.string();
+  reading.folder = path.parent_path();
+  if (file.problem.empty()) return read(std::move(reading), file.text, overrides, grid);
+  reading.say({path.string(), 0, "", file.problem});
+  return finished(std::move(reading), overrides, false);
 }
 
 }  // namespace
@@ -195,17 +223,16 @@ Preset read_preset_text(std::string_view text, const std::string& name,
                         const std::vector<std::string>& overrides) {
   Reading reading;
   reading.preset.name = name;
-  return read(std::move(reading), text, overrides);
+  return read(std::move(reading), text, overrides, nullptr);
 }
 
 Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  const PresetFile file = read_preset_file(path, largest_preset);
-  Reading reading;
-  reading.preset.name = path.string();
-  reading.folder = path.parent_path();
-  if (file.problem.empty()) return read(std::move(reading), file.text, overrides);
-  reading.say({path.string(), 0, "", file.problem});
-  return finished(std::move(reading), overrides, false);
+  return read_file(path, overrides, nullptr);
+}
+
+Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                   const std::vector<GridAxis>& grid) {
+  return read_file(path, overrides, &grid);
 }
 
 Issue issue_at(const Preset& preset, const std::string& key, std::string text) {

@@ -26,12 +26,21 @@ struct RowsOrigin {
   std::vector<int> line;
 };
 
+/// The list of values that [study] has for an axis, as TOML values.
+struct GridAxis {
+  std::string name;
+  std::vector<std::string> values;
+};
+
 /// One scenario of a study.
 struct StudyRow {
   Scene scene;
   /// The axes that the study names, in the order of the file, and this scenario's values as text: "0.5 c_r",
   /// "linear"; "-" where the axis does not apply. The same names in every row.
   std::vector<std::pair<std::string, std::string>> axes;
+  /// The combinations of the grid that are this scenario, each with a value for each of Preset::grid; several
+  /// where some of them do not apply to it, none where it is one of [[study.rows]].
+  std::vector<std::vector<std::string>> combinations = {};
 };
 
 /// A preset read into a scene, with every mistake that was found. The scenes count only where `issues` is
@@ -46,13 +55,20 @@ struct Preset {
   std::vector<StudyRow> study;
   std::vector<Change> steering;            // of [[steering]], by lane and step
   std::map<std::string, RowsOrigin> rows;  // by full key, of those whose rows came from a file
-  std::vector<std::string> notes;  // a line each: keys that --set has replaced, rows that seem to be missing
+  /// A line each: keys that --set has replaced, a thickness that it changes, rows that seem to be missing.
+  std::vector<std::string> notes;
+  std::vector<GridAxis> grid = {};  // the lists of [study], in the order of the file
 };
 
 /// Reads a preset file, applies overrides ("crack.velocity=0.3 c_r", full keys only) and checks all of it.
 /// An override replaces what the file says of its key and of the keys that it excludes (thickness for
 /// layers), with a note; the last one wins. Never throws for bad input, a missing file included.
 Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// The same with other lists in the place of [study], their values as they are typed ("0.3 c_r"); none:
+/// without a grid. [[study.rows]] stay.
+Preset read_preset(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                   const std::vector<GridAxis>& grid);
 
 /// The same for a text; `name` stands for the file in messages. An empty text is a preset: all defaults.
 Preset read_preset_text(std::string_view text, const std::string& name,
@@ -69,7 +85,7 @@ Issue issue_at_row(const Preset& preset, const std::string& key, std::size_t row
 /// scene back to the last bit.
 std::string preset_text(const Scene& scene);
 
-/// The same with its lanes as [[lanes]] and its study as [[study.rows]], in the axes that are varied.
+/// The same with its lanes as [[lanes]], and its study as [study] and [[study.rows]] as they were given.
 std::string preset_text(const Preset& preset);
 
 /// The text of a file, or why there is none ("no such file", "is a directory", "cannot be read: ...").

@@ -76,7 +76,11 @@ std::string preset_text(const Preset& preset) {
   std::string out = preset_text(preset.scene);
   const std::vector<const Axis*> in_lanes = varied_in_lanes(preset);
   for (const Scene& lane : preset.lanes) out += "\n[[lanes]]\n" + axis_lines(lane, in_lanes);
+  if (!preset.grid.empty()) out += "\n[study]\n";
+  for (const GridAxis& axis : preset.grid)
+    out += fmt::format("{} = [{}]\n", axis.name, fmt::join(axis.values, ", "));
   for (const StudyRow& row : preset.study) {
+    if (!row.combinations.empty()) continue;  // of the grid
     std::vector<const Axis*> varied;
     for (const auto& [name, text] : row.axes) varied.push_back(find_axis(name));
     out += "\n[[study.rows]]\n" + axis_lines(row.scene, varied);

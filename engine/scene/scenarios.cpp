@@ -83,6 +83,13 @@ std::string axis_text(const Scene& scene, const Axis& axis) {
   return value.empty() ? "-" : base::without_quotes(value);
 }
 
+// scenario_of() says how.
+std::string_view settled_by(const Axis& axis) {
+  if (axis.name == "damping_alpha") return "damping_region = \"none\"";
+  if (axis.name == "damping_region") return "damping_alpha = 0";
+  return "technique = \"simple\"";
+}
+
 std::string unknown_axis(const std::string& name) {
   const std::vector<std::string> names = axis_names();
   std::string nearest = axis_of_key(name);
@@ -114,6 +121,14 @@ bool too_many(ScenarioReading& reading, double count, int line) {
   return true;
 }
 
+/// What [study] comes to.
+struct ScenesOfStudy {
+  std::vector<Scene> scenes = {};
+  std::vector<GridAxis> grid = {};
+  std::vector<std::vector<std::vector<std::string>>> combinations = {};  // of each scene of the grid
+  std::map<std::string, int> seen = {};  // the line of a scene, 0 for the grid, by its fingerprint
+};
+
 /// The next combination of the lists, the last list running fastest; false after the last one.
 bool advance(std::vector<std::size_t>& at, const std::vector<std::vector<Setting>>& lists) {
   for (std::size_t i = lists.size(); i-- > 0;) {
@@ -123,21 +138,49 @@ bool advance(std::vector<std::size_t>& at, const std::vector<std::vector<Setting
   return false;
 }
 
+/// The value of a list as TOML, in the words in which presets are written.
+std::string toml_of(const ScenarioReading& reading, const Setting& setting) {
+  Scene scene = reading.base.preset.scene;
+  assign(scene, parameter_of(*setting.axis), setting.value);
+  return toml_value(scene, parameter_of(*setting.axis));
+}
+
+std::vector<GridAxis> grid_of(const ScenarioReading& reading,
+                              const std::vector<std::vector<Setting>>& lists) {
+  std::vector<GridAxis> grid;
+  for (const std::vector<Setting>& list : lists) {
+    GridAxis& axis = grid.emplace_back(GridAxis{std::string(list.front().axis->name), {}});
+    for (const Setting& setting : list) axis.values.push_back(toml_of(reading, setting));
+  }
+  return grid;
+}
+
 /// Adds the grid's scenes, each once, in the order of nested loops over the lists.
-void take_grid(ScenarioReading& reading, const std::vector<std::vector<Setting>>& lists,
-               std::map<std::string, int>& seen, std::vector<Scene>& scenes) {
+void take_grid(ScenarioReading& reading, const std::vector<std::vector<Setting>>& lists, ScenesOfStudy& of) {
   if (lists.empty()) return;
   double count = 1;
   for (const auto& list : lists) count *= static_cast<double>(list.size());
   if (too_many(reading, count, lists.front().front().line)) return;
+  of.grid = grid_of(reading, lists);
+  std::map<std::string, std::size_t> place;  // of a scene among the others, by its fingerprint
   std::vector<std::size_t> at(lists.size(), 0);
   do {
     std::vector<Setting> settings;
-    for (std::size_t i = 0; i < lists.size(); ++i) settings.push_back(lists[i][at[i]]);
+    std::vector<std::string> values;
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      settings.push_back(lists[i][at[i]]);
+      values.push_back(base::without_quotes(of.grid[i].values[at[i]]));
+    }
     const Scenario scenario = scenario_of(reading.base, settings, Chosen::by_grid);
-    if (!seen.emplace(fingerprint(scenario.preset.scene), 0).second) continue;
-    check(reading, scenario);
-    scenes.push_back(scenario.preset.scene);
+    const std::string mark = fingerprint(scenario.preset.scene);
+    const auto [known, fresh] = place.emplace(mark, of.scenes.size());
+    if (fresh) {
+      check(reading, scenario);
+      of.seen.emplace(mark, 0);
+      of.scenes.push_back(scenario.preset.scene);
+      of.combinations.emplace_back();
+    }
+    of.combinations[known->second].push_back(std::move(values));
   } while (advance(at, lists));
 }
 
@@ -156,13 +199,6 @@ void take_rows(ScenarioReading& reading, const std::vector<ListedScenario>& rows
     const std::string where = earlier->second == 0 ? "the grid" : fmt::format("line {}", earlier->second);
     reading.say({reading.file(), row.line, "", fmt::format("the same scenario as in {}", where)});
   }
-}
-
-/// Why no scenario may have a value that the grid lists: settled away, scenario_of() says how.
-std::string_view reason_of(const Axis& axis) {
-  if (axis.name == "damping_alpha") return "damping_region = \"none\"";
-  if (axis.name == "damping_region") return "damping_alpha = 0";
-  return "technique = \"simple\"";
 }
 
 /// A value of the grid that settling took out of every scenario is a mistake: nobody lists it for nothing.
@@ -184,7 +220,7 @@ void check_values(ScenarioReading& reading, const std::vector<std::vector<Settin
     const Mention& mention = *std::find_if(reading.mentions.begin(), reading.mentions.end(),
                                            [&](const Mention& m) { return m.axis == &axis; });
     reading.say({reading.file(), mention.line, fmt::format("study.{}", axis.name),
-                 fmt::format("{} applies to no scenario: all have {}", shown(lost->value), reason_of(axis)),
+                 fmt::format("{} applies to no scenario: all have {}", shown(lost->value), settled_by(axis)),
                  mention.value});
   }
 }
@@ -227,17 +263,16 @@ void check_empty(ScenarioReading& reading) {
   }
 }
 
-std::vector<Scene> study_scenes(ScenarioReading& reading) {
-  std::map<std::string, int> seen;  // the line of a scenario, 0 for the grid, by its fingerprint
-  std::vector<Scene> scenes;
+ScenesOfStudy study_scenes(ScenarioReading& reading) {
+  ScenesOfStudy of;
   const std::vector<std::vector<Setting>> lists = read_grid(reading);
   const std::vector<ListedScenario> rows = read_listed_scenarios(reading, "study.rows");
   check_empty(reading);
-  take_grid(reading, lists, seen, scenes);
-  check_values(reading, lists, scenes);
-  take_rows(reading, rows, seen, scenes);
-  check_applies(reading, scenes);
-  return scenes;
+  take_grid(reading, lists, of);
+  check_values(reading, lists, of.scenes);
+  take_rows(reading, rows, of.seen, of.scenes);
+  check_applies(reading, of.scenes);
+  return of;
 }
 
 std::vector<Scene> lane_scenes(ScenarioReading& reading) {
@@ -248,10 +283,15 @@ std::vector<Scene> lane_scenes(ScenarioReading& reading) {
   return scenes;
 }
 
-StudyRow study_row(const Scene& scene, const std::vector<Mention>& mentions) {
-  StudyRow row{scene, {}};
-  for (const Mention& m : mentions) row.axes.emplace_back(m.axis->name, axis_text(scene, *m.axis));
-  return row;
+/// The scenes as rows, those of the grid with their combinations.
+std::vector<StudyRow> study_rows(ScenesOfStudy of, const std::vector<Mention>& mentions) {
+  std::vector<StudyRow> rows;
+  of.combinations.resize(of.scenes.size());
+  for (std::size_t k = 0; k < of.scenes.size(); ++k) {
+    StudyRow& row = rows.emplace_back(StudyRow{of.scenes[k], {}, std::move(of.combinations[k])});
+    for (const Mention& m : mentions) row.axes.emplace_back(m.axis->name, axis_text(row.scene, *m.axis));
+  }
+  return rows;
 }
 
 /// The base is checked as it stands, but for the axes of scenarios which could not be made.
@@ -267,18 +307,19 @@ std::vector<Issue> take_scenarios(Preset& preset, const TomlDocument& document,
                                   const std::set<std::string>& invalid) {
   ScenarioReading study{{preset, invalid}, document}, lanes{{preset, invalid}, document};
   check_shapes(study);
-  const std::vector<Scene> of_study = study_scenes(study);
+  ScenesOfStudy of_study = study_scenes(study);
   std::vector<Scene> of_lanes = lane_scenes(lanes);
   check_overrides(study);
   check_overrides(lanes);
   check_both(study, first_line(document, "study"), first_line(document, "lanes"));
   for (Issue& issue : lanes.issues) study.say(std::move(issue));
-  if (of_study.empty() && of_lanes.empty()) {
+  if (of_study.scenes.empty() && of_lanes.empty()) {
     std::vector<Mention> mentions = study.mentions;
     mentions.insert(mentions.end(), lanes.mentions.begin(), lanes.mentions.end());
     check_base(study, mentions);
   }
-  for (const Scene& scene : of_study) preset.study.push_back(study_row(scene, study.mentions));
+  preset.grid = of_study.grid;
+  preset.study = study_rows(std::move(of_study), study.mentions);
   preset.lanes = std::move(of_lanes);
   return std::move(study.issues);
 }

@@ -40,6 +40,9 @@ std::string axis_text(const Scene& scene, const Axis& axis);
 /// "unknown axis 'damge_zone_ratio', did you mean 'damage_zone_ratio'?"
 std::string unknown_axis(const std::string& name);
 
+/// What makes the axis count for nothing where it is said of a scenario: "technique = \"simple\"".
+std::string_view settled_by(const Axis& axis);
+
 /// "technique, relaxation, ... and crack_velocity": those in which lanes may differ.
 std::string lane_axes();
 

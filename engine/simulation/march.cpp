@@ -198,9 +198,7 @@ void Run::judge_rest(LaneSlot& slot) {
 
 void Run::start_cracks() {
   start_clock(0.0);
-  damped_ = prepared_.damped.size();
-  ensemble_.set_beta(scene().solver.beta);
-  ensemble_.start_crack(prepared_.damped);
+  begin_cracking(prepared_.damped);
   for (LaneSlot& slot : slot_) {
     if (slot.scenario < 0) continue;
     lane_of(slot).energy_at_crack_start = ensemble_.balance(index(slot)).elastic;

@@ -189,6 +189,12 @@ results::Checkpoint Run::checkpoint() {
   return {to_json(notes), ensemble_.state(), 0};
 }
 
+void Run::begin_cracking(const std::vector<lattice::DampedBeam>& damped) {
+  damped_ = damped.size();
+  ensemble_.set_beta(scene().solver.beta);
+  ensemble_.start_crack(damped);
+}
+
 void Run::go_on(const Resumption& from) {
   MarchNotes notes = march_notes(from.checkpoint.notes);
   check_fit(notes);
@@ -207,12 +213,7 @@ void Run::go_on(const Resumption& from) {
     ensemble_.set_units(index(slot), plan(slot).units);
     ensemble_.steer(index(slot), plan(slot).scenario);
   }
-  if (notes.cracking) {
-    const std::vector<lattice::DampedBeam> damped = damped_beams(prepared_, lane_);
-    damped_ = damped.size();
-    ensemble_.set_beta(scene().solver.beta);
-    ensemble_.start_crack(damped);
-  }
+  if (notes.cracking) begin_cracking(damped_beams(prepared_, lane_));
   ensemble_.restore(from.checkpoint.state);
   marched_ = notes.marched, result_.lane_steps = notes.lane_steps, next_scenario_ = notes.next_scenario;
   count_steps();

@@ -61,6 +61,8 @@ class Run {
   /// afterwards. Goes on from the step that has been reached.
   void pull();
   void start_cracks();
+  /// What the ensemble needs of the crack's phase, at its start and when a run is resumed in it.
+  void begin_cracking(const std::vector<lattice::DampedBeam>& damped);
   void judge_rest(LaneSlot& slot);
   void step();
   /// Moves the grip as a load curve says.

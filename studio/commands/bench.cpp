@@ -1,4 +1,5 @@
 #include "engine/base/process_limits.hpp"
+#include "engine/base/text.hpp"
 #include "engine/ensemble/benchmark.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/simulation/summary.hpp"
@@ -245,11 +246,11 @@ ExitCode bench(const BenchOptions& options) {
       table.rows.push_back(row_of(r, base_of(results, r, options.needs), peaks_of(r)));
     base::print_text(plain_table(table, session.color()));
     base::print(
-        "  L scenarios side by side, T threads, N elements; whole steps, medians of {} repetitions of {:g} "
-        "s.\n"
-        "  \"over {}\" is the speed over that of the {} kernel. B/beam: least memory traffic per beam and "
-        "scenario.\n  memory %, flops %: of the peaks measured on this machine.\n",
-        options.runs, options.seconds, options.needs ? "bare" : "plain", options.needs ? "bare" : "plain");
+        "  L scenarios side by side, T threads, N elements; whole steps, medians of {} of {:g} s.\n  \"over "
+        "{}\" is the speed over that of the {} kernel. B/beam: least memory traffic per beam and scenario.\n "
+        " memory %, flops %: of the peaks measured on this machine.\n",
+        base::counted(options.runs, "repetition"), options.seconds, options.needs ? "bare" : "plain",
+        options.needs ? "bare" : "plain");
     for (const PrecisionError& e : errors) print_precision(e);
   });
   return ExitCode::done;

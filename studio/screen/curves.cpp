@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rift::studio {
 namespace {
@@ -47,21 +48,56 @@ class Dots {
   std::vector<Style> style_;
 };
 
-void draw_curve(Dots& dots, const Axes& axes, const Curve& curve) {
-  const auto place = [&](const std::array<double, 2>& p) {
-    return std::array{(p[0] - axes.x[0]) / (axes.x[1] - axes.x[0]) * (dots.width() - 1),
-                      (axes.y[1] - p[1]) / (axes.y[1] - axes.y[0]) * (dots.height() - 1)};
-  };
-  const auto inside = [&](const std::array<double, 2>& p) {  // whatever is far outside is not worth a line
-    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::abs(p[0]) < 1e5 && std::abs(p[1]) < 1e5;
-  };
+/// Where a point lies, in dots of an area of so many; nothing where it is no number or far outside, which is
+/// not worth a line.
+std::optional<std::array<double, 2>> place_of(const std::array<double, 2>& point, const Axes& axes, int width,
+                                              int height) {
+  const std::array at{(point[0] - axes.x[0]) / (axes.x[1] - axes.x[0]) * (width - 1),
+                      (axes.y[1] - point[1]) / (axes.y[1] - axes.y[0]) * (height - 1)};
+  const bool near =
+      std::isfinite(at[0]) && std::isfinite(at[1]) && std::abs(at[0]) < 1e5 && std::abs(at[1]) < 1e5;
+  return near ? std::optional(at) : std::nullopt;
+}
+
+void draw_line(Dots& dots, const Axes& axes, const Curve& curve) {
+  if (!curve.line) return;
   for (std::size_t k = 0; k < curve.points.size(); ++k) {
-    const auto here = place(curve.points[k]), before = place(curve.points[k == 0 ? 0 : k - 1]);
-    if (inside(here) && inside(before)) dots.line(before, here, curve.style);
+    const auto here = place_of(curve.points[k], axes, dots.width(), dots.height()),
+               before = place_of(curve.points[k == 0 ? 0 : k - 1], axes, dots.width(), dots.height());
+    if (here && before) dots.line(*before, *here, curve.style);
   }
 }
 
-std::string number(double value) { return fmt::format("{:.3g}", value); }
+/// The curve's letter over its points, or over the last one that there is.
+void draw_marks(Canvas& canvas, const Area& plot, const Axes& axes, const Curve& curve) {
+  if (curve.marks == Marks::none) return;
+  for (std::size_t k = curve.points.size(); k-- > 0;) {
+    const auto at = place_of(curve.points[k], axes, 2 * plot.width, 4 * plot.height);
+    const int x = at ? static_cast<int>(std::lround((*at)[0])) / 2 : -1,
+              y = at ? static_cast<int>(std::lround((*at)[1])) / 4 : -1;
+    if (x < 0 || y < 0 || x >= plot.width || y >= plot.height) continue;
+    canvas.put(plot.x + x, plot.y + y, curve.mark, {curve.style.ink, true});
+    if (curve.marks == Marks::last) return;
+  }
+}
+
+/// The labels in their curves' colours, cut alike where there is no room for all of their letters.
+void draw_legend(Canvas& canvas, int x, int y, int width, std::span<const Curve> curves) {
+  std::size_t longest = 0, count = 0;
+  for (const Curve& curve : curves)
+    longest = std::max(longest, letters_of(curve.label).size()), count += curve.label.empty() ? 0 : 1;
+  const auto taken = [&](std::size_t most) {
+    std::size_t cells = count;
+    for (const Curve& curve : curves) cells += std::min(most, letters_of(curve.label).size());
+    return static_cast<int>(cells);
+  };
+  while (longest > 1 && taken(longest) > width) --longest;
+  const int end = x + width;
+  for (const Curve& curve : curves)
+    if (!curve.label.empty() && x < end)
+      x += 1 + canvas.text(x, y, curve.label, {curve.style.ink, true},
+                           std::min(static_cast<int>(longest), end - x));
+}
 
 }  // namespace
 
@@ -71,7 +107,11 @@ void draw_curves(Canvas& canvas, const Area& area, const Axes& axes, std::span<c
   const Area plot{area.x + labels, area.y + 1, area.width - labels, area.height - 2};
   if (plot.width < 4 || plot.height < 2) return;
   const Style dim{Ink::dim};
-  canvas.text(area.x, area.y, axes.y_title, dim, area.width);
+  const auto number = [&](double value) {
+    return fmt::format("{:.3g}", axes.logarithmic ? std::pow(10.0, value) : value);
+  };
+  const int titled = canvas.text(area.x, area.y, axes.y_title, dim, area.width) + 2;
+  draw_legend(canvas, area.x + titled, area.y, area.width - titled, curves);
   for (int y = 0; y < plot.height; ++y)
     canvas.put(plot.x - 1, plot.y + y, glyphs == Glyphs::unicode ? U'│' : U'|', dim);
   const auto label = [&](int y, double value) {
@@ -88,8 +128,9 @@ void draw_curves(Canvas& canvas, const Area& area, const Axes& axes, std::span<c
   if (title + 12 < plot.width)
     canvas.text(plot.x + (plot.width - title) / 2, foot, axes.x_title, dim, plot.width);
   Dots dots(plot);
-  for (const Curve& curve : curves) draw_curve(dots, axes, curve);
+  for (const Curve& curve : curves) draw_line(dots, axes, curve);
   dots.draw(canvas, glyphs);
+  for (const Curve& curve : curves) draw_marks(canvas, plot, axes, curve);
 }
 
 }  // namespace rift::studio

@@ -26,10 +26,13 @@ constexpr std::array table{
             "Resume a run or study that was stopped or killed"},
     Binding{W::home, film, 'm', key_none, "m", "film", "Make a film of the run"},
     Binding{W::home, remove, 'd', key_delete, "d", "delete", "Delete the run, after a question"},
-    Binding{W::form, open, key_enter, key_right, "enter", "edit", "Change the value"},
+    Binding{W::form, open, key_enter, key_right, "enter", "edit",
+            "Change the value; a digit begins a new one"},
     Binding{W::form, run, 'r', key_none, "r", "run", "Run it"},
     Binding{W::form, save, 's', key_none, "s", "save", "Save as a preset of your own"},
     Binding{W::form, reset, 'd', key_delete, "d", "undo", "Undo the change of this value"},
+    Binding{W::form, add, 'a', key_none, "a", "axis", "Add an axis: the study varies one parameter more"},
+    Binding{W::form, remove, 'x', key_none, "x", "", "Remove the chosen axis of the study"},
     Binding{W::form, search, '/', key_none, "/", "search", "Show only entries that contain these letters"},
     Binding{W::live, pause, ' ', key_none, "space", "pause", "Pause or continue"},
     Binding{W::live, step, '.', key_none, ".", "step", "A single step"},
@@ -74,7 +77,7 @@ constexpr std::array table{
     Binding{W::anywhere, last, key_end, 'G', "end, G", "", "To the end"},
     Binding{W::anywhere, help, '?', key_none, "?", "keys", "These keys"},
     Binding{W::anywhere, back, 'q', key_escape, "q", "leave",
-            "Leave this screen; a run here is stopped first"},
+            "Leave this screen; a run is stopped, changes are asked for first"},
 };
 
 bool is_of(const Binding& binding, Where where) {

@@ -58,6 +58,7 @@ enum class Action : std::uint8_t {
   render,
   run,
   reset,
+  add,
   save,
   lane,
   beside,

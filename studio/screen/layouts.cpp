@@ -47,7 +47,7 @@ CompareLayout compare_layout(int width, int height, int columns) {
   if (too_small(width, height)) return {};
   const int titles = std::min(columns, std::max(0, height - 8));
   const int top = titles + 2, left = height - top - 1;
-  const int table = std::min({15 + 10 * columns, width >= 110 ? width / 2 : width - 2, width - 2});
+  const int table = std::min({19 + 10 * columns, width >= 110 ? width / 2 : width - 2, width - 2});
   CompareLayout layout{{1, 0, width - 2, 1},
                        {1, 1, width - 2, titles},
                        {1, top, table, left},
@@ -66,6 +66,7 @@ StudyLayout study_layout(int width, int height) {
   if (too_small(width, height)) return {};
   const int left = height - 3, plots = std::max(7, left * 45 / 100);
   return {{1, 0, width - 2, 1},
+          {1, 1, width - 2, 1},
           {1, 2, width - 2, left - plots},
           {1, 2 + left - plots, width / 2 - 2, plots},
           {width / 2 + 1, 2 + left - plots, width - width / 2 - 2, plots},

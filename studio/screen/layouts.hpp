@@ -23,7 +23,7 @@ struct CompareLayout {
 [[nodiscard]] CompareLayout compare_layout(int width, int height, int columns);
 
 struct StudyLayout {
-  Area head, grid, velocities, errors, foot;
+  Area head, chosen, grid, velocities, errors, foot;
 };
 [[nodiscard]] StudyLayout study_layout(int width, int height);
 

@@ -15,11 +15,16 @@ namespace rift::studio {
 
 /// What is known of one lane.
 struct LiveLane {
-  std::string title;                                         // "simple release, 0.1 c_r"
-  fracture::RateScale scale;                                 // of its release rate
-  std::vector<results::Sample> samples;                      // of the crack, in time
-  std::vector<results::RatePoint> rates;                     // against tip position
-  std::optional<double> broberg, strip;                      // to compare with
+  std::string title;                      // "simple release, 0.1 c_r"
+  fracture::RateScale scale;              // of its release rate
+  std::vector<results::Sample> samples;   // of the crack, in time
+  std::vector<results::RatePoint> rates;  // against tip position
+  std::array<double, 2> window{};         // in which the ratio is measured [m]
+  struct Ratio {
+    double ratio, scatter;  // NaN: none
+  };
+  std::optional<Ratio> ended;                                // of its summary, once there is one
+  std::optional<double> broberg, freund, strip;              // to compare with
   std::vector<std::array<float, 3>> displacement, velocity;  // of the last frame; may be empty
   std::vector<std::array<double, 2>> tips;                   // of that frame [m]
 };
@@ -50,11 +55,12 @@ struct LiveLook {
 
 /// Where the parts of the screen are; empty ones have no room.
 struct LiveLayout {
-  Area head, plate, plate_beside, budget, energies, rates, table, message, foot;
+  Area head, plate, plate_beside, colours, balance, result, table, energies, rates, message, foot;
 };
 
-/// Pure arithmetic for any size. @param lanes  of the run;  @param two  plates beside each other
-[[nodiscard]] LiveLayout live_layout(int width, int height, int lanes, bool two);
+/// Pure arithmetic for any size. @param lanes  of the run: of one there is a result, of several a table;
+/// @param two  plates beside each other; @param aspect  length over height of a plate
+[[nodiscard]] LiveLayout live_layout(int width, int height, int lanes, bool two, double aspect);
 
 /// Draws the screen.
 void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs);

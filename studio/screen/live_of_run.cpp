@@ -4,6 +4,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/lane_summary.hpp"
 #include "engine/results/records.hpp"
+#include "engine/scene/derived.hpp"
 #include "engine/scene/preset.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/theory/references.hpp"
@@ -27,10 +28,11 @@ fracture::RateScale scale_of(const Header& header, int lane) {
   return scale;
 }
 
-/// Broberg's factor at the lane's velocity, and the strip's.
+/// Broberg's factor at the lane's velocity, Freund's and the strip's.
 void add_references(LiveLane& lane, double v, const scene::Scene& scene) {
   if (!(v > 0 && v <= 1)) return;
   lane.broberg = theory::broberg(v, scene.material.poisson_ratio, scene.material.plane).g;
+  lane.freund = theory::freund(v, scene.material.poisson_ratio, scene.material.plane).g;
   lane.strip = theory::strip(v, scene.material.poisson_ratio, scene.material.plane).g;
 }
 
@@ -48,16 +50,25 @@ Live live_of_header(const Header& header, const std::filesystem::path& run) {
   live.steps = header.value("steps", std::int64_t{0});
   const auto scenarios = results::lane_summaries_of(header.value("scenarios", Header::array()));
   const std::vector<std::string> titles = results::lane_titles(scenarios);
-  const scene::Scene scene =
-      scene::read_preset_text(header.value("preset", std::string{}), "the run's preset").scene;
+  const scene::Preset preset =
+      scene::read_preset_text(header.value("preset", std::string{}), "the run's preset");
+  const scene::Scene& scene = preset.scene;
   live.ledger_limit = simulation::ledger_limit(scene.solver.kinematics, scene.solver.precision);
   for (std::size_t k = 0; k < titles.size(); ++k) {
     LiveLane& lane = live.lanes.emplace_back();
     lane.title = titles[k];
     lane.scale = scale_of(header, static_cast<int>(k));
+    const auto window = scene::window_over_length(k < preset.lanes.size() ? preset.lanes[k] : scene);
+    lane.window = {window[0] * live.length, window[1] * live.length};
     add_references(lane, scenarios[k].crack_velocity_over_cr, scene);
   }
   return live;
+}
+
+void take_results(Live& live, const Header& summary) {
+  const auto lanes = results::lane_summaries_of(summary.value("scenarios", Header::array()));
+  for (std::size_t k = 0; k < std::min(lanes.size(), live.lanes.size()); ++k)
+    live.lanes[k].ended = LiveLane::Ratio{lanes[k].ratio, lanes[k].ratio_scatter};
 }
 
 LiveOfRun::LiveOfRun(const std::filesystem::path& run)
@@ -112,6 +123,10 @@ void LiveOfRun::read_progress() {
   live_.step = step;
   live_.done = live_.steps > 0 ? static_cast<double>(step) / static_cast<double>(live_.steps) : 0;
   live_.state = state();
+  if (const auto& text = journal_.summary_json()) {
+    const Header summary = Header::parse(*text, nullptr, false);
+    if (summary.is_object()) take_results(live_, summary);
+  }
   const bool going = live_.state == "running" && live_.steps_per_s > 0;
   if (!going) live_.steps_per_s = 0;
   live_.seconds_left = going ? static_cast<double>(live_.steps - step) / live_.steps_per_s : -1;

@@ -13,6 +13,9 @@ namespace rift::studio {
 /// What a run's header says of it: names, sizes, titles and references of its lanes.
 [[nodiscard]] Live live_of_header(const nlohmann::ordered_json& header, const std::filesystem::path& run);
 
+/// Takes the lanes' ratios from the summary of a run that has ended.
+void take_results(Live& live, const nlohmann::ordered_json& summary);
+
 /// The screen of a run from its journal, read only: of a run that goes on elsewhere, or has ended.
 class LiveOfRun {
  public:

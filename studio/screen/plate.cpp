@@ -113,4 +113,9 @@ void draw_plate(Canvas& canvas, const Area& area, const results::Geometry& geome
   }
 }
 
+void draw_scale(Canvas& canvas, int x, int y, Glyphs glyphs) {
+  for (int step = 0; step < shade_steps; ++step)
+    draw_cell(canvas, x + step, y, static_cast<std::int8_t>(step), static_cast<std::int8_t>(step), glyphs);
+}
+
 }  // namespace rift::studio

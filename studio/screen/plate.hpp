@@ -25,4 +25,7 @@ struct PlateLook {
 void draw_plate(Canvas& canvas, const Area& area, const results::Geometry& geometry,
                 std::span<const std::array<float, 3>> displacement, const PlateLook& look, Glyphs glyphs);
 
+/// The scale of a plate's colours from least to most in one line of `shade_steps` cells.
+void draw_scale(Canvas& canvas, int x, int y, Glyphs glyphs);
+
 }  // namespace rift::studio

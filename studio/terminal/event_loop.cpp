@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace rift::studio {
@@ -48,7 +49,10 @@ class EventLoop {
       help_ = !help_;
       return;
     }
-    navigate(top().press(event));
+    Navigation navigation = top().press(event);
+    const bool escaped = event.key == key_escape && navigation.to == Navigation::To::back;
+    navigate(std::move(navigation));
+    if (escaped) terminal_.drop_typed();
   }
 
   void draw() {

@@ -309,6 +309,8 @@ KeyEvent Terminal::key_event(int milliseconds) {
   return kind == KEY_CODE_YES ? special(static_cast<int>(pressed)) : letter(static_cast<int>(pressed));
 }
 
+void Terminal::drop_typed() { flushinp(); }
+
 void Terminal::say_in_a_crash(const std::string& text) { studio::say_in_a_crash(base::escaped(text, "\n")); }
 
 }  // namespace rift::studio

@@ -59,6 +59,8 @@ class Terminal {
   void show(const Canvas& canvas);
   /// What is pressed within so many milliseconds; a change of size is nothing.
   [[nodiscard]] KeyEvent key_event(int milliseconds);
+  /// Drops what has been typed and not read yet: it was meant for a screen that has gone.
+  void drop_typed();
 
   /// What to say should the program crash, such as where the run is; at most 400 bytes are kept.
   static void say_in_a_crash(const std::string& text);

@@ -1,11 +1,36 @@
 #include "studio/workbench/dry_run_thread.hpp"
 
 #include "engine/base/interrupted.hpp"
+#include "engine/study/plan.hpp"
 #include "studio/text/dry_run.hpp"
+#include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace rift::studio {
+namespace {
+
+constexpr double assumed_beam_steps_per_s = 1e8;  // of the lanes side by side, as of rift study
+
+/// What a study costs, estimated without any lattice: its scenarios in the passes in which they march.
+DryRunThread::Rows cost_of_study(const scene::Preset& preset) {
+  double beam_steps = 0;
+  std::int64_t steps = 0;
+  std::set<int> groups;
+  for (const study::StudyItem& item : study::plan_study(preset, {})) {
+    beam_steps += item.cost;
+    steps += study::estimated_steps(item.scene).steps;
+    if (groups.insert(item.group).second) beam_steps += study::estimated_preparation(item.scene);
+  }
+  return {{"cost", fmt::format("about {} at 100 M beams/s, lanes side by side; with {} pre-stress{}",
+                               duration_text(beam_steps / assumed_beam_steps_per_s), groups.size(),
+                               groups.size() == 1 ? "" : "es")},
+          {"steps", fmt::format("about {} in all", steps)}};
+}
+
+}  // namespace
 
 DryRunThread::~DryRunThread() { give_up(); }
 
@@ -31,6 +56,7 @@ void DryRunThread::publish(Found found) {
 }
 
 void DryRunThread::work(const scene::Preset& preset) try {
+  if (!preset.study.empty()) return publish({cost_of_study(preset), {}, {}});
   const std::vector<scene::Scene> lanes =
       preset.lanes.empty() ? std::vector<scene::Scene>{preset.scene} : preset.lanes;
   const simulation::Prepared prepared =

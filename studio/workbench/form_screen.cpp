@@ -2,15 +2,13 @@
 
 #include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
-#include "engine/scene/derived.hpp"
-#include "engine/scene/needs.hpp"
+#include "engine/scene/scenarios.hpp"
 #include "studio/screen/canvas.hpp"
-#include "studio/screen/layouts.hpp"
-#include "studio/workbench/screen.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace rift::studio {
 namespace fs = std::filesystem;
@@ -18,47 +16,66 @@ namespace {
 
 constexpr auto before_dry_run = std::chrono::milliseconds(500);  // nothing was typed for so long
 
-/// What follows from the scene at once, before any lattice.
-DryRunThread::Rows at_once(const scene::Scene& scene) {
-  return {{"c_R", fmt::format("{:.0f} m/s", scene::rayleigh_speed(scene))},
-          {"density", fmt::format("{:.1f} kg/m³", scene::density(scene))},
-          {"thickness", fmt::format("{:.4g} mm", 1e3 * scene::thickness_m(scene))},
-          {"mean radius", fmt::format("about {:.3g} mm", 1e3 * scene::expected_mean_radius_m(scene))},
-          {"damage zone", fmt::format("about {:.3g} mm", 1e3 * scene::expected_zone_m(scene))}};
-}
-
-/// The rows with those of step and cost before all others: where there is little room, they are seen.
-DryRunThread::Rows what_it_costs_first(const DryRunThread::Rows& rows) {
-  DryRunThread::Rows first, others;
-  bool costs = false;  // a row without a label belongs to the one before
-  for (const auto& row : rows) {
-    if (!row.first.empty()) costs = row.first == "step" || row.first == "steps" || row.first == "cost";
-    (costs ? first : others).push_back(row);
-  }
-  first.insert(first.end(), others.begin(), others.end());
-  return first;
-}
+/// A digit typed on a value begins a new one.
+bool begins_number(int key) { return (key >= '0' && key <= '9') || key == '-'; }
 
 }  // namespace
 
 FormScreen::FormScreen(AppContext& context, fs::path preset)
-    : context_(context), path_(std::move(preset)), dry_run_(context.cache, context.threads) {
+    : context_(context),
+      path_(std::move(preset)),
+      file_(scene::read_preset(path_)),
+      grid_(file_.grid),
+      kept_(edits()),
+      preset_(file_),
+      dry_run_(context.cache, context.threads) {
   list_rows();
-  check();
+  if (file_.study.empty()) choose(Row::Kind::parameter, {});
+}
+
+/// The axes of the study first: what a study is of.
+void FormScreen::list_study(bool all) {
+  using Kind = Row::Kind;
+  if (!file_.lanes.empty()) return;  // a preset has lanes or a study
+  const std::size_t heading = rows_.size();
+  rows_.push_back({Kind::heading, "study"});
+  const auto listed = std::count_if(preset_.study.begin(), preset_.study.end(),
+                                    [](const scene::StudyRow& row) { return row.combinations.empty(); });
+  if (listed > 0)
+    rows_.back().name += fmt::format(": {} scenarios in [[study.rows]], and the grid of", listed);
+  for (const EditedGrid::List& list : grid_.lists()) {
+    const scene::Parameter& parameter = scene::parameter_of(*scene::find_axis(list.axis));
+    if (all || ("study." + list.axis).find(wanted_) != std::string::npos ||
+        parameter.doc.find(wanted_) != std::string_view::npos)
+      rows_.push_back({Kind::axis, list.axis, &parameter});
+  }
+  if (all) rows_.push_back({Kind::add_axis, "add an axis"});
+  if (rows_.size() == heading + 1) rows_.pop_back();
 }
 
 void FormScreen::list_rows() {
   rows_.clear();
+  const bool all = wanted_.empty();
+  list_study(all);
   std::string table;
   for (const scene::Parameter& row : scene::parameters()) {
-    if (!wanted_.empty() && std::string(row.key).find(wanted_) == std::string::npos &&
-        std::string(row.doc).find(wanted_) == std::string::npos)
+    if (!all && row.key.find(wanted_) == std::string_view::npos &&
+        row.doc.find(wanted_) == std::string_view::npos)
       continue;
-    if (scene::table_of(row) != table) rows_.push_back({nullptr, table = scene::table_of(row)});
-    rows_.push_back({&row, table});
+    if (scene::table_of(row) != table) rows_.push_back({Row::Kind::heading, table = scene::table_of(row)});
+    rows_.push_back({Row::Kind::parameter, std::string(row.key), &row});
   }
   list_.chosen = 0, list_.top = 0;
-  skip_tables(1);
+  skip_headings(1);
+}
+
+/// Goes to the row of an axis or a parameter; without a name to the first of its kind.
+void FormScreen::choose(Row::Kind kind, std::string_view name) {
+  const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) {
+    return row.kind == kind && (name.empty() || row.name == name);
+  });
+  if (found == rows_.end()) return;
+  list_.chosen = static_cast<int>(found - rows_.begin());
 }
 
 std::vector<std::string> FormScreen::overrides() const {
@@ -68,173 +85,96 @@ std::vector<std::string> FormScreen::overrides() const {
 }
 
 void FormScreen::check() {
-  preset_ = scene::read_preset(path_, overrides());
-  changed_ = Clock::now();
+  preset_ = grid_.changed() > 0 ? scene::read_preset(path_, overrides(), grid_.grid())
+                                : scene::read_preset(path_, overrides());
+  changed_at_ = Clock::now();
   dry_run_due_ = true;
   dry_run_.give_up();
 }
 
 Navigation FormScreen::look() {
-  if (!dry_run_due_ || dry_run_.busy() || Clock::now() - changed_ < before_dry_run) return {};
+  if (!dry_run_due_ || dry_run_.busy() || Clock::now() - changed_at_ < before_dry_run) return {};
   dry_run_due_ = false;
-  if (preset_.issues.empty() && preset_.study.empty()) dry_run_.begin(preset_);
+  if (preset_.issues.empty()) dry_run_.begin(preset_);
   return {};
 }
 
-const scene::Parameter* FormScreen::chosen() const {
-  return list_.chosen < static_cast<int>(rows_.size()) ? rows_[list_.chosen].parameter : nullptr;
+const FormScreen::Row* FormScreen::chosen() const {
+  const bool none =
+      list_.chosen >= static_cast<int>(rows_.size()) || rows_[list_.chosen].kind == Row::Kind::heading;
+  return none ? nullptr : &rows_[list_.chosen];
 }
 
-bool FormScreen::is_changed(std::string_view key) const {
-  return std::any_of(changes_.begin(), changes_.end(), [&](const Change& c) { return c.key == key; });
-}
-
-void FormScreen::change(const std::string& key, const std::string& value) {
+std::optional<std::string> FormScreen::change_of(std::string_view key) const {
   const auto found =
       std::find_if(changes_.begin(), changes_.end(), [&](const Change& c) { return c.key == key; });
-  if (found == changes_.end())
-    changes_.push_back({key, value});
-  else
-    found->value = value;
-  check();
+  return found == changes_.end() ? std::nullopt : std::optional(found->value);
 }
 
-void FormScreen::take_back(const std::string& key) {
-  std::erase_if(changes_, [&](const Change& c) { return c.key == key; });
-  check();
-}
-
-std::string FormScreen::shown_value(const scene::Parameter& row) const {
-  for (const Change& change : changes_)
-    if (change.key == row.key) return change.value;
-  return base::without_quotes(scene::toml_value(preset_.scene, row));
-}
-
-std::string FormScreen::issue_of(const scene::Parameter& row) const {
-  for (const scene::Issue& issue : preset_.issues)
-    if (issue.key == row.key) return issue.text;
+std::string FormScreen::axis_of(const scene::Parameter& parameter) const {
+  for (const scene::Axis& axis : scene::axes())
+    if (axis.key == parameter.key && grid_.values_of(axis.name)) return std::string(axis.name);
   return {};
 }
 
-void FormScreen::skip_tables(int way) {
+bool FormScreen::is_changed(const Row& row) const {
+  if (row.kind == Row::Kind::axis) return grid_.is_changed(row.name);
+  return row.kind == Row::Kind::parameter && change_of(row.name).has_value();
+}
+
+std::string FormScreen::value_of(const Row& row) const {
+  if (row.kind == Row::Kind::axis) return grid_.values_of(row.name).value_or("");
+  if (const auto change = change_of(row.name)) return *change;
+  return base::without_quotes(scene::toml_value(preset_.scene, *row.parameter));
+}
+
+std::string FormScreen::issue_of(const Row& row) const {
+  if (row.parameter == nullptr) return {};
+  for (const scene::Issue& issue : preset_.issues)
+    if (issue.key == row.parameter->key || issue.key == "study." + row.name) return issue.text;
+  return {};
+}
+
+void FormScreen::set(const Row& row, const std::string& value) {
+  const auto change =
+      std::find_if(changes_.begin(), changes_.end(), [&](const Change& c) { return c.key == row.name; });
+  if (row.kind == Row::Kind::axis)
+    grid_.set(row.name, value);
+  else if (is_of_file(*row.parameter, value))
+    drop_change(row.name);
+  else if (change != changes_.end())
+    change->value = value;
+  else
+    changes_.push_back({row.name, value});
+  check();
+}
+
+/// Whether the file says so itself; one with mistakes says nothing for certain.
+bool FormScreen::is_of_file(const scene::Parameter& parameter, const std::string& value) const {
+  return file_.issues.empty() && value == base::without_quotes(scene::toml_value(file_.scene, parameter));
+}
+
+void FormScreen::drop_change(std::string_view key) {
+  std::erase_if(changes_, [&](const Change& change) { return change.key == key; });
+}
+
+void FormScreen::take_back(const Row& row) {
+  drop_change(row.name);
+  if (row.kind == Row::Kind::axis) grid_.take_back(row.name);
+  check();
+  if (row.kind != Row::Kind::axis) return;
+  const int at = list_.chosen;
+  list_rows();
+  list_.chosen = at;
+  skip_headings(1);
+}
+
+void FormScreen::skip_headings(int way) {
   const int count = static_cast<int>(rows_.size());
   if (count == 0 || chosen() != nullptr) return;
   list_.chosen += list_.chosen == 0 ? 1 : way;
   list_.keep(count, list_rows_);
   if (list_.chosen == 1) list_.top = 0;
-}
-
-void FormScreen::draw(Canvas& canvas, Glyphs) {
-  if (draw_too_small(canvas)) return;
-  const FormLayout layout = form_layout(canvas.width(), canvas.height());
-  draw_head(canvas, layout.head);
-  if (search_.typing()) search_.draw(canvas, layout.search);
-  list_rows_ = layout.rows.height;
-  draw_rows(canvas, layout.rows);
-  draw_derived(canvas, layout.derived);
-  draw_detail(canvas, layout.detail);
-  if (name_.typing())
-    name_.draw(canvas, layout.foot);
-  else
-    canvas.text(
-        layout.foot.x, layout.foot.y,
-        value_.typing() ? "enter accept  escape keep the old value" : foot_of(Where::form, layout.foot.width),
-        {Ink::dim}, layout.foot.width);
-}
-
-void FormScreen::draw_head(Canvas& canvas, const Area& area) const {
-  const std::size_t wrong = preset_.issues.size();
-  const std::string state =
-      wrong == 0 ? "ready to run" : fmt::format("{} mistake{}", wrong, wrong > 1 ? "s" : "");
-  const std::string holds = !preset_.study.empty()
-                                ? fmt::format("a study of {} scenarios", preset_.study.size())
-                            : !preset_.lanes.empty() ? fmt::format("{} lanes", preset_.lanes.size())
-                                                     : std::string("one scenario");
-  int x = area.x + canvas.text(area.x, area.y, path_.stem().string(), {Ink::title, true}, area.width) + 3;
-  x += canvas.text(x, area.y, state, {wrong == 0 ? Ink::good : Ink::bad, true}) + 3;
-  canvas.text(x, area.y, fmt::format("{}, {} changed", holds, changes_.size()), {Ink::dim},
-              area.x + area.width - x);
-}
-
-void FormScreen::draw_rows(Canvas& canvas, const Area& area) {
-  list_.keep(static_cast<int>(rows_.size()), list_rows_);
-  for (int k = 0; k < area.height && list_.top + k < static_cast<int>(rows_.size()); ++k)
-    draw_row(canvas, {area.x, area.y + k, area.width, 1}, rows_[list_.top + k],
-             list_.top + k == list_.chosen);
-}
-
-void FormScreen::draw_row(Canvas& canvas, const Area& area, const Row& row, bool is_chosen) const {
-  if (row.parameter == nullptr) {
-    canvas.text(area.x, area.y, row.table, {Ink::title, true}, area.width);
-    return;
-  }
-  const scene::Parameter& parameter = *row.parameter;
-  const bool wrong = !issue_of(parameter).empty(), changed = is_changed(parameter.key);
-  const bool typed = is_chosen && value_.typing();
-  const Style style{wrong ? Ink::bad : Ink::plain, changed, is_chosen && !typed};
-  if (is_chosen && !typed) clear(canvas, area, style);
-  constexpr int names = 22;
-  canvas.text(area.x + 1, area.y, changed ? "*" : " ", style);
-  canvas.text(area.x + 3, area.y, scene::name_of(parameter), style, names - 1);
-  const Area value{area.x + 3 + names, area.y, area.width - names - 3, 1};
-  if (typed) {
-    value_.draw(canvas, value, {wrong ? Ink::bad : Ink::good, true});
-    return;
-  }
-  const std::string text = shown_value(parameter);
-  const bool given = preset_.origins.contains(std::string(parameter.key));
-  canvas.text(value.x, value.y, text.empty() ? "not given" : text,
-              {wrong   ? Ink::bad
-               : given ? Ink::plain
-                       : Ink::dim,
-               changed, is_chosen},
-              value.width);
-}
-
-void FormScreen::draw_detail(Canvas& canvas, const Area& area) const {
-  if (!message_.empty()) {
-    draw_paragraph(canvas, area, message_, {Ink::reference});
-    return;
-  }
-  const scene::Parameter* row = chosen();
-  if (row == nullptr) return;
-  canvas.text(area.x, area.y, fmt::format("{}  {}", row->key, row->doc), {}, area.width);
-  canvas.text(area.x, area.y + 1, "allowed: " + scene::allowed(*row), {Ink::dim}, area.width);
-  if (const std::string issue = issue_of(*row); !issue.empty())
-    canvas.text(area.x, area.y + 2, issue, {Ink::bad, true}, area.width);
-}
-
-void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
-  int y = area.y;
-  const int end = area.y + area.height;
-  const auto row = [&](const std::string& label, const std::string& text, const Style& style = {}) {
-    if (y >= end) return;
-    constexpr int labels = 13;
-    canvas.text(area.x, y, label, {Ink::reference, true}, labels - 1);
-    y += std::max(1, draw_paragraph(canvas, {area.x + labels, y, area.width - labels, end - y}, text, style));
-  };
-  for (const scene::Issue& issue : preset_.issues)
-    row(y == area.y ? "mistakes" : "",
-        issue.key.empty() ? scene::to_text(issue) : issue.key + ": " + issue.text, {Ink::bad});
-  if (!preset_.issues.empty()) return;
-  const scene::Scene& scene = preset_.lanes.empty() ? preset_.scene : preset_.lanes.front();
-  if (!preset_.study.empty()) {
-    row("study", fmt::format("{} scenarios", preset_.study.size()));
-    for (const auto& [label, text] : at_once(preset_.study.front().scene)) row(label, text);
-    return;
-  }
-  const DryRunThread::Found found = dry_run_.found();
-  if (!found.rows.empty()) {
-    for (const auto& [label, text] : what_it_costs_first(found.rows)) row(label, text);
-    return;
-  }
-  for (const auto& [label, text] : at_once(scene)) row(label, text);
-  const char* label = "left out";
-  for (const std::string& line : scene::left_out(scene)) row(label, line, {Ink::dim}), label = "";
-  if (!found.trouble.empty())
-    row("failed", found.trouble, {Ink::bad});
-  else
-    row("dry run", found.doing.empty() ? "starting" : found.doing, {Ink::dim});
 }
 
 Navigation FormScreen::press(const KeyEvent& event) try {
@@ -243,16 +183,23 @@ Navigation FormScreen::press(const KeyEvent& event) try {
   const int count = static_cast<int>(rows_.size());
   if (event.key == key_click) {
     const int at = list_.top + event.y - 2;
-    if (event.y < 2 || event.y >= 2 + list_rows_ || at >= count || rows_[at].parameter == nullptr) return {};
+    if (event.y < 2 || event.y >= 2 + list_rows_ || at >= count || rows_[at].kind == Row::Kind::heading)
+      return {};
     if (at == list_.chosen) return act(Action::open);
     list_.chosen = at;
     return {};
+  }
+  if (begins_number(event.key)) {
+    open();
+    if (!value_.typing()) return {};
+    value_ = Prompt("", "");
+    return type(event);
   }
   Action action = action_of(Where::form, event.key);
   if (event.key == key_wheel_up) action = Action::up;
   if (event.key == key_wheel_down) action = Action::down;
   if (list_.move(action, count, list_rows_)) {
-    skip_tables(action == Action::up || action == Action::page_up ? -1 : 1);
+    skip_headings(action == Action::up || action == Action::page_up ? -1 : 1);
     return {};
   }
   return act(action);
@@ -263,43 +210,106 @@ Navigation FormScreen::press(const KeyEvent& event) try {
 
 Navigation FormScreen::type(const KeyEvent& event) {
   if (value_.typing()) {
-    const std::string key(chosen()->key);
-    const Prompt::State state = value_.press(event);
-    if (state == Prompt::State::cancelled) {
-      if (had_change_)
-        change(key, before_);
-      else
-        take_back(key);
-    } else if (value_.text() ==
-                   base::without_quotes(scene::toml_value(scene::read_preset(path_).scene, *chosen())) &&
-               !had_change_) {
-      take_back(key);  // as it stands in the file
-    } else {
-      change(key, value_.text());
-    }
-    return {};
-  }
-  if (search_.typing()) {
+    const Row row = *chosen();
+    set(row, value_.press(event) == Prompt::State::cancelled ? before_ : value_.text());
+  } else if (search_.typing()) {
     wanted_ = search_.press(event) == Prompt::State::cancelled ? std::string() : search_.text();
     list_rows();
-    return {};
+  } else if (adding_) {
+    choose_other(event);
+  } else if (leave_.typing()) {
+    if (leave_.press(event) != Prompt::State::typing) return answer_leave();
+  } else if (const Prompt::State state = name_.press(event); state != Prompt::State::typing) {
+    const bool saved = state == Prompt::State::entered && save();
+    if (std::exchange(leaving_, false) && saved) return {Navigation::To::back, nullptr};
   }
-  if (name_.press(event) == Prompt::State::entered) save();
   return {};
 }
 
+/// Which axis is to be added.
+void FormScreen::choose_other(const KeyEvent& event) {
+  const std::vector<std::string_view> others = grid_.others();
+  const Action action = action_of(Where::anywhere, event.key);
+  if (event.key == key_enter) {
+    adding_ = false;
+    add_axis(others[others_.chosen]);
+  } else if (action == Action::back) {
+    adding_ = false;
+  } else {
+    others_.move(action, static_cast<int>(others.size()), other_rows_);
+  }
+}
+
+void FormScreen::begin_adding() {
+  if (!file_.lanes.empty())
+    message_ = "a preset has lanes or a study, not both";
+  else if (grid_.others().empty())
+    message_ = "every axis is varied already";
+  else
+    adding_ = true, others_ = {};
+}
+
+void FormScreen::remove_axis() {
+  const Row* row = chosen();
+  if (row == nullptr || row->kind != Row::Kind::axis) {
+    message_ = "choose an axis of the study: it is varied no more then";
+    return;
+  }
+  grid_.drop(row->name);
+  check();
+  list_rows();
+}
+
+void FormScreen::add_axis(std::string_view axis) {
+  drop_change(scene::find_axis(axis)->key);
+  grid_.add(axis, preset_.scene);
+  check();
+  wanted_.clear();
+  list_rows();
+  choose(Row::Kind::axis, axis);
+  open();
+}
+
+Navigation FormScreen::answer_leave() {
+  if (leave_.text() == "yes") return {Navigation::To::back, nullptr};
+  if (leave_.text() == "save") {
+    leaving_ = true;
+    return act(Action::save);
+  }
+  message_ = "nothing was dropped";
+  return {};
+}
+
+/// Begins to edit the chosen row; a parameter that an axis varies is edited there.
+void FormScreen::open() {
+  const Row* row = chosen();
+  if (row == nullptr) return;
+  if (row->kind == Row::Kind::add_axis) return begin_adding();
+  if (const std::string axis = row->kind == Row::Kind::parameter ? axis_of(*row->parameter) : "";
+      !axis.empty()) {
+    wanted_.clear();
+    list_rows();
+    choose(Row::Kind::axis, axis);
+    return;
+  }
+  before_ = value_of(*row);
+  value_ = Prompt("", before_);
+}
+
 Navigation FormScreen::act(Action action) {
-  const scene::Parameter* row = chosen();
+  const Row* row = chosen();
   switch (action) {
-    case Action::open: {
-      if (row == nullptr) return {};
-      had_change_ = is_changed(row->key);
-      before_ = shown_value(*row);
-      value_ = Prompt("", before_);
+    case Action::open:
+      open();
       return {};
-    }
     case Action::reset:
-      if (row != nullptr) take_back(std::string(row->key));
+      if (row != nullptr && row->kind != Row::Kind::add_axis) take_back(Row(*row));
+      return {};
+    case Action::add:
+      begin_adding();
+      return {};
+    case Action::remove:
+      remove_axis();
       return {};
     case Action::run:
       return run();
@@ -310,7 +320,9 @@ Navigation FormScreen::act(Action action) {
       search_ = Prompt("search", wanted_);
       return {};
     case Action::back:
-      return {Navigation::To::back, nullptr};
+      if (edits() == kept_) return {Navigation::To::back, nullptr};
+      leave_ = Prompt(fmt::format("{} changed, not saved: leave? yes, no or save", changed()), "");
+      return {};
     default:
       return {};
   }
@@ -322,25 +334,31 @@ Navigation FormScreen::run() {
     return {};
   }
   dry_run_.give_up();
-  return {Navigation::To::forward, screen_of_preset(context_, path_, overrides())};
+  return {Navigation::To::forward, screen_of_preset(context_, preset_, path_.stem().string(), changed() > 0)};
 }
 
-void FormScreen::save() {
+bool FormScreen::save() {
   const std::string& name = name_.text();
   const bool valid = !name.empty() && name.find_first_of("/\\ ") == std::string::npos && name.front() != '.';
+  const fs::path file = context_.own_presets / (name + ".toml");
   if (!valid) {
     message_ = fmt::format("\"{}\" is not a valid preset name: use letters, digits, - and _", name);
   } else if (!preset_.issues.empty()) {
     message_ = "the preset has mistakes: correct them before saving it";
-  } else if (const fs::path file = context_.own_presets / (name + ".toml"); fs::exists(file)) {
+  } else if (fs::exists(file)) {
     message_ = file.string() + " exists already: choose another name";
   } else {
     base::make_folder(context_.own_presets);
-    base::write_whole_file(file, fmt::format("# From {} with {} changed.\n# Cost: about the same\n{}",
-                                             base::escaped(path_.stem().string()), changes_.size(),
-                                             scene::preset_text(preset_)));
+    const std::string cost =
+        preset_.study.empty() ? "about the same" : fmt::format("{} scenarios", preset_.study.size());
+    base::write_whole_file(
+        file, fmt::format("# From {} with {} changed.\n# Cost: {}\n{}", base::escaped(path_.stem().string()),
+                          changed(), cost, scene::preset_text(preset_)));
     message_ = "saved: " + file.string();
+    kept_ = edits();
+    return true;
   }
+  return false;
 }
 
 }  // namespace rift::studio

@@ -1,5 +1,6 @@
 #include "studio/workbench/home_screen.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/preset.hpp"
 #include "studio/screen/canvas.hpp"
@@ -25,9 +26,11 @@ struct Group {
 constexpr std::array groups{
     Group{"Start here", {"quickstart", "plate_", "-"}},
     Group{"Demonstrations", {"teach_", "-", "-"}},
-    Group{"Figures and claims of the paper", {"fig", "sec", "-"}},
-    Group{"Beyond the paper", {"beyond", "-", "-"}},
     Group{"Studies", {"study_", "-", "-"}},
+    Group{"From a measured crack to its toughness", {"experiment_", "-", "-"}},
+    Group{"Inclined, curved and pressed cracks", {"path_", "-", "-"}},
+    Group{"Figures, tables and sections of the paper", {"fig", "table", "sec"}},
+    Group{"Beyond the paper", {"beyond", "-", "-"}},
     Group{"Others", {"", "-", "-"}},
 };
 
@@ -57,8 +60,30 @@ HomeScreen::HomeScreen(AppContext& context) : context_(context), jobs_(context.p
   list_.chosen = 1;
 }
 
+/// What is one's own stands first.
 void HomeScreen::read() {
+  const std::string before = chosen() ? chosen()->place() : "";
   all_.clear();
+  std::vector<RunEntry> runs = run_entries(context_.runs), studies = run_entries(context_.studies);
+  runs.insert(runs.end(), studies.begin(), studies.end());
+  if (!runs.empty()) all_.push_back({"Recent runs", {}, {}});
+  for (const RunEntry& run : runs) all_.push_back({"Recent runs", {}, run});
+  std::error_code none;
+  if (fs::is_directory(context_.own_presets, none)) {
+    const std::vector<PresetEntry> own = preset_entries(context_.own_presets);
+    if (!own.empty()) all_.push_back({"Your presets", {}, {}});
+    for (const PresetEntry& preset : own) all_.push_back({"Your presets", preset, {}});
+  }
+  add_presets();
+  all_.push_back({"Lessons", {}, {}});
+  for (const Lesson& lesson : lessons()) all_.push_back({"Lessons", {}, {}, &lesson});
+  filter();
+  const auto same = std::find_if(rows_.begin(), rows_.end(),
+                                 [&](const Row& row) { return !row.heading() && row.place() == before; });
+  if (same != rows_.end()) list_.chosen = static_cast<int>(same - rows_.begin());
+}
+
+void HomeScreen::add_presets() {
   const std::vector<PresetEntry> presets = preset_entries(context_.presets);
   for (const Group& group : groups) {
     const std::size_t heading = all_.size();
@@ -69,19 +94,6 @@ void HomeScreen::read() {
         all_.push_back({std::string(group.name), preset, {}});
       }
   }
-  all_.push_back({"Lessons", {}, {}});
-  for (const Lesson& lesson : lessons()) all_.push_back({"Lessons", {}, {}, &lesson});
-  std::error_code none;
-  if (fs::is_directory(context_.own_presets, none)) {
-    const std::vector<PresetEntry> own = preset_entries(context_.own_presets);
-    if (!own.empty()) all_.push_back({"Your own", {}, {}});
-    for (const PresetEntry& preset : own) all_.push_back({"Your own", preset, {}});
-  }
-  std::vector<RunEntry> runs = run_entries(context_.runs), studies = run_entries(context_.studies);
-  runs.insert(runs.end(), studies.begin(), studies.end());
-  if (!runs.empty()) all_.push_back({"Recent runs", {}, {}});
-  for (const RunEntry& run : runs) all_.push_back({"Recent runs", {}, run});
-  filter();
 }
 
 void HomeScreen::filter() {
@@ -92,6 +104,10 @@ void HomeScreen::filter() {
     const bool shown = wanted.empty() || (!row.heading() && text.find(wanted) != std::string::npos);
     if (shown) rows_.push_back(row);
   }
+  longest_name_ = 20;
+  for (const Row& row : rows_)
+    if (!row.heading())
+      longest_name_ = std::max(longest_name_, static_cast<int>(base::count_letters(row.name())));
   list_.keep(static_cast<int>(rows_.size()), list_rows_);
   skip_headings(1);
 }
@@ -154,7 +170,7 @@ void HomeScreen::draw_row(Canvas& canvas, const Area& line, const Row& row, bool
   const auto text = [&](int from, const std::string& what, const Style& look, int width) {
     canvas.text(line.x + from, line.y, what, look, std::min(width, line.width - from));
   };
-  constexpr int names = 24;
+  const int names = std::min(longest_name_ + 4, line.width / 3);
   text(1, row.run && marked_.contains(row.run->path) ? "*" : " ", style, 1);
   text(3, row.name(), style, names - 4);
   if (row.run) {
@@ -163,7 +179,7 @@ void HomeScreen::draw_row(Canvas& canvas, const Area& line, const Row& row, bool
     text(names + 24, row.run->path.string(), dim, line.width);
     return;
   }
-  const int costs = line.width >= 108 ? 36 : 0;
+  const int costs = line.width >= 150 ? 36 : 0;  // below, the description takes the whole line
   if (costs > 0 && row.preset) text(names, row.preset->cost, dim, costs - 1);
   text(names + costs, row.shows(), style, line.width);
 }
@@ -284,7 +300,7 @@ Navigation HomeScreen::open(bool as_form) {
   if (row->lesson) return {Navigation::To::forward, lesson_screen(context_, std::string(row->lesson->name))};
   if (row->run) return {Navigation::To::forward, screen_of_run(context_, row->run->path)};
   return {Navigation::To::forward, as_form ? form_of_preset(context_, row->preset->path)
-                                           : screen_of_preset(context_, row->preset->path, {})};
+                                           : screen_of_preset(context_, row->preset->path)};
 }
 
 Navigation HomeScreen::resume_chosen() {

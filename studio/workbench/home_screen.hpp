@@ -36,12 +36,17 @@ class HomeScreen : public Screen {
     [[nodiscard]] std::string name() const {
       return preset ? preset->name : run ? run->name : lesson ? std::string(lesson->name) : group;
     }
+    /// By which it is the same when the list is read again.
+    [[nodiscard]] std::string place() const {
+      return preset ? preset->path.string() : run ? run->path.string() : name();
+    }
     [[nodiscard]] std::string shows() const {
       return preset ? preset->shows : lesson ? std::string(lesson->title) : std::string();
     }
   };
 
   void read();
+  void add_presets();
   void filter();
   [[nodiscard]] const Row* chosen() const;
   void draw_row(Canvas& canvas, const Area& line, const Row& row, bool is_chosen) const;
@@ -64,7 +69,7 @@ class HomeScreen : public Screen {
   std::string wanted_;  // letters that a row must hold
   std::string message_;
   std::filesystem::path to_remove_;
-  int list_rows_ = 10;
+  int list_rows_ = 10, longest_name_ = 20;
 };
 
 }  // namespace rift::studio

@@ -69,8 +69,7 @@ void LessonScreen::draw(Canvas& canvas, Glyphs glyphs) {
 }
 
 void LessonScreen::draw_watch(Canvas& canvas, const Area& area, Glyphs glyphs) {
-  const int text =
-      draw_paragraph(canvas, {2, area.y, area.width - 4, 4}, lesson_.watch, {Ink::reference}) + 1;
+  const int text = draw_paragraph(canvas, {2, area.y, area.width - 4, 4}, lesson_.watch, {Ink::reference});
   Canvas panel(area.width, std::max(least_height, area.height - text + 1));
   panel_->draw(panel, glyphs);
   for (int y = 0; y < panel.height() && area.y + text + y < canvas.height(); ++y)

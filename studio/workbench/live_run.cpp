@@ -2,6 +2,7 @@
 
 #include "engine/base/interrupted.hpp"
 #include "engine/results/records.hpp"
+#include "engine/scene/scenarios.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/screen/live_of_run.hpp"
 
@@ -21,6 +22,24 @@ std::vector<scene::Scene> scenes_of(const scene::Preset& preset) {
   return preset.lanes.empty() ? std::vector<scene::Scene>{preset.scene} : preset.lanes;
 }
 
+/// Whether the change leaves the scene as it is from the tip on: a velocity takes the place of all that are
+/// still to come.
+bool changes_nothing(const scene::Scene& scene, const scene::Change& change, double tip) {
+  const scene::Axis& axis = *scene::find_axis(change.axis);
+  const scene::Parameter& row = scene::parameter_of(axis);
+  scene::Scene wished = scene;
+  if (!scene::applies(scene, axis) ||
+      !scene::assign(wished, row, scene::value_from_text(change.value)).empty())
+    return false;
+  if (change.axis != "crack_velocity") return scene::toml_value(wished, row) == scene::toml_value(scene, row);
+  return scene.crack.history.empty() && wished.crack.velocity.size() == 1 &&
+         std::all_of(scene.crack.velocity.begin(), scene.crack.velocity.end(),
+                     [&](const scene::VelocityPiece& piece) {
+                       const bool passed = piece.until && *piece.until <= tip;
+                       return passed || piece.speed == wished.crack.velocity.front().speed;
+                     });
+}
+
 constexpr double stored_moments = 120;  // of a film over the whole run
 
 }  // namespace
@@ -37,7 +56,8 @@ LiveRun::LiveRun(RunRequest request)
       now_(scenes_.size()),
       plate_(scenes_.size()),
       plates_wanted_{0},
-      scene_now_(scenes_) {
+      scene_now_(scenes_),
+      tip_(scenes_.size()) {
   if (!request_.resume) claim_.emplace(request_.folder, request_.force);
   thread_ = std::jthread([this] { work(); });
 }
@@ -77,6 +97,7 @@ void LiveRun::run() {
   beside.sample = [this](const results::Sample& s) {
     const std::lock_guard lock(mutex_);
     books_[s.lane].push_back(s);
+    tip_[s.lane] = s.tip_m;
   };
   beside.ended = [this](int, const simulation::RunResult&) {
     const std::lock_guard lock(mutex_);
@@ -206,8 +227,9 @@ void LiveRun::look(Live& live, const std::vector<int>& plates, bool velocity) {
   live.steps_per_s = going ? steps_per_s_ : 0;
   live.seconds_left =
       going && steps_per_s_ > 0 ? static_cast<double>(live.steps - live.step) / steps_per_s_ : -1;
-  if (stage_ == Stage::ended && recorded_ && recorded_->result.outcome == simulation::Outcome::finished)
-    live.done = 1, live.step = live.steps;
+  if (stage_ != Stage::ended || !recorded_) return;
+  take_results(live, recorded_->summary);
+  if (recorded_->result.outcome == simulation::Outcome::finished) live.done = 1, live.step = live.steps;
 }
 
 std::string LiveRun::state() const {
@@ -224,6 +246,15 @@ std::string LiveRun::state() const {
 scene::Scene LiveRun::scene(int lane) const {
   const std::lock_guard lock(mutex_);
   return scene_now_[lane];
+}
+
+void LiveRun::change(scene::Change change) {
+  order([&] {
+    if (changes_nothing(scene_now_[change.lane], change, tip_[change.lane]))
+      said_.push_back(fmt::format("lane {}: {} is {} already", change.lane + 1, change.axis, change.value));
+    else
+      changes_wanted_.push_back(std::move(change));
+  });
 }
 
 void LiveRun::change_speed(int by) {

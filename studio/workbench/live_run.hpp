@@ -64,9 +64,8 @@ class LiveRun {
     order([&] { paused_ = true, ++steps_wanted_; });
   }
   void change_speed(int by);  // one slower is -1, one faster 1
-  void change(scene::Change change) {
-    order([&] { changes_wanted_.push_back(std::move(change)); });
-  }
+  /// One that would change nothing is no change: it is said, and neither made nor kept.
+  void change(scene::Change change);
   /// Nobody is there to end a pause or slow motion.
   void go_on_alone() {
     order([&] { paused_ = false, steps_wanted_ = 0, speed_ = 0; });
@@ -129,6 +128,7 @@ class LiveRun {
   std::vector<int> plates_wanted_;
   std::vector<scene::Change> changes_wanted_;
   std::vector<scene::Scene> scene_now_;
+  std::vector<double> tip_;  // by lane, at its last sample [m]
   int frames_wanted_ = 0;
   std::int64_t steps_wanted_ = 0, next_stored_ = 0;
   bool paused_ = false, stop_ = false, storing_ = false, looked_ = true;

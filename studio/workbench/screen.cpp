@@ -33,14 +33,16 @@ std::unique_ptr<Screen> form_of_preset(AppContext& context, const fs::path& pres
   return std::make_unique<FormScreen>(context, preset);
 }
 
-std::unique_ptr<Screen> screen_of_preset(AppContext& context, const fs::path& path,
-                                         const std::vector<std::string>& overrides) {
-  const scene::Preset preset = scene::read_preset(path, overrides);
+std::unique_ptr<Screen> screen_of_preset(AppContext& context, const fs::path& path) {
+  return screen_of_preset(context, scene::read_preset(path), path.stem().string(), false);
+}
+
+std::unique_ptr<Screen> screen_of_preset(AppContext& context, const scene::Preset& preset,
+                                         const std::string& name, bool changed) {
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
-  const std::string name = path.stem().string();
   if (!preset.study.empty()) {
     // A folder that holds the same study is continued; a changed one gets a folder of its own.
-    const fs::path folder = overrides.empty() ? context.studies / name : free_folder(context.studies, name);
+    const fs::path folder = changed ? free_folder(context.studies, name) : context.studies / name;
     return std::make_unique<StudyScreen>(context, preset, folder);
   }
   return std::make_unique<RunScreen>(context, request_for(context, preset, free_folder(context.runs, name)));

@@ -61,9 +61,11 @@ struct RunRequest;
 // Which screen shows what. All throw with the reason where it cannot be shown.
 
 std::unique_ptr<Screen> form_of_preset(AppContext& context, const std::filesystem::path& preset);
-/// Starts it: a run or a study. @param overrides  as of --set
-std::unique_ptr<Screen> screen_of_preset(AppContext& context, const std::filesystem::path& preset,
-                                         const std::vector<std::string>& overrides);
+/// Starts it: a run or a study.
+std::unique_ptr<Screen> screen_of_preset(AppContext& context, const std::filesystem::path& preset);
+/// The same of a preset that has been read. @param name  of its folder; @param changed  against its file
+std::unique_ptr<Screen> screen_of_preset(AppContext& context, const scene::Preset& preset,
+                                         const std::string& name, bool changed);
 /// Of a folder with a run or a study in it, going on or ended; a study is shown as far as it has been
 /// computed.
 std::unique_ptr<Screen> screen_of_run(AppContext& context, const std::filesystem::path& run);

@@ -1,6 +1,7 @@
 #include "studio/workbench/study_screen.hpp"
 
 #include "engine/base/files.hpp"
+#include "engine/base/text.hpp"
 #include "engine/theory/references.hpp"
 #include "studio/reports/study_report.hpp"
 #include "studio/reports/work_precision.hpp"
@@ -11,37 +12,39 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 namespace rift::studio {
 namespace {
 
-/// The axis whose values make the columns: the velocity where it is varied, else the last one.
-std::size_t column_axis(const scene::Preset& preset) {
-  const auto& axes = preset.study.front().axes;
-  for (std::size_t k = 0; k < axes.size(); ++k)
-    if (axes[k].first == "crack_velocity") return k;
-  return axes.size() - 1;
-}
+/// Inks that are told apart on every terminal, for as many curves at a time.
+constexpr std::array curve_inks{Ink::fracture, Ink::elastic, Ink::kinetic, Ink::damping, Ink::plain};
+constexpr int curves_at_a_time = static_cast<int>(curve_inks.size());
 
-/// "progressive linear r_l 4 seed 1": words speak for themselves, numbers by the name of their axis.
-std::string row_name(const scene::StudyRow& row, std::size_t without) {
-  std::string name;
-  for (std::size_t k = 0; k < row.axes.size(); ++k) {
-    const auto& [axis, value] = row.axes[k];
-    if (k == without || value == "-") continue;
-    const bool number = value.find_first_not_of("0123456789.e-+") == std::string::npos;
-    const std::string label = axis == "damage_zone_ratio" ? "r_l" : axis == "damping_alpha" ? "alpha" : axis;
-    name += (name.empty() ? "" : " ") + (number ? label + " " + value : value);
-  }
-  return name;
+constexpr double near_broberg = 0.05;
+
+/// What a cell of the table says beside its number: above, below or within near_broberg.
+struct Verdict {
+  Ink ink;
+  const char* sign;
+};
+Verdict verdict_on(double difference) {
+  if (std::isnan(difference)) return {Ink::plain, " "};
+  if (difference > near_broberg) return {Ink::bad, "+"};
+  if (difference < -near_broberg) return {Ink::elastic, "-"};
+  return {Ink::good, " "};
 }
 
 }  // namespace
 
 StudyScreen::StudyScreen(AppContext& context, scene::Preset preset, std::filesystem::path folder)
-    : context_(context), preset_(std::move(preset)), folder_(std::move(folder)), rows_(preset_.study.size()) {
+    : context_(context),
+      preset_(std::move(preset)),
+      folder_(std::move(folder)),
+      table_(preset_),
+      rows_(preset_.study.size()) {
   begin();
 }
 
@@ -49,6 +52,7 @@ StudyScreen::StudyScreen(AppContext& context, study::StoredStudy stored, std::fi
     : context_(context),
       preset_(std::move(stored.preset)),
       folder_(std::move(folder)),
+      table_(preset_),
       ended_(true),
       rows_(std::move(stored.rows)),
       shown_(rows_) {
@@ -118,114 +122,138 @@ void StudyScreen::draw(Canvas& canvas, Glyphs glyphs) {
     canvas.text(x, 0, ended_ ? message_ : fmt::format("{}  {:.0f} %", stage_, 100 * done_), {Ink::dim},
                 layout.head.width - x);
   }
+  draw_chosen(canvas, layout.chosen);
   canvas.text(layout.foot.x, layout.foot.y, foot_of(Where::study, layout.foot.width), {Ink::dim});
   draw_grid(canvas, layout.grid);
   draw_velocities(canvas, layout.velocities, glyphs);
   draw_errors(canvas, layout.errors, glyphs);
 }
 
-/// Every scenario is a cell of its ratio, red above Broberg and blue below.
-void StudyScreen::draw_grid(Canvas& canvas, const Area& area) const {
-  const std::size_t axis = column_axis(preset_);
-  std::vector<std::string> columns, names;
-  std::map<std::pair<std::string, std::string>, std::size_t> cell;
-  const auto add = [](std::vector<std::string>& all, const std::string& one) {
-    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-  };
-  for (std::size_t k = 0; k < preset_.study.size(); ++k) {
-    const scene::StudyRow& row = preset_.study[k];
-    add(columns, row.axes[axis].second);
-    add(names, row_name(row, axis));
-    cell[{row_name(row, axis), row.axes[axis].second}] = k;
-  }
+/// Rows come into colour by the handful around the chosen one, so that no colour stands for two.
+bool StudyScreen::in_colour(int row) const {
+  return row / curves_at_a_time == list_.chosen / curves_at_a_time;
+}
+
+Ink StudyScreen::ink_of_row(int row) const {
+  return in_colour(row) ? curve_inks[static_cast<std::size_t>(row % curves_at_a_time)] : Ink::dim;
+}
+
+/// The chosen one last: it lies over the others.
+std::vector<int> StudyScreen::rows_in_colour() const {
+  std::vector<int> rows;
+  for (int row = 0; row < static_cast<int>(table_.rows.size()); ++row)
+    if (in_colour(row) && row != list_.chosen) rows.push_back(row);
+  rows.push_back(list_.chosen);
+  return rows;
+}
+
+/// The chosen row, whose name the table may cut.
+void StudyScreen::draw_chosen(Canvas& canvas, const Area& area) const {
+  std::string text;
+  base::append_letter(text, letter_of_row(list_.chosen));
+  text += ": " + table_.rows[static_cast<std::size_t>(list_.chosen)];
+  const int x = canvas.text(area.x, area.y, text, {ink_of_row(list_.chosen), true}, area.width) + 3;
+  canvas.text(area.x + x, area.y, "(up and down choose whose curves are shown)", {Ink::dim}, area.width - x);
+}
+
+/// Every scenario is a cell of its ratio, in colour and by a sign above Broberg, below, or near.
+void StudyScreen::draw_grid(Canvas& canvas, const Area& area) {
+  const int rows = static_cast<int>(table_.rows.size()), columns = static_cast<int>(table_.columns.size());
   std::size_t longest = 8;
-  for (const std::string& name : names) longest = std::max(longest, letters_of(name).size());
-  const int label = std::min(static_cast<int>(longest) + 1, area.width / 2);
-  const int wide = std::clamp((area.width - label) / static_cast<int>(columns.size()), 3, 10);
-  canvas.text(area.x, area.y, preset_.study.front().axes[axis].first, {Ink::dim}, label - 1);
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    canvas.text(area.x + label + static_cast<int>(c) * wide, area.y,
-                fmt::format("{:>{}}", columns[c], wide - 1), {Ink::dim},
-                std::min(wide - 1, area.width - label - static_cast<int>(c) * wide));
-  for (std::size_t r = 0; r < names.size() && static_cast<int>(r) + 1 < area.height; ++r) {
-    const int y = area.y + 1 + static_cast<int>(r);
-    canvas.text(area.x, y, names[r], {}, label - 1);
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const auto found = cell.find({names[r], columns[c]});
-      const int x = area.x + label + static_cast<int>(c) * wide;
-      if (found == cell.end() || x + wide > area.x + area.width) continue;
-      const std::optional<results::LaneSummary>& row = shown_[found->second];
-      if (!row) {
-        canvas.text(x, y, fmt::format("{:>{}}", ".", wide - 1), {Ink::dim});
-      } else {
-        const double off = row->error_broberg;
-        const Ink ink = std::isnan(off) ? Ink::plain
-                        : off > 0.05    ? Ink::bad
-                        : off < -0.05   ? Ink::elastic
-                                        : Ink::good;
-        const std::string text = std::isnan(row->ratio) ? row->outcome : fmt::format("{:.3f}", row->ratio);
-        canvas.text(x + 1, y, fmt::format("{:^{}}", text, wide - 1), {ink, true, true}, wide - 1);
-      }
-    }
+  for (const std::string& name : table_.rows) longest = std::max(longest, base::count_letters(name));
+  const int label = std::min(static_cast<int>(longest) + 3, area.width / 2);
+  const int wide = std::clamp((area.width - label) / columns, 3, 10);
+  list_rows_ = area.height - 2;
+  list_.keep(rows, list_rows_);
+  canvas.text(area.x, area.y, table_.axis, {Ink::dim}, label - 1);
+  for (int c = 0; c < columns; ++c)
+    canvas.text(area.x + label + c * wide, area.y, fmt::format("{:>{}}", table_.columns[c], wide - 1),
+                {Ink::dim}, std::min(wide - 1, area.width - label - c * wide));
+  for (int k = 0; k < list_rows_ && list_.top + k < rows; ++k) {
+    const int r = list_.top + k, y = area.y + 1 + k;
+    const Style style{ink_of_row(r), in_colour(r), r == list_.chosen};
+    canvas.put(area.x, y, letter_of_row(r), style);
+    canvas.text(area.x + 1, y, " " + table_.rows[r], style, label - 2);
+    for (int c = 0; c < columns; ++c)
+      if (const int x = area.x + label + c * wide; x + wide <= area.x + area.width)
+        draw_cell_of(canvas, x, y, wide, r, c);
   }
-  if (static_cast<int>(names.size()) + 1 < area.height)
-    canvas.text(area.x, area.y + static_cast<int>(names.size()) + 1,
-                "G_ID/G_I0; green: within 0.05 of Broberg, red: above, blue: below", {Ink::dim}, area.width);
+  canvas.text(area.x, area.y + area.height - 1,
+              fmt::format("G_ID/G_I0: + above, - below, else within {} of Broberg", near_broberg), {Ink::dim},
+              area.width);
+}
+
+void StudyScreen::draw_cell_of(Canvas& canvas, int x, int y, int wide, int row, int column) const {
+  const auto found = table_.cells.find({row, column});
+  if (found == table_.cells.end()) return;
+  const std::optional<results::LaneSummary>& scenario = shown_[found->second];
+  if (!scenario) {
+    canvas.text(x, y, fmt::format("{:>{}}", ".", wide - 1), {Ink::dim});
+    return;
+  }
+  const Verdict verdict = verdict_on(scenario->error_broberg);
+  const std::string text = std::isnan(scenario->ratio)
+                               ? scenario->outcome
+                               : fmt::format("{:.3f}{}", scenario->ratio, verdict.sign);
+  canvas.text(x + 1, y, fmt::format("{:^{}}", text, wide - 1), {verdict.ink, true, true}, wide - 1);
 }
 
 void StudyScreen::draw_velocities(Canvas& canvas, const Area& area, Glyphs glyphs) const {
-  std::vector<Curve> curves;
   const scene::Scene::Material& m = preset_.study.front().scene.material;
   double fastest = 0.8, most = 1.2;
-  std::map<std::string, std::vector<std::array<double, 2>>> by_name;
-  const std::size_t axis = column_axis(preset_);
+  std::map<int, std::vector<std::array<double, 2>>> by_row;
   for (std::size_t k = 0; k < shown_.size(); ++k) {
     if (!shown_[k]) continue;
     const double v = shown_[k]->crack_velocity_over_cr, ratio = shown_[k]->ratio;
     if (std::isnan(v) || std::isnan(ratio)) continue;
-    by_name[row_name(preset_.study[k], axis)].push_back({v, ratio});
+    by_row[table_.row_of[k]].push_back({v, ratio});
     fastest = std::max(fastest, v), most = std::max(most, std::min(ratio, 3.0));
   }
-  Curve broberg{{}, {Ink::reference}}, strip{{}, {Ink::dim}};
+  Curve broberg{{}, {Ink::reference}, "Broberg", U'B', Marks::last},
+      strip{{}, {Ink::dim}, "strip", U's', Marks::last};
   for (int k = 1; k <= 60; ++k) {
     const double v = std::min(fastest, 1.0) * k / 60.0;
     broberg.points.push_back({v, theory::broberg(v, m.poisson_ratio, m.plane).g});
     strip.points.push_back({v, theory::strip(v, m.poisson_ratio, m.plane).g});
   }
-  curves.push_back(broberg), curves.push_back(strip);
-  constexpr Ink inks[] = {Ink::fracture, Ink::elastic, Ink::kinetic, Ink::damping, Ink::good, Ink::bad};
-  std::size_t next = 0;
-  for (auto& [name, points] : by_name) {
+  std::vector<Curve> curves{broberg, strip};
+  const auto add = [&](int row) {
+    std::vector<std::array<double, 2>>& points = by_row[row];
     std::sort(points.begin(), points.end());
-    curves.push_back({points, {inks[next++ % std::size(inks)], true}});
-  }
-  draw_curves(canvas, area, {{0, fastest}, {0, most}, "v [c_R]", "G_ID/G_I0; lines: Broberg, strip"}, curves,
-              glyphs);
+    curves.push_back({points, {ink_of_row(row), true}, {}, letter_of_row(row), Marks::each});
+  };
+  for (const int row : rows_in_colour()) add(row);
+  draw_curves(canvas, area, {{0, fastest}, {0, most}, "v/c_R", "G_ID/G_I0"}, curves, glyphs);
 }
 
-/// Points appear as the scenarios end: |difference to Broberg| against run time, both logarithmic.
+/// Points appear as the scenarios end: those of the rows in colour by their letters, the others as dots.
 void StudyScreen::draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) const {
-  std::vector<Curve> curves;
+  const std::vector<ErrorPoint> points = error_points(table_, shown_);
   double low = 1e9, high = -1e9, small = 1e9, large = -1e9;
-  for (const std::optional<results::LaneSummary>& row : shown_) {
-    if (!row) continue;
-    const double seconds = row->wall_fracture_s, error = std::abs(row->error_broberg);
-    if (!(seconds > 0) || !(error > 0)) continue;
-    const double x = std::log10(seconds), y = std::log10(error);
+  std::vector<Curve> curves{{efficient_front(points), {Ink::reference}, "efficient"}};
+  for (const ErrorPoint& point : points) {
+    const auto [x, y] = point.at;
     low = std::min(low, x), high = std::max(high, x), small = std::min(small, y), large = std::max(large, y);
-    curves.push_back({{{x, y}}, {Ink::fracture, true}});
+    if (!in_colour(point.row)) curves.push_back({{point.at}, {Ink::dim}, {}, U'.', Marks::each, false});
   }
-  if (curves.empty()) low = -1, high = 1, small = -3, large = 0;
+  for (const int row : rows_in_colour())
+    for (const ErrorPoint& point : points)
+      if (point.row == row)
+        curves.push_back({{point.at}, {ink_of_row(row), true}, {}, letter_of_row(row), Marks::each, false});
+  if (points.empty()) low = -1, high = 1, small = -3, large = 0;
   draw_curves(canvas, area,
-              {{std::floor(low), std::ceil(high + 1e-9) + 0.0},
-               {std::floor(small), std::ceil(large + 1e-9) + 0.0},
-               "log10 (run time [s])",
-               "log10 |difference to Broberg|"},
+              {{std::floor(low), std::ceil(high + 1e-9)},
+               {std::floor(small), std::ceil(large + 1e-9)},
+               "run time [s]",
+               "|difference to Broberg|",
+               true},
               curves, glyphs);
 }
 
 Navigation StudyScreen::press(const KeyEvent& event) {
-  switch (action_of(Where::study, event.key)) {
+  const Action action = action_of(Where::study, event.key);
+  if (list_.move(action, static_cast<int>(table_.rows.size()), list_rows_)) return {};
+  switch (action) {
     case Action::resume:
       if (ended_) begin();
       return {};

@@ -2,7 +2,9 @@
 
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
+#include "studio/screen/prompt.hpp"
 #include "studio/workbench/screen.hpp"
+#include "studio/workbench/study_table.hpp"
 
 #include <atomic>
 #include <mutex>
@@ -12,8 +14,8 @@
 
 namespace rift::studio {
 
-/// A study as it fills: its grid as a heat map, the ratio against velocity with the theory, and the error
-/// against run time.
+/// A study as it fills: its grid as a heat map, the ratio against velocity with the theory, and the
+/// difference to Broberg against run time.
 class StudyScreen : public Screen {
  public:
   /// Begins, or goes on, in a thread of its own.
@@ -32,21 +34,29 @@ class StudyScreen : public Screen {
  private:
   void begin();
   void work();
-  void draw_grid(Canvas& canvas, const Area& area) const;
+  [[nodiscard]] bool in_colour(int row) const;
+  [[nodiscard]] Ink ink_of_row(int row) const;
+  [[nodiscard]] std::vector<int> rows_in_colour() const;
+  void draw_chosen(Canvas& canvas, const Area& area) const;
+  void draw_grid(Canvas& canvas, const Area& area);
+  void draw_cell_of(Canvas& canvas, int x, int y, int wide, int row, int column) const;
   void draw_velocities(Canvas& canvas, const Area& area, Glyphs glyphs) const;
   void draw_errors(Canvas& canvas, const Area& area, Glyphs glyphs) const;
 
   AppContext& context_;
   scene::Preset preset_;
   std::filesystem::path folder_;
+  StudyTable table_;
+  ListView list_;  // rows of the table
+  int list_rows_ = 10;
   std::atomic<bool> stop_ = false, ended_ = false;
   mutable std::mutex mutex_;
   std::string stage_ = "begins";
   double done_ = 0;
-  std::vector<std::optional<results::LaneSummary>> rows_;  // by their place in the study; none: not yet
+  StudyResults rows_;  // by their place in the study; none: not yet
   std::string message_;
   bool leaving_ = false;
-  std::vector<std::optional<results::LaneSummary>> shown_;  // the panel's own copy
+  StudyResults shown_;  // the panel's own copy
   std::jthread thread_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 
 namespace rift::fuzz {
@@ -15,7 +14,7 @@ struct Bytes {
   T number() {
     T value{};
     const std::size_t size = std::min(sizeof(T), left.size());
-    std::memcpy(&value, left.data(), size);
+    std::copy_n(left.data(), size, reinterpret_cast<char*>(&value));
     left.remove_prefix(size);
     return value;
   }

@@ -52,6 +52,10 @@ TEST(Studio, LeadsFromHomeThroughAFormAndASteeredRunToAComparison) {
   terminal.send("'?'");
   EXPECT_TRUE(terminal.shows("keys of this screen"));
   terminal.send("'?'");
+  terminal.send("Tab Enter");  // past the runs
+  EXPECT_TRUE(terminal.shows("ready to run"));
+  terminal.send("Escape r");  // the letter is not for the screen behind the form
+  EXPECT_TRUE(terminal.shows("Recent runs"));
   terminal.send("Enter");
   EXPECT_TRUE(terminal.shows("ready to run"));
   EXPECT_TRUE(terminal.shows("of the critical"));
@@ -76,7 +80,7 @@ TEST(Studio, LeadsFromHomeThroughAFormAndASteeredRunToAComparison) {
   EXPECT_TRUE(terminal.shows("ready to run"));
   terminal.send("q");
   EXPECT_TRUE(terminal.shows("Recent runs"));
-  terminal.send("G Space k Space c");
+  terminal.send("g Space j Space c");
   EXPECT_TRUE(terminal.shows("2 scenarios side by side"));
   EXPECT_TRUE(terminal.shows("G_ID / G_I0"));
   terminal.resize(50, 12);

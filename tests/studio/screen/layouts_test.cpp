@@ -17,6 +17,11 @@ bool overlap(const Area& a, const Area& b) {
          b.y < a.y + a.height;
 }
 
+std::vector<Area> parts_of(const LiveLayout& l) {
+  return {l.head,  l.plate,    l.plate_beside, l.colours, l.balance, l.result,
+          l.table, l.energies, l.rates,        l.message, l.foot};
+}
+
 using Layout = std::function<std::vector<Area>(int width, int height)>;
 
 const std::vector<std::pair<const char*, Layout>>& layouts() {
@@ -44,24 +49,21 @@ const std::vector<std::pair<const char*, Layout>>& layouts() {
       {"study",
        [](int w, int h) {
          const StudyLayout l = study_layout(w, h);
-         return std::vector{l.head, l.grid, l.velocities, l.errors, l.foot};
+         return std::vector{l.head, l.chosen, l.grid, l.velocities, l.errors, l.foot};
        }},
       {"live 1",
        [](int w, int h) {
-         const LiveLayout l = live_layout(w, h, 1, false);
-         return std::vector{l.head,  l.plate, l.plate_beside, l.budget, l.energies,
-                            l.rates, l.table, l.message,      l.foot};
+         const LiveLayout l = live_layout(w, h, 1, false, 5);
+         return parts_of(l);
        }},
       {"live 2 beside",
        [](int w, int h) {
-         const LiveLayout l = live_layout(w, h, 2, true);
-         return std::vector{l.head,  l.plate, l.plate_beside, l.budget, l.energies,
-                            l.rates, l.table, l.message,      l.foot};
+         const LiveLayout l = live_layout(w, h, 2, true, 5);
+         return parts_of(l);
        }},
       {"live 8", [](int w, int h) {
-         const LiveLayout l = live_layout(w, h, 8, false);
-         return std::vector{l.head,  l.plate, l.plate_beside, l.budget, l.energies,
-                            l.rates, l.table, l.message,      l.foot};
+         const LiveLayout l = live_layout(w, h, 8, false, 5);
+         return parts_of(l);
        }}};
   return all;
 }
@@ -85,6 +87,18 @@ TEST(Layouts, NothingOverlapsAndNothingLeavesTheScreenAtAnySize) {
       }
     EXPECT_GT(placed, 0) << name;
   }
+}
+
+TEST(Layouts, ThePlateIsThereBeforeAnythingElse) {
+  for (const int lanes : {1, 2, 3, 8})
+    for (int width = least_width; width <= 200; ++width)
+      for (int height = least_height; height <= 60; ++height) {
+        const LiveLayout l = live_layout(width, height, lanes, lanes > 1, 5);
+        ASSERT_GE(l.plate.height, lanes > 1 ? 5 : 4) << lanes << " lanes, " << width << "x" << height;
+        ASSERT_FALSE(l.colours.empty());
+        ASSERT_GT((lanes > 1 ? l.table : l.result).height, 2)
+            << lanes << " lanes, " << width << "x" << height;
+      }
 }
 
 TEST(Layouts, EveryPartHasRoomOnTheTerminalsThatAreCommon) {

@@ -70,9 +70,9 @@ TEST(LiveTable, LeavesColumnsOutForWhatTellsLanesApart) {
 
 TEST(LiveLayout, AllPartsHaveRoomOnAnOrdinaryTerminal) {
   for (const auto& [width, height] : {std::pair{80, 24}, {120, 40}, {200, 60}}) {
-    const LiveLayout l = live_layout(width, height, 2, true);
-    for (const Area& part :
-         {l.head, l.plate, l.plate_beside, l.budget, l.energies, l.rates, l.table, l.message, l.foot})
+    const LiveLayout l = live_layout(width, height, 2, true, 2.5);
+    for (const Area& part : {l.head, l.plate, l.plate_beside, l.colours, l.balance, l.energies, l.rates,
+                             l.table, l.message, l.foot})
       EXPECT_FALSE(part.empty()) << width << "x" << height;
   }
 }
@@ -99,8 +99,8 @@ TEST(LiveScreen, TellsStateBudgetAndLanes) {
   draw_live(canvas, run_of(2), {.shown = 1, .foot = "q leave"}, Glyphs::unicode);
   const std::string text = text_of(canvas);
   for (const char* part :
-       {"plate  running  step 500 of 1000", " 50 %", "elastic", "5.1 J", "fracture", "4.9 J", "balance",
-        "1 simple release", "2 progressive release", "0.750", "q leave"})
+       {"plate  running  step 500 of 1000", " 50 %", "elastic", "5.1 J", "fracture", "4.9 J",
+        "balance error 0e+00, limit 1e-09", "1 simple release", "2 progressive release", "0.750", "q leave"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 
@@ -110,7 +110,7 @@ TEST(LiveScreen, TwoPlatesStandBesideEachOther) {
   live.geometry = &g;
   Canvas canvas(120, 40);
   draw_live(canvas, live, {.shown = 0, .beside = 1, .foot = ""}, Glyphs::unicode);
-  const LiveLayout layout = live_layout(120, 40, 2, true);
+  const LiveLayout layout = live_layout(120, 40, 2, true, 2.5);
   const std::string titles = canvas.row(layout.plate.y);
   EXPECT_NE(titles.find("1 simple release"), std::string::npos);
   EXPECT_GT(titles.find("2 progressive release"), titles.find("1 simple release"));
@@ -130,7 +130,7 @@ TEST(LiveScreen, TheColoursAreOfTheVelocityWhereItIsWanted) {
   live.fastest = 10;
   live.lanes[0].displacement.assign(g.position.size(), {0, 0, 0});
   live.lanes[0].velocity.assign(g.position.size(), {0, 10, 0});
-  const LiveLayout layout = live_layout(100, 30, 1, false);
+  const LiveLayout layout = live_layout(100, 30, 1, false, 2.5);
   const auto middle = [&](bool velocity) {
     Canvas canvas(100, 30);
     draw_live(canvas, live, {.velocity = velocity, .foot = ""}, Glyphs::unicode);
@@ -146,9 +146,106 @@ TEST(LiveScreen, BooksThatDoNotCloseTurnRed) {
   live.lanes[0].samples.back().residual = 1e-3;
   Canvas canvas(100, 30);
   draw_live(canvas, live, {}, Glyphs::unicode);
-  const Area budget = live_layout(100, 30, 1, false).budget;
-  EXPECT_EQ(canvas.at(budget.x, budget.y + 5).style.ink, Ink::bad);
-  EXPECT_NE(canvas.row(budget.y + 5).find("ABOVE 1e-10"), std::string::npos);
+  const Area balance = live_layout(100, 30, 1, false, 2.5).balance;
+  EXPECT_EQ(canvas.at(balance.x, balance.y + 5).style.ink, Ink::bad);
+  EXPECT_NE(canvas.row(balance.y + 5).find("ABOVE 1e-09"), std::string::npos);
+  EXPECT_NE(canvas.row(0).find("balance error 1e-03"), std::string::npos);  // where no bars have room too
+}
+
+/// A lane that runs from 2 to 12 mm and takes `ratio` of G_I0 = 1000 J/m2 all along.
+LiveLane steady_lane(double ratio) {
+  LiveLane lane;
+  lane.title = "steady";
+  lane.scale = {.thickness = 1e-3, .g_i0 = 1000, .length = 0.02};
+  lane.window = {0.004, 0.008};
+  lane.broberg = 0.52, lane.freund = 0.525, lane.strip = 1;
+  for (int n = 0; n <= 100; ++n) {
+    results::Sample s;
+    s.time_s = 1e-6 * n;
+    s.tip_m = 2e-3 + 1e-4 * n;
+    s.fracture_j = ratio * 1e-3 * 1000 * (s.tip_m - 2e-3);
+    s.elastic_j = 10 - s.fracture_j;
+    lane.samples.push_back(s);
+  }
+  return lane;
+}
+
+TEST(LiveScreen, OneLaneShowsItsRatioWhileItRunsAndAtItsEnd) {
+  Live live = run_of(0);
+  live.lanes.push_back(steady_lane(0.75));
+  LiveLane& lane = live.lanes[0];
+  const auto screen = [&](int width = 80) {
+    Canvas canvas(width, 24);
+    draw_live(canvas, live, {}, Glyphs::unicode);
+    return text_of(canvas);
+  };
+  const std::vector<results::Sample> all = lane.samples;
+  lane.samples.resize(10);  // to 2.9 mm
+  EXPECT_NE(screen().find("G_ID/G_I0   -"), std::string::npos) << screen();
+  lane.samples.assign(all.begin(), all.begin() + 41);  // to 6 mm, half of the window
+  EXPECT_NE(screen().find("0.750 so far"), std::string::npos) << screen();
+  lane.samples = all;
+  EXPECT_NE(screen().find("0.750 ± 0.000"), std::string::npos) << screen();
+  lane.ended = LiveLane::Ratio{0.731, 0.02};  // the summary's own
+  for (const char* part :
+       {"0.731 ± 0.020", "4 to 8 mm", "Broberg     0.520", "Freund      0.525", "strip       1.000"})
+    EXPECT_NE(screen().find(part), std::string::npos) << part << " in\n" << screen();
+  lane.ended = LiveLane::Ratio{std::nan(""), std::nan("")};
+  EXPECT_NE(screen().find("none: steered in the window"), std::string::npos) << screen();
+  lane.samples.resize(10);
+  EXPECT_NE(screen().find("none: window not passed"), std::string::npos) << screen();
+}
+
+TEST(LiveScreen, SaysWhatItsColoursAndCurvesMean) {
+  Live live = run_of(0);
+  live.lanes.push_back(steady_lane(0.75));
+  const results::Geometry g = blocks();
+  live.geometry = &g;
+  live.pulled = 2e-3, live.fastest = 12.5;
+  live.lanes[0].velocity.assign(g.position.size(), {0, 1, 0});
+  for (const bool velocity : {false, true}) {
+    Canvas canvas(80, 24);
+    draw_live(canvas, live, {.velocity = velocity, .foot = ""}, Glyphs::unicode);
+    const std::string text = text_of(canvas);
+    EXPECT_NE(
+        text.find(velocity ? "vertical velocity [m/s]  -12.5 ▀▀▀" : "vertical displacement [mm]  0 ▀▀▀"),
+        std::string::npos)
+        << text;
+    EXPECT_NE(text.find("shape ×1"), std::string::npos);
+    EXPECT_NE(text.find("energy [J]  elastic fracture"), std::string::npos) << text;
+    EXPECT_NE(text.find("G_ID/G_I0  Broberg Freund strip"), std::string::npos) << text;
+  }
+}
+
+TEST(Curves, TheLegendIsCutAlikeWhereThereIsLittleRoom) {
+  const std::vector<Curve> curves{{{{0, 0}, {1, 1}}, {Ink::elastic}, "elastic"},
+                                  {{{0, 1}, {1, 0}}, {Ink::kinetic}, "kinetic"}};
+  Canvas wide(30, 6), narrow(15, 6);
+  draw_curves(wide, {0, 0, 30, 6}, {{0, 1}, {0, 1}, "x", "y"}, curves, Glyphs::unicode);
+  draw_curves(narrow, {0, 0, 15, 6}, {{0, 1}, {0, 1}, "x", "y"}, curves, Glyphs::unicode);
+  EXPECT_EQ(wide.row(0), "y  elastic kinetic");
+  EXPECT_EQ(narrow.row(0), "y  elast kinet");
+  EXPECT_EQ(wide.at(3, 0).style.ink, Ink::elastic);
+  EXPECT_EQ(wide.at(11, 0).style.ink, Ink::kinetic);
+}
+
+TEST(Curves, AMarkTellsACurveWithoutColours) {
+  const std::vector<Curve> curves{{{{0, 0}, {1, 1}}, {}, "", U'a', Marks::each},
+                                  {{{0, 1}, {1, 0}}, {}, "", U'b', Marks::last}};
+  Canvas canvas(15, 6);
+  draw_curves(canvas, {0, 0, 15, 6}, {{0, 1}, {0, 1}, "x", "y"}, curves, Glyphs::unicode);
+  EXPECT_EQ(canvas.at(7, 4).glyph, U'a');
+  EXPECT_EQ(canvas.at(14, 1).glyph, U'a');
+  EXPECT_EQ(canvas.at(14, 4).glyph, U'b');
+  EXPECT_NE(canvas.at(7, 1).glyph, U'b');
+}
+
+TEST(Curves, LogarithmicAxesSayTheNumbersThemselves) {
+  Canvas canvas(30, 6);
+  draw_curves(canvas, {0, 0, 30, 6}, {{-1, 2}, {-3, 0}, "x", "y", true}, {}, Glyphs::unicode);
+  EXPECT_NE(canvas.row(4).find("0.001"), std::string::npos);
+  EXPECT_NE(canvas.row(5).find("0.1"), std::string::npos);
+  EXPECT_NE(canvas.row(5).find("100"), std::string::npos);
 }
 
 TEST(LiveScreen, ATerminalTooSmallSaysHowLargeItShouldBe) {

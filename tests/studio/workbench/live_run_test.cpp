@@ -2,7 +2,10 @@
 
 #include "engine/results/archive.hpp"
 #include "engine/results/journal_index.hpp"
+#include "engine/scene/scenarios.hpp"
+#include "studio/screen/live_parts.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
+#include "tests/expectations.hpp"
 
 #include <chrono>
 #include <thread>
@@ -119,6 +122,58 @@ TEST(LiveRun, AChangeIsToldKeptAndRepeatable) {
   const simulation::RunResult replayed = simulation::march(simulation::prepare(again, shared_cache()), {});
   EXPECT_EQ(replayed.lane[0].samples.back().elastic_j, recorded->result.lane[0].samples.back().elastic_j);
   EXPECT_EQ(recorded->summary.at("scenarios")[0].at("steering")[0].at("step"), 21);
+}
+
+TEST(LiveRun, AChangeThatChangesNothingIsNotKept) {
+  Slow slow({"crack.velocity=0.4 c_r", "damping.alpha=0.001", "damping.region=surface"});
+  ASSERT_TRUE(soon([&] { return slow.step() == 1; }));
+  const auto says = [&](const std::string& part) {
+    return soon([&] {
+      (void)slow.step();
+      return slow.live.message.find(part) != std::string::npos;
+    });
+  };
+  for (const std::string_view axis : not_empty(scene::steerable_axes())) {
+    const std::string now = scene::axis_text(slow.run->scene(0), *scene::find_axis(axis));
+    slow.run->change({0, 0, std::string(axis), now});
+    EXPECT_TRUE(says(std::string(axis) + " is " + now + " already")) << axis << ": " << slow.live.message;
+  }
+  slow.run->change({0, 0, "relaxation", "1"});  // another word for linear
+  EXPECT_TRUE(says("relaxation is 1 already")) << slow.live.message;
+  EXPECT_FALSE(std::filesystem::exists(slow.run->folder() / results::steering_name));
+  slow.run->change({0, 0, "crack_velocity", "0.3 c_r"});
+  EXPECT_TRUE(says("kept in steering.toml")) << slow.live.message;
+  slow.run->change({0, 0, "crack_velocity", "0.4 c_r"});  // back again: a change
+  EXPECT_TRUE(says("crack_velocity = 0.4 c_r; kept")) << slow.live.message;
+  slow.run->pause(false);
+  const auto recorded = slow.run->result();
+  ASSERT_TRUE(recorded);
+  EXPECT_EQ(recorded->summary.at("scenarios")[0].at("steering").size(), 2U);
+}
+
+TEST(LiveRun, AVelocityThatIsStillToComeIsAChange) {
+  Slow slow({"crack.velocity=0.4 c_r until 6 mm, 0.3 c_r"});
+  ASSERT_TRUE(soon([&] { return slow.step() == 1; }));
+  slow.run->change({0, 0, "crack_velocity", "0.3 c_r"});
+  EXPECT_TRUE(soon([&] {
+    (void)slow.step();
+    return slow.live.message.find("kept in steering.toml") != std::string::npos;
+  })) << slow.live.message;
+  slow.run->stop();
+}
+
+TEST(LiveRun, ShowsTheRatioOfItsSummary) {
+  Slow slow({}, false);
+  const auto recorded = slow.run->result();
+  ASSERT_TRUE(recorded);
+  ASSERT_TRUE(slow.look_until("finished"));
+  const LiveLane& lane = slow.live.lanes.at(0);
+  ASSERT_TRUE(lane.ended);
+  const double ratio = recorded->summary.at("scenarios")[0].at("ratio");
+  EXPECT_EQ(lane.ended->ratio, ratio);
+  const auto passed = ratio_so_far(lane);
+  ASSERT_TRUE(passed && passed->complete);
+  EXPECT_NEAR(passed->mean, ratio, 1e-12);  // the same rows, by the same formula
 }
 
 TEST(LiveRun, AFrameThatIsAskedForIsInTheJournalWhenItSaysSo) {

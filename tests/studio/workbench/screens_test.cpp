@@ -1,4 +1,5 @@
 #include "engine/base/ownership.hpp"
+#include "studio/screen/layouts.hpp"
 #include "studio/workbench/compare_screen.hpp"
 #include "studio/workbench/form_screen.hpp"
 #include "studio/workbench/home_screen.hpp"
@@ -77,6 +78,47 @@ TEST(HomeScreen, ShowsPresetsByGroupLessonsAndRunsWithTheirOutcome) {
   expect_drawn_at_any_size(home);
 }
 
+TEST(HomeScreen, ShowsWhatIsOnesOwnFirstAndEveryPresetInItsGroup) {
+  Shop shop;
+  ASSERT_EQ(shop.run("first").exit_code, 0);
+  fs::create_directories(shop.context.own_presets);
+  fs::copy_file(shop.preset(), shop.context.own_presets / "mine.toml");
+  for (const char* name : {"experiment_twin", "path_curved", "table2_elastic_parameters", "sec2_linear"})
+    fs::copy_file(shop.preset(), shop.context.presets / (std::string(name) + ".toml"));
+  HomeScreen home(shop.context);
+  const std::string text = text_of(home);
+  std::size_t before = 0;
+  for (const char* part :
+       {"Recent runs", "first", "Your presets", "mine", "Start here", "plate_tiny", "From a measured crack",
+        "experiment_twin", "Inclined, curved", "path_curved", "Figures, tables and sections",
+        "table2_elastic_parameters", "sec2_linear", "Lessons"}) {
+    const std::size_t at = text.find(part, before);
+    ASSERT_NE(at, std::string::npos) << part << " in\n" << text;
+    before = at;
+  }
+  EXPECT_EQ(text.find("Others"), std::string::npos);
+  type(home, "\t\t");
+  Canvas canvas(120, 40);
+  const auto chosen = [&] {
+    home.draw(canvas, Glyphs::unicode);
+    for (int y = 2; y < 36; ++y)
+      if (canvas.at(4, y).style.reverse) return canvas.row(y);
+    return std::string();
+  };
+  ASSERT_NE(chosen().find("plate_tiny"), std::string::npos) << text_of(home);
+  ASSERT_EQ(shop.run("second").exit_code, 0);
+  home.resume();
+  EXPECT_NE(chosen().find("plate_tiny"), std::string::npos) << "a run more above it: " << text_of(home);
+}
+
+TEST(HomeScreen, GivesADescriptionTheWholeLine) {
+  Shop shop;
+  const std::string shows = "A description of seventy letters and some more, which ends with the word END";
+  write_text(shop.context.presets / "fig99.toml", "# " + shows + "\n" + read_text(shop.preset()));
+  HomeScreen home(shop.context);
+  EXPECT_NE(text_of(home, 110, 34).find(shows), std::string::npos) << text_of(home, 110, 34);
+}
+
 TEST(HomeScreen, SearchShowsOnlyWhatHoldsTheLetters) {
   Shop shop;
   HomeScreen home(shop.context);
@@ -95,7 +137,7 @@ TEST(HomeScreen, DeletesARunOnlyAfterYes) {
   Shop shop;
   ASSERT_EQ(shop.run("first").exit_code, 0);
   HomeScreen home(shop.context);
-  home.press({key_end});
+  home.press({key_home});
   type(home, "dno\n");
   EXPECT_TRUE(fs::exists(shop.context.runs / "first"));
   {
@@ -105,7 +147,7 @@ TEST(HomeScreen, DeletesARunOnlyAfterYes) {
   }
   type(home, "dyes\n");
   EXPECT_FALSE(fs::exists(shop.context.runs / "first"));
-  home.press({key_home});
+  home.press({key_end});
   type(home, "d");
   EXPECT_NE(text_of(home).find("presets cannot be deleted here"), std::string::npos);
 }
@@ -115,10 +157,10 @@ TEST(HomeScreen, ComparesTheMarkedRuns) {
   ASSERT_EQ(shop.run("first").exit_code, 0);
   ASSERT_EQ(shop.run("second", "--set crack.technique=simple").exit_code, 0);
   HomeScreen home(shop.context);
-  home.press({key_end});
+  home.press({key_home});
   type(home, " c");
   EXPECT_NE(text_of(home).find("mark two or more runs"), std::string::npos);
-  home.press({key_up});
+  home.press({key_down});
   const Navigation navigation = type(home, " c");
   ASSERT_EQ(navigation.to, Navigation::To::forward);
   const std::string text = text_of(*navigation.next);
@@ -148,7 +190,7 @@ TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
   Shop shop;
   ASSERT_EQ(shop.run("first").exit_code, 0);
   HomeScreen home(shop.context);
-  home.press({key_end});
+  home.press({key_home});
   EXPECT_EQ(type(home, "u").to, Navigation::To::stay);
   EXPECT_NE(text_of(home).find("is already finished"), std::string::npos);
   const std::string second = (shop.context.runs / "second").string();
@@ -160,8 +202,7 @@ TEST(HomeScreen, ResumesWhatWasStoppedAndSaysWhatHasEnded) {
   home.resume();
   std::string text = text_of(home);
   ASSERT_NE(text.find("stopped"), std::string::npos) << text;
-  home.press({key_end});
-  home.press({key_up});  // the latest stands first
+  home.press({key_home});  // the latest stands first
   Navigation navigation = type(home, "u");
   ASSERT_EQ(navigation.to, Navigation::To::forward) << text_of(home);
   text.clear();
@@ -201,6 +242,112 @@ TEST(FormScreen, EscapeLeavesTheValueAsItWas) {
   EXPECT_NE(text_of(form).find("0 changed"), std::string::npos) << text_of(form);
 }
 
+TEST(FormScreen, AsksBeforeChangesAreDropped) {
+  Shop shop;
+  FormScreen form(shop.context, shop.preset());
+  EXPECT_EQ(form.press({key_escape}).to, Navigation::To::back) << "nothing was changed";
+  type(form, "/damage_zone\n\n");
+  form.press({key_backspace});
+  type(form, "6\n");
+  for (const int key : {int{'q'}, int{key_escape}}) {
+    EXPECT_EQ(form.press({key}).to, Navigation::To::stay);
+    EXPECT_NE(text_of(form, 60, 16).find("1 changed, not saved: leave? yes, no or save"), std::string::npos)
+        << text_of(form, 60, 16);
+    EXPECT_TRUE(form.typing()) << "no letter is a key of another screen";
+    EXPECT_EQ(type(form, "0.2 c_r").to, Navigation::To::stay);
+    EXPECT_EQ(form.press({key_escape}).to, Navigation::To::stay);
+    EXPECT_NE(text_of(form).find("nothing was dropped"), std::string::npos);
+    EXPECT_NE(text_of(form).find("1 changed"), std::string::npos);
+  }
+  EXPECT_EQ(type(form, "qno\n").to, Navigation::To::stay);
+  EXPECT_EQ(type(form, "qyes\n").to, Navigation::To::back);
+  type(form, "qsave\n");
+  for (int k = 0; k < 40; ++k) form.press({key_backspace});
+  EXPECT_EQ(type(form, "mine\n").to, Navigation::To::back) << "saved, and left";
+  EXPECT_TRUE(fs::exists(shop.context.own_presets / "mine.toml"));
+  EXPECT_EQ(type(form, "q").to, Navigation::To::back) << "it is saved";
+}
+
+TEST(FormScreen, ADigitBeginsANewValue) {
+  Shop shop;
+  FormScreen form(shop.context, shop.preset());
+  type(form, "/crack.velocity\n");
+  EXPECT_EQ(type(form, "0.2 c_r\n").to, Navigation::To::stay) << "no letter of it runs anything";
+  EXPECT_NE(text_of(form).find("* velocity              0.2 c_r"), std::string::npos) << text_of(form);
+}
+
+/// The tiny plate with two axes.
+fs::path tiny_study(const Shop& shop) {
+  const fs::path preset = shop.context.presets / "study_tiny.toml";
+  std::string text = read_text(shop.preset());
+  text.replace(text.find("velocity = \"0.5 c_r\"\n"), 21, "");
+  write_text(preset, text +
+                         "[study]\ntechnique = [\"simple\", \"progressive\"]\ncrack_velocity = "
+                         "[\"0.3 c_r\", \"0.5 c_r\"]\n");
+  return preset;
+}
+
+TEST(FormScreen, ShowsAndEditsTheAxesOfAStudy) {
+  Shop shop;
+  FormScreen form(shop.context, tiny_study(shop));
+  for (const char* part : {"a study of 4 scenarios", "technique             simple, progressive",
+                           "crack_velocity        0.3 c_r, 0.5 c_r", "add an axis"})
+    EXPECT_NE(text_of(form).find(part), std::string::npos) << part << " in\n" << text_of(form);
+  type(form, "/crack.velocity\n");
+  EXPECT_NE(text_of(form).find("velocity              varied by the study"), std::string::npos)
+      << text_of(form);
+  type(form, "\n\n, 0.7 c_r");  // enter leads to the axis, and again to its values
+  EXPECT_NE(text_of(form).find("a study of 6 scenarios, 1 changed"), std::string::npos) << text_of(form);
+  form.press({key_backspace});
+  EXPECT_NE(text_of(form).find("mistake"), std::string::npos) << text_of(form);
+  type(form, "r\n");
+  type(form, "a");
+  EXPECT_NE(text_of(form).find("damping_region"), std::string::npos) << text_of(form);
+  form.press({key_down});
+  type(form, "\n");  // relaxation is the first that is not varied, damage_zone_ratio the second
+  for (int k = 0; k < 40; ++k) form.press({key_backspace});
+  type(form, "1, 2, 4\n");
+  const std::string text = text_of(form);
+  for (const char* part :
+       {"a study of 12 scenarios", "6 of 18 combinations", "damage_zone_ratio     1, 2, 4"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  expect_drawn_at_any_size(form);
+  type(form, "s");
+  for (int k = 0; k < 40; ++k) form.press({key_backspace});
+  type(form, "mine\n");
+  const scene::Preset saved = scene::read_preset(shop.context.own_presets / "mine.toml");
+  EXPECT_TRUE(saved.issues.empty());
+  EXPECT_EQ(saved.study.size(), 12U);
+  ASSERT_EQ(saved.grid.size(), 3U);
+  EXPECT_EQ(saved.grid[2].values, (std::vector<std::string>{"1", "2", "4"}));
+  type(form, "d");  // as in the file, where there is no such axis
+  EXPECT_NE(text_of(form).find("a study of 6 scenarios"), std::string::npos) << text_of(form);
+}
+
+TEST(FormScreen, MakesAStudyOfAScene) {
+  Shop shop;
+  FormScreen form(shop.context, shop.preset());
+  type(form, "a");
+  const std::string choice = text_of(form, 60, 16);
+  EXPECT_NE(choice.find("technique"), std::string::npos) << choice;
+  form.press({key_escape});
+  EXPECT_NE(text_of(form).find("one scenario, 0 changed"), std::string::npos) << text_of(form);
+  type(form, "a\n, simple\n");  // beside the preset's own technique
+  EXPECT_NE(text_of(form).find("a study of 2 scenarios"), std::string::npos) << text_of(form);
+  std::string text;
+  for (int k = 0; k < 300 && text.find("at 100 M beams/s") == std::string::npos; ++k) {
+    form.look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    text = text_of(form);
+  }
+  EXPECT_NE(text.find("at 100 M beams/s"), std::string::npos) << text;
+  const Navigation navigation = type(form, "r");
+  ASSERT_EQ(navigation.to, Navigation::To::forward) << text_of(form);
+  EXPECT_EQ(navigation.next->where(), Where::study);
+  type(form, "x");
+  EXPECT_NE(text_of(form).find("one scenario"), std::string::npos) << text_of(form);
+}
+
 TEST(FormScreen, WhatFollowsIsExactAfterAMoment) {
   Shop shop;
   FormScreen form(shop.context, shop.preset());
@@ -237,13 +384,8 @@ TEST(FormScreen, SavesAPresetOfOnesOwnThatReadsBack) {
 
 TEST(StudyScreen, FillsItsGridAndWritesItsReport) {
   Shop shop;
-  const fs::path preset = shop.context.presets / "study_tiny.toml";
-  std::string text = read_text(shop.preset());
-  text.replace(text.find("velocity = \"0.5 c_r\"\n"), 21, "");
-  write_text(preset, text +
-                         "[study]\ntechnique = [\"simple\", \"progressive\"]\ncrack_velocity = [\"0.3 c_r\", "
-                         "\"0.5 c_r\"]\n");
-  const auto screen = screen_of_preset(shop.context, preset, {});
+  const fs::path preset = tiny_study(shop);
+  const auto screen = screen_of_preset(shop.context, preset);
   std::string shown;
   for (int k = 0; k < 600 && shown.find("done: ") == std::string::npos; ++k) {
     screen->look();
@@ -251,8 +393,27 @@ TEST(StudyScreen, FillsItsGridAndWritesItsReport) {
     shown = text_of(*screen);
   }
   for (const char* part :
-       {"4 of 4 scenarios", "0.3 c_r", "simple", "progressive", "log10 (run time [s])", "report.html"})
+       {"4 of 4 scenarios", "0.3 c_r", "a simple", "b progressive", "run time [s]",
+        "|difference to Broberg|  efficient", "G_ID/G_I0  Broberg strip", "report.html", "a: simple"})
     EXPECT_NE(shown.find(part), std::string::npos) << part << " in\n" << shown;
+  Canvas canvas(120, 40);
+  screen->draw(canvas, Glyphs::unicode);
+  const StudyLayout layout = study_layout(120, 40);
+  for (const Area& plot : {layout.velocities, layout.errors})
+    for (const char32_t letter : {U'a', U'b'}) {
+      int marks = 0;  // the only bold letters of a plot that stand alone
+      for (int y = plot.y + 1; y < plot.y + plot.height - 1; ++y)
+        for (int x = plot.x + 7; x < plot.x + plot.width; ++x) {
+          const Cell& cell = canvas.at(x, y);
+          if (cell.glyph != letter) continue;
+          EXPECT_EQ(cell.style.ink,
+                    canvas.at(layout.grid.x, layout.grid.y + (letter == U'a' ? 1 : 2)).style.ink);
+          ++marks;
+        }
+      EXPECT_GE(marks, 1) << static_cast<char>(letter);
+    }
+  screen->press({key_down});
+  EXPECT_NE(text_of(*screen).find("b: progressive"), std::string::npos) << text_of(*screen);
   EXPECT_TRUE(fs::exists(shop.context.studies / "study_tiny" / "report.html"));
   expect_drawn_at_any_size(*screen);
 }
@@ -268,7 +429,7 @@ TEST(StudyScreen, OpensAStudyOfTheListWithoutComputingAndGoesOnWhenAsked) {
             0);
   shop.context.build.version = nlohmann::json::parse(read_text(folder / "study.json")).at("version");
   HomeScreen home(shop.context);
-  home.press({key_end});
+  home.press({key_home});
   EXPECT_NE(text_of(home).find("1 of 2"), std::string::npos) << text_of(home);
   const Navigation navigation = home.press({key_enter});
   ASSERT_EQ(navigation.to, Navigation::To::forward) << text_of(home);
@@ -287,6 +448,31 @@ TEST(StudyScreen, OpensAStudyOfTheListWithoutComputingAndGoesOnWhenAsked) {
   EXPECT_NE(shown.find("2 of 2 scenarios"), std::string::npos) << shown;
   const auto again = screen_of_run(shop.context, folder);
   EXPECT_NE(text_of(*again).find("half/report.html"), std::string::npos) << text_of(*again);
+}
+
+TEST(StudyTable, HasARowPerCombinationAndItsEfficientFront) {
+  const scene::Preset preset = scene::read_preset_text(
+      "[study]\ntechnique = [\"simple\", \"progressive\"]\ncrack_velocity = [\"0.3 c_r\", \"0.5 c_r\"]\n"
+      "damage_zone_ratio = [2, 4]\n",
+      "x.toml");
+  const StudyTable table(preset);
+  EXPECT_EQ(table.axis, "crack_velocity");
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"0.3 c_r", "0.5 c_r"}));
+  EXPECT_EQ(table.rows, (std::vector<std::string>{"simple", "progressive r_l 2", "progressive r_l 4"}));
+  StudyResults results(preset.study.size());
+  const auto result = [](double seconds, double difference) {
+    results::LaneSummary s;
+    s.cost_s = seconds, s.error_broberg = difference;
+    return s;
+  };
+  results[0] = result(1, -0.1), results[1] = result(2, 0.2), results[2] = result(10, 0.01);
+  results[3] = result(100, 0.02), results[4] = result(1, 0.3);
+  const std::vector<ErrorPoint> points = error_points(table, results);
+  ASSERT_EQ(points.size(), 5U);  // one is not computed
+  const auto front = efficient_front(points);
+  ASSERT_EQ(front.size(), 2U);
+  EXPECT_EQ(front[0], (std::array<double, 2>{0, std::log10(0.1)}));
+  EXPECT_EQ(front[1], (std::array<double, 2>{1, std::log10(0.01)}));
 }
 
 TEST(Lesson, TheAnswerFollowsFromTheNumbersOfTheRun) {
@@ -328,6 +514,18 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
   }
   EXPECT_NE(shown.find("1 simple release"), std::string::npos) << shown;
   expect_drawn_at_any_size(*screen);
+  for (const auto& [width, height] : {std::pair{80, 24}, {60, 16}}) {
+    Canvas canvas(width, height);
+    screen->draw(canvas, Glyphs::unicode);
+    int coloured = 0, dots = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        coloured += canvas.at(x, y).style.ink == Ink::shades ? 1 : 0;
+        dots += canvas.at(x, y).glyph == U'●' ? 1 : 0;
+      }
+    EXPECT_GT(coloured, 2 * width) << "both plates at " << width << "x" << height;
+    EXPECT_GE(dots, 2) << "their tips at " << width << "x" << height;
+  }
   screen->press({key_enter});
   EXPECT_NE(text_of(*screen).find("Which of the two"), std::string::npos);
   screen->look();
