@@ -44,7 +44,7 @@ figcaption { color: var(--dim); font-size: 0.9em; max-width: 860px; }
 )";
 
 constexpr std::size_t longest_whole = 8;      // letters of a cell that is not broken: "0.5 c_R"
-constexpr std::size_t most_of_full_size = 9;  // columns of a table; more are set smaller
+constexpr std::size_t most_of_full_size = 6;  // columns of a table; more are set smaller
 
 /// Symbols of the field, as they are written in texts and as they are set.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 8> symbols{{{"G_IDc", "G<sub>IDc</sub>"},
