@@ -41,7 +41,7 @@ struct Look {
   bool boundaries = false;   // grips, free faces and measures drawn around the plate
   bool large_text = false;   // for lecture halls
   std::string title;
-  std::string scheme;  // what all panes have in common: "linear relaxation, damage zone 1 R, α = 0"
+  std::string scheme;  // what all panes have in common: "linear relaxation, damage zone 1 R, no damping"
 };
 
 /// Frames of up to four panes on one clock. The renderer reads it as the first line of its input, then a time

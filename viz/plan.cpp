@@ -202,7 +202,8 @@ std::string scheme_of(const std::vector<results::LaneSummary>& lanes) {
   if (shared(&results::LaneSummary::damage_zone_ratio))  // NaN of simple release is shared by none
     parts.push_back(fmt::format("damage zone {:g} R", first.damage_zone_ratio));
   if (shared(&results::LaneSummary::damping_alpha))
-    parts.push_back(fmt::format("α = {:g}", first.damping_alpha));
+    parts.push_back(first.damping_alpha > 0 ? fmt::format("damping {:g} of critical", first.damping_alpha)
+                                            : std::string("no damping"));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 // [px] at a font of 14.
 constexpr double font_px = 14, mark_font_px = 12, row_px = 22, sample_px = 36, gap_px = 8, pad_px = 18;
-constexpr double left_px = 84, right_px = 26, title_px = 46, mark_row_px = 18, x_axis_px = 62;
+constexpr double left_px = 84, right_px = 26, title_px = 46, mark_row_px = 18, x_axis_px = 82;
 constexpr int most_beside = 20;  // rows of a key to the right
 
 /// The data's extent with the given ends in place of the data's.

@@ -11,7 +11,7 @@ namespace rift::studio {
 // whatever the key holds.
 
 constexpr int chart_width = 860, chart_height = 520;               // [px]; a long key makes a chart higher
-constexpr double least_plot_width = 420, least_plot_height = 330;  // [px] of a chart that is no grid
+constexpr double least_plot_width = 420, least_plot_height = 320;  // [px] of a chart that is no grid
 
 /// What an axis will show; positive on a logarithmic one, where there is anything positive.
 struct Span {

@@ -22,7 +22,7 @@ std::string outer_labels(const ChartGrid& grid, const GridLayout& layout, double
   return fmt::format("  set label {} at {} center font ',16' tc rgb '#000000'\n", label_string(grid.title),
                      at(centre, height - 20)) +
          fmt::format("  set label {} at {} center\n", label_string(grid.x_label),
-                     at(centre, above_key + 14)) +
+                     at(centre, above_key + 20)) +
          fmt::format("  set label {} at {} center rotate by 90\n", label_string(grid.y_label),
                      at(18, middle));
 }

@@ -304,6 +304,18 @@ std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x
   return all;
 }
 
+/// Around the measured points: the law goes on beyond them, to where nothing was measured.
+AxisRange around(const std::vector<experiment::CriticalPoint>& along, const Along& x) {
+  AxisRange range;
+  for (const experiment::CriticalPoint& p : along) {
+    range.min = std::min(range.min.value_or(x(p)), x(p));
+    range.max = std::max(range.max.value_or(x(p)), x(p));
+  }
+  if (!range.min) return range;
+  const double margin = 0.05 * (*range.max - *range.min) + 0.02 * *range.max;
+  return {*range.min - margin, *range.max + margin};
+}
+
 NamedChart rate_chart(const ExperimentReport& report, const char* name, const char* title,
                       const char* x_label, const Along& x, Style style) {
   return {
@@ -314,6 +326,7 @@ NamedChart rate_chart(const ExperimentReport& report, const char* name, const ch
       Chart{.title = title,
             .x_label = x_label,
             .y_label = "release rate [kJ/m²]",
+            .x_range = around(report.experiment.along, x),
             .y_range = {.min = 0.0},
             .series = readings(report, x, style)}};
 }

@@ -1,5 +1,6 @@
 #include "studio/reports/reproduction.hpp"
 
+#include "studio/reports/report.hpp"
 #include "studio/text/html.hpp"
 #include "studio/text/progress.hpp"
 
@@ -141,7 +142,7 @@ Json judgement_json(const claims::Judgement& j) {
 std::string reproduction_html(const Reproduction& r) {
   std::vector<std::vector<std::string>> overview;
   for (const JudgedClaim& c : r.claims) overview.push_back(overview_row(c));
-  std::string body = html_paragraph(preamble(r));
+  std::string body = html_made({r.command, r.build, r.wall_s}) + html_paragraph(preamble(r));
   body += html_section("Verdicts", html_table({.head = overview_head, .rows = overview}));
   for (const JudgedClaim& c : r.claims) body += section_html(c);
   return html_page(title_of(r), body);

@@ -44,7 +44,7 @@ figcaption { color: var(--dim); font-size: 0.9em; max-width: 860px; }
 )";
 
 constexpr std::size_t longest_whole = 8;      // letters of a cell that is not broken: "0.5 c_R"
-constexpr std::size_t most_of_full_size = 9;  // columns of a table; more are set smaller
+constexpr std::size_t most_of_full_size = 6;  // columns of a table; more are set smaller
 
 /// Symbols of the field, as they are written in texts and as they are set.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 8> symbols{{{"G_IDc", "G<sub>IDc</sub>"},
@@ -125,12 +125,12 @@ std::string html_page(std::string_view title, std::string_view body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
-      html_escape(title), style, body);
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{3}</h1>\n{2}</body>\n</html>\n",
+      html_escape(title), style, body, set_symbols(html_escape(title)));
 }
 
 std::string html_section(std::string_view title, std::string_view body) {
-  return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", html_escape(title), body);
+  return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", set_symbols(html_escape(title)), body);
 }
 
 std::string html_paragraph(std::string_view text) {

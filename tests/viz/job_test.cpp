@@ -24,7 +24,7 @@ TEST(Job, ComesBackFromItsText) {
               .boundaries = true,
               .large_text = true,
               .title = "a \"title\"\nof two lines",
-              .scheme = "linear relaxation, damage zone 1 R, α = 0"};
+              .scheme = "linear relaxation, damage zone 1 R, no damping"};
   const std::string text = to_json(job);
   EXPECT_EQ(text.find('\n'), std::string::npos);
   EXPECT_EQ(to_json(job_from_json(text)), text);

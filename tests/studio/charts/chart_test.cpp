@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -96,6 +97,45 @@ TEST(DrawChart, DrawsEverySeriesOfAnyLabel) {
     Chart moved = small_chart();
     moved.series[k].y[1] = 0.5;
     EXPECT_NE(drawn.svg_text, draw_chart(moved, folder.path(), "ratio").svg_text) << k;
+  }
+}
+
+// The title of the x axis once lay below the picture.
+TEST(DrawChart, EveryTextStandsWithinThePicture) {
+  const TemporaryFolder folder;
+  ChartGrid grid{.title = "grid", .x_label = "x [-]", .y_label = "y [-]"};
+  grid.panels.assign(7, {"panel", small_chart().series});
+  Chart many = small_chart();
+  for (int k = 0; k < 30; ++k)
+    many.series.push_back({"series of a long label, " + std::to_string(k), {0.1}, {1}});
+  const std::regex place("translate\\(([0-9.-]+),([0-9.-]+)\\)[^>]*>\\s*<text>");
+  for (const DrawnChart& drawn :
+       {draw_chart(small_chart(), folder.path(), "one"), draw_chart(many, folder.path(), "many"),
+        draw_chart(grid, folder.path(), "grid")}) {
+    std::smatch size;
+    ASSERT_TRUE(std::regex_search(drawn.svg_text, size, std::regex("viewBox=\"0 0 (\\d+) (\\d+)\"")));
+    int texts = 0;
+    for (std::sregex_iterator at(drawn.svg_text.begin(), drawn.svg_text.end(), place), end; at != end;
+         ++at, ++texts) {
+      EXPECT_GT(std::stod((*at)[1]), 0.0) << drawn.svg;
+      EXPECT_LT(std::stod((*at)[1]), std::stod(size[1])) << drawn.svg;
+      EXPECT_GT(std::stod((*at)[2]), 10.0) << drawn.svg;
+      EXPECT_LT(std::stod((*at)[2]), std::stod(size[2]) - 4.0) << drawn.svg;
+    }
+    EXPECT_GT(texts, 12) << drawn.svg;
+  }
+}
+
+TEST(DrawChart, PanelsOfAGridDrawTheirOwnRows) {
+  const TemporaryFolder folder;
+  ChartGrid grid;
+  grid.panels = {{"first", {{"a", {0, 1}, {0, 1}}}}, {"second", {{"a", {0, 1}, {0, 1}}}}};
+  const std::string former = draw_chart(grid, folder.path(), "grid").svg_text;
+  EXPECT_TRUE(contains(read_text(folder.path() / "grid.csv"), "series,x,y,error,panel\na,0,0,,1\n"));
+  for (ChartPanel& panel : grid.panels) {
+    panel.series[0].y[1] = 0.5;
+    EXPECT_NE(draw_chart(grid, folder.path(), "grid").svg_text, former);
+    panel.series[0].y[1] = 1;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <regex>
 
 namespace rift::studio {
@@ -97,8 +98,8 @@ TEST_F(ReportPage, OfAnExperimentAndOfItsInstrumentsFitTheWindow) {
 TEST_F(ReportPage, OfAnAccuracyFitsTheWindow) {
   const TinyPlate plate;
   const Ran ran =
-      run_rift("accuracy '" + plate.preset().string() +
-                   "' --quick --seeds 2 --elements 1250 --quiet --out '" + plate.out().string() + "'",
+      run_rift("accuracy '" + plate.preset().string() + "' --quick --seeds 1 --elements 300 --quiet --out '" +
+                   plate.out().string() + "'",
                plate.environment());
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   expect_fits(plate.out() / "report.html");
@@ -118,7 +119,7 @@ TEST_F(ReportPage, OfACalibrationFitsTheWindow) {
 
 TEST_F(ReportPage, OfTheStabilitySuiteFitsTheWindow) {
   const fs::path out = path() / "out";
-  const Ran ran = run_rift("stability --quick --only damping --quiet --out '" + out.string() + "'");
+  const Ran ran = run_rift("stability --quick --only pre-strain --quiet --out '" + out.string() + "'");
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   expect_fits(out / "report.html");
 }
@@ -131,7 +132,10 @@ TEST_F(ReportPage, OfTheReproductionFitsTheWindow) {
 
 TEST_F(ReportPage, OfAPackingFitsTheWindow) {
   const fs::path out = path() / "out";
-  ASSERT_EQ(run_rift("pack --set specimen.elements=500 --quiet --out '" + out.string() + "'").exit_code, 0);
+  ASSERT_EQ(run_rift("pack --set specimen.elements=500 --set specimen.coordination=5.5 --quiet --out '" +
+                     out.string() + "'")
+                .exit_code,
+            0);
   expect_fits(out / "report.html");
 }
 

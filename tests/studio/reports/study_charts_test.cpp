@@ -60,7 +60,9 @@ TEST(StudyCharts, FewCurvesStayTogether) {
            value_of_axis(row->axes, "damage_zone_ratio") == "4";
   });
   std::erase_if(rows, [](const auto& row) { return value_of_axis(row->axes, "damping_alpha") != "0"; });
-  const auto& chart = std::get<Chart>(velocity_charts(rows).at(0).chart);
+  const std::vector<NamedChart> charts = velocity_charts(rows);
+  ASSERT_EQ(charts.size(), 1U);
+  const auto& chart = std::get<Chart>(charts[0].chart);
   ASSERT_EQ(chart.series.size(), 7U);
   EXPECT_EQ(chart.series[0].label, "simple");
   EXPECT_EQ(chart.series[1].label, "progressive, linear, r_l = 1");  // the damping is not varied any more
