@@ -34,18 +34,24 @@ TEST(ThicknessNote, TakesTheDefaultForWhatThePresetDoesNotSay) {
   EXPECT_TRUE(notes("", {"specimen.elements=20000"}).empty());
 }
 
+TEST(ThicknessNote, DoesNotProposeAThicknessOfLessThanOneElement) {
+  const std::vector<std::string> said = notes("", {"specimen.elements=2000"});
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_TRUE(said[0].ends_with("from 2 mm to 6.325 mm, as layers = 2 stays")) << said[0];
+}
+
 TEST(ThicknessNote, NamesLengthAndHeightToo) {
   const std::vector<std::string> said = notes(plate, {"specimen.length=200 mm", "specimen.elements=20000"});
   ASSERT_EQ(said.size(), 1U);
   EXPECT_TRUE(
-      said[0].starts_with("specimen.elements = 20000 and specimen.length = 200 mm changes the thickness "
+      said[0].starts_with("specimen.elements = 20000 and specimen.length = 200 mm change the thickness "
                           "from 2 mm to 1.414 mm"))
       << said[0];
 }
 
 TEST(ThicknessNote, IsNotOfAPlateWhoseThicknessIsGiven) {
   const std::string thick = "[specimen]\nthickness = \"2 mm\"\n";
-  EXPECT_TRUE(notes(thick, {"specimen.elements=2000"}).empty());
+  EXPECT_TRUE(notes(thick, {"specimen.elements=15000"}).empty());
   for (const std::string& note : notes(plate, {"specimen.elements=2000", "specimen.thickness=2 mm"}))
     EXPECT_EQ(note.find("changes the thickness"), std::string::npos) << note;
 }
@@ -80,14 +86,14 @@ INSTANTIATE_TEST_SUITE_P(
         Rivals{"[crack]\nvelocity = \"0.5 c_r\"\nsmoothing = \"none\"\n",
                "crack.history=[[0, 0.01], [1e-5, 0.02], [2e-5, 0.03]]",
                "--set crack.history takes the place of crack.velocity = \"0.5 c_r\" (x.toml:2)"},
-        Rivals{
-            "[crack]\nhistory = [[0, 0.01], [1e-5, 0.02], [2e-5, 0.03]]\nsmoothing = \"none\"\n",
-            "crack.velocity=0.5 c_r",
-            "--set crack.velocity takes the place of crack.history = [[0, 0.01], [1e-5, 0.02], [2e-5, 0.03]] "
-            "(x.toml:2)"},
+        Rivals{"[crack]\nhistory = [[0, 0.01], [1e-5, 0.02], [2e-5, 0.03]]\nsmoothing = \"none\"\n",
+               "crack.velocity=0.5 c_r",
+               "--set crack.velocity takes the place of crack.history = [[0, 0.01], [1e-05, 0.02], [2e-05, "
+               "0.03]] "
+               "(x.toml:2)"},
         Rivals{"[crack]\nhistory = [[0, 0.01], [1e-5, 0.02], [2e-5, 0.03]]\nsmoothing = \"none\"\n",
                "crack.toughness=[[\"0.1 c_r\", 100], [\"0.5 c_r\", 200]]",
-               "--set crack.toughness takes the place of crack.history = [[0, 0.01], [1e-5, 0.02], [2e-5, "
+               "--set crack.toughness takes the place of crack.history = [[0, 0.01], [1e-05, 0.02], [2e-05, "
                "0.03]] "
                "(x.toml:2)"},
         Rivals{"[specimen]\nlayers = 2\n", "specimen.thickness=2 mm",
