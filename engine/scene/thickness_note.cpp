@@ -23,6 +23,13 @@ bool differ(double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); }
 
 std::string in_mm(double metres) { return fmt::format("{:.4g} mm", 1e3 * metres); }
 
+/// Whether the plate's elements go into this thickness.
+bool can_have(Scene scene, double thickness) {
+  scene.specimen.layers.reset();
+  scene.specimen.thickness = thickness;
+  return 2.0 * expected_mean_radius_m(scene) <= thickness;
+}
+
 std::string of_override(const Preset& preset, const Scene& own) {
   if (!follows_from_layers(preset.scene) || !follows_from_layers(own)) return {};
   const double before = thickness_m(own), now = thickness_m(preset.scene);
@@ -33,10 +40,12 @@ std::string of_override(const Preset& preset, const Scene& own) {
     if (origin != preset.origins.end() && origin->second.file == "--set")
       causes.push_back(fmt::format("{} = {}", key, origin->second.value));
   }
-  return fmt::format(
-      "{} changes the thickness from {} to {}, as layers = {:g} stays: --set specimen.thickness='{}' keeps "
-      "it",
-      listed(causes, "and"), in_mm(before), in_mm(now), *own.specimen.layers, in_mm(before));
+  const std::string text =
+      fmt::format("{} change{} the thickness from {} to {}, as layers = {:g} stays", listed(causes, "and"),
+                  causes.size() == 1 ? "s" : "", in_mm(before), in_mm(now), *own.specimen.layers);
+  return can_have(preset.scene, before)
+             ? fmt::format("{}: --set specimen.thickness='{}' keeps it", text, in_mm(before))
+             : text;
 }
 
 /// The thicknesses of a study's plates, where its axes other than `layers` make them differ.

@@ -24,9 +24,9 @@ void check_holds_study(const scene::Preset& preset) {
   if (!preset.study.empty()) return;
   const std::string what =
       preset.lanes.empty()
-          ? "no [study] in it: write a table [study] with a list of values per axis, such as crack_velocity "
+          ? "holds no [study]: write a table [study] with a list of values per axis, such as crack_velocity "
             "= [\"0.3 c_r\", \"0.5 c_r\"] and seed = [1, 2]; 'rift run' runs one scene"
-          : "lanes and no [study] in it: 'rift run' runs them, [[study.rows]] makes a study of them";
+          : "holds lanes and no [study]: 'rift run' runs them, [[study.rows]] makes a study of them";
   refuse(preset.name, what);
 }
 

@@ -27,7 +27,7 @@ std::string verdict(const results::Verification& v, const std::string& run) {
   if (!results::is_whole(v)) return fmt::format("{} has lost data or files; all undamaged data is kept", run);
   if (v.run.condition == results::RunCondition::unfinished)
     return fmt::format("{} is undamaged and unfinished: 'rift resume {}' continues it", run, run);
-  return fmt::format("{} is complete and undamaged", run);
+  return fmt::format("every file of {} is intact", run);
 }
 
 ExitCode verify(const VerifyOptions& options) {

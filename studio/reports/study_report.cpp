@@ -46,7 +46,9 @@ std::string field_of(const Json& value) {
     for (const auto& [name, of_axis] : value.items())
       text += fmt::format("{}{} = {}", text.empty() ? "" : "; ", name, of_axis.get<std::string>());
   else if (value.is_array())
-    for (const Json& part : value) text += (text.empty() ? "" : " ") + base::json_text(part);
+    for (const Json& part : value)
+      text +=
+          (text.empty() ? "" : " ") + (part.is_string() ? part.get<std::string>() : base::json_text(part));
   else
     text = base::json_text(value);
   return base::csv_field(text);

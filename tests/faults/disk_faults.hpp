@@ -250,7 +250,7 @@ inline const std::string quiet_run = "rift run {}/tiny.toml --out {}/out --threa
 /// What is left of a file that could not be written is no damage.
 inline const std::string run_is_whole =
     "test -e {}/out/summary.json && test -e {}/out/run.vtkhdf && rift verify {}/out --check-only > {}/found; "
-    "! grep -v '\\.part' {}/found | grep -E 'damaged|missing|mended'";
+    "! grep -v '\\.part' {}/found | grep -E 'damaged|missing|rebuilt'";
 
 inline Case run_case() {
   return {
@@ -347,7 +347,7 @@ inline Case render_case() {
   return {"render", plate(crack) + quiet_run, command, command + " --force", "", {"film.gif", "a.png"}};
 }
 
-/// A run whose archive and table are damaged, to be mended.
+/// A run whose archive and table are damaged, to be repaired.
 inline Case verify_case() {
   return {"verify",
           plate(crack) + quiet_run + " && truncate -s 5000 {}/out/run.vtkhdf && rm {}/out/series.csv",

@@ -34,18 +34,24 @@ TEST(ThicknessNote, TakesTheDefaultForWhatThePresetDoesNotSay) {
   EXPECT_TRUE(notes("", {"specimen.elements=20000"}).empty());
 }
 
+TEST(ThicknessNote, DoesNotProposeAThicknessOfLessThanOneElement) {
+  const std::vector<std::string> said = notes("", {"specimen.elements=2000"});
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_TRUE(said[0].ends_with("from 2 mm to 6.325 mm, as layers = 2 stays")) << said[0];
+}
+
 TEST(ThicknessNote, NamesLengthAndHeightToo) {
   const std::vector<std::string> said = notes(plate, {"specimen.length=200 mm", "specimen.elements=20000"});
   ASSERT_EQ(said.size(), 1U);
   EXPECT_TRUE(
-      said[0].starts_with("specimen.elements = 20000 and specimen.length = 200 mm changes the thickness "
+      said[0].starts_with("specimen.elements = 20000 and specimen.length = 200 mm change the thickness "
                           "from 2 mm to 1.414 mm"))
       << said[0];
 }
 
 TEST(ThicknessNote, IsNotOfAPlateWhoseThicknessIsGiven) {
   const std::string thick = "[specimen]\nthickness = \"2 mm\"\n";
-  EXPECT_TRUE(notes(thick, {"specimen.elements=2000"}).empty());
+  EXPECT_TRUE(notes(thick, {"specimen.elements=15000"}).empty());
   for (const std::string& note : notes(plate, {"specimen.elements=2000", "specimen.thickness=2 mm"}))
     EXPECT_EQ(note.find("changes the thickness"), std::string::npos) << note;
 }

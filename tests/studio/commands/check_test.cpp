@@ -209,7 +209,7 @@ TEST(Check, MeasuresTheSpecimenItself) {
   const Ran ran = plate.check("--measure --set specimen.elements=2000");
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* part :
-       {"Measured on this specimen", "pulled along    E ", "shear ", "of it", "over mean radius"})
+       {"Measured on this specimen", "pulled along    E ", "shear ", "ratio", "over mean radius"})
     EXPECT_TRUE(contains(ran.out, part));
   const Json measured =
       Json::parse(plate.check("--measure --json --quiet --set specimen.elements=2000").out).at("measured");

@@ -94,7 +94,8 @@ TEST(MeasureCommand, SaysWhyABulkLatticeHasNoStressIntensity) {
 TEST(MeasureCommand, OfARingThatDoesNotFitNamesOneThatDoes) {
   const TinyPlate plate;
   ASSERT_EQ(plate.run().exit_code, 0);
-  const Ran ran = measure(plate, "--inner 20 --outer 40");
+  const std::string command = "measure '" + plate.out().string() + "' --quiet --outer 40 ";
+  const Ran ran = run_rift(command + "--inner 20");
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_TRUE(fs::exists(plate.out() / "measure" / "field.csv")) << "what was seen is kept";
   std::smatch told;
@@ -103,7 +104,7 @@ TEST(MeasureCommand, OfARingThatDoesNotFitNamesOneThatDoes) {
                                            "specimen.elements = ([0-9]+) another one")))
       << ran.err;
   // What is told is true.
-  const Ran again = run_rift("measure '" + plate.out().string() + "' --quiet --outer 40 " + told.str(1));
+  const Ran again = run_rift(command + told.str(1));
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_TRUE(contains(again.out, "G of the field is"));
 }
@@ -117,8 +118,7 @@ TEST(MeasureCommand, ReplacesWhatItMeasuredBefore) {
   write_text(plate.out() / "measure" / "notes.txt", "mine");
   const Ran ran = measure(plate, "--outer 5");  // no ring
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_TRUE(
-      contains(ran.err, "rift measure: no stress intensity at any moment: 4 too few points in the ring"));
+  EXPECT_TRUE(contains(ran.err, "rift measure: no stress intensity at any moment: "));
   EXPECT_TRUE(contains(ran.out, "moments without K"));
   EXPECT_FALSE(fs::exists(charts / "stress_intensity.svg")) << "of the former measurement";
   EXPECT_TRUE(fs::exists(charts / "grip_force.svg"));
@@ -131,7 +131,7 @@ TEST(MeasureCommand, SaysWhatToDoWhereTheRingNeverFits) {
   const std::string hint =
       "the ring fits at no moment: raise specimen.elements, or lower --inner and --outer";
   const Ran wide = run_rift("measure '" + plate.out().string() + "' --inner 20 --outer 40 --grid 2 --quiet");
-  EXPECT_EQ(wide.exit_code, 0) << wide.err;
+  EXPECT_EQ(wide.exit_code, 2) << wide.err;
   EXPECT_TRUE(contains(wide.out, hint)) << wide.out;
   EXPECT_TRUE(contains(wide.out, ": the ring is too near to an edge of the plate"));
   EXPECT_FALSE(contains(measure(plate).out, hint));

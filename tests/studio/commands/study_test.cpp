@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(
         StudyMistake{"--shard 1/2x", "rift study: --shard 1/2x: expected i/n, such as 2/8\n"},
         StudyMistake{"--budget 10", "rift study: --budget 10: expected a time with its unit"},
         StudyMistake{"--budget '-1 s'", "rift study: --budget -1 s: expected a time with its unit"},
-        StudyMistake{"--set solver.dt_fraction=1e-5", "--yes starts it, --budget TIME does what fits\n"},
+        StudyMistake{"--set solver.dt_fraction=1e-5", "--yes starts them, --budget TIME computes what fits\n"},
         StudyMistake{"--set specimen.seed=3", "varied by the study"}),
     [](const auto& mistake) { return "Case" + std::to_string(mistake.index); });
 
