@@ -224,6 +224,7 @@ void Run::end(LaneSlot& slot) {
   result_.wall_fracture_s = marching_s();
   if (lane.outcome == Outcome::finished)
     lane.wake = wake_of(prepared_, ensemble_, index(slot), tips_->tip(index(slot)));
+  if (observer_.last_moment) observer_.last_moment(snapshot({}), slot.scenario);
   tell_end(slot);
   slot.scenario = -1;
 }

@@ -54,6 +54,8 @@ struct Observer {
   /// A scenario has come to its end, or a stop; the result holds it and, so far, the times of the run.
   std::function<void(int scenario, const RunResult& so_far)> ended = {};
   std::function<SteeringCommands(const RunSnapshot&)> steer = {};
+  /// A scenario has marched its last step: what it came to can still be looked at.
+  std::function<void(const RunSnapshot&, int scenario)> last_moment = {};
   /// Offered a few times a second, before a stop, and at the end where every scenario has come to its own:
   /// makes a checkpoint for who wants one (its journal_bytes are the caller's). Cost of making one: a copy of
   /// the state.

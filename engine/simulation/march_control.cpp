@@ -74,8 +74,7 @@ void Run::carry_out(SteeringCommands& commands) {
     if (LaneSlot* slot = slot_of(scenario)) tell_frame(*slot);
 }
 
-bool Run::take_commands(const Progress& progress) {
-  if (!observer_.steer) return true;
+RunSnapshot Run::snapshot(const Progress& progress) {
   RunSnapshot snapshot{progress, {}, {}};
   snapshot.sample = [this](int scenario) -> std::optional<results::Sample> {
     LaneSlot* slot = slot_of(scenario);
@@ -87,10 +86,16 @@ bool Run::take_commands(const Progress& progress) {
     if (velocity) fields.emplace_back("velocity");
     return slot ? std::optional(frame(*slot, fields)) : std::nullopt;
   };
+  return snapshot;
+}
+
+bool Run::take_commands(const Progress& progress) {
+  if (!observer_.steer) return true;
+  const RunSnapshot now = snapshot(progress);
   SteeringCommands commands;
   do {
     const auto asked = Clock::now();
-    commands = observer_.steer(snapshot);
+    commands = observer_.steer(now);
     waited_ += base::seconds_since(asked);
     carry_out(commands);
   } while (commands.wait && !commands.stop);

@@ -101,6 +101,7 @@ class Run {
   /// Asks whether to go on; if not, every lane stops where it is.
   void ask();
   /// Asks whoever steers and does what it says. @return whether to go on
+  RunSnapshot snapshot(const Progress& progress);
   bool take_commands(const Progress& progress);
   void carry_out(SteeringCommands& commands);
   void stop_all();

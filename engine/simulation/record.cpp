@@ -47,6 +47,7 @@ struct Recording {
     o.event = written(&results::RunWriter::event, beside.event);
     o.gauge = [this](const results::GaugeRow& row) { writer.gauge(row); };
     o.ended = beside.ended;
+    o.last_moment = beside.last_moment;
     o.go_on = [this](const Progress& p) {
       writer.flush();
       return !beside.go_on || beside.go_on(p);

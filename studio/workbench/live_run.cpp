@@ -104,6 +104,15 @@ void LiveRun::run() {
     ++lanes_ended_;
   };
   beside.steer = [this](const simulation::RunSnapshot& moment) { return steer(moment); };
+  beside.last_moment = [this](const simulation::RunSnapshot& moment, int lane) {
+    bool velocity = false;
+    {
+      const std::lock_guard lock(mutex_);
+      if (std::find(plates_wanted_.begin(), plates_wanted_.end(), lane) == plates_wanted_.end()) return;
+      velocity = velocity_wanted_;
+    }
+    show_plate(moment, lane, velocity, false);
+  };
   beside.changed = [this](const scene::Change& change, const std::string& refused) {
     take_changed(change, refused);
   };
@@ -164,13 +173,15 @@ void LiveRun::show_plates(const simulation::RunSnapshot& moment) {
     slow = paused_ || speed_ > 0;
     looked_ = false;
   }
-  for (const int k : wanted) {
-    auto frame = moment.frame(k, velocity);
-    auto sample = slow ? moment.sample(k) : std::nullopt;
-    const std::lock_guard lock(mutex_);
-    if (frame) plate_[k] = std::move(frame);
-    if (sample) now_[k] = sample;
-  }
+  for (const int k : wanted) show_plate(moment, k, velocity, slow);
+}
+
+void LiveRun::show_plate(const simulation::RunSnapshot& moment, int lane, bool velocity, bool with_sample) {
+  auto frame = moment.frame(lane, velocity);
+  auto sample = with_sample ? moment.sample(lane) : std::nullopt;
+  const std::lock_guard lock(mutex_);
+  if (frame) plate_[lane] = std::move(frame);
+  if (sample) now_[lane] = sample;
 }
 
 void LiveRun::take_changed(const scene::Change& change, const std::string& refused) {

@@ -102,6 +102,7 @@ class LiveRun {
   simulation::SteeringCommands steer(const simulation::RunSnapshot& moment);
   void take_changed(const scene::Change& change, const std::string& refused);
   void show_plates(const simulation::RunSnapshot& moment);
+  void show_plate(const simulation::RunSnapshot& moment, int lane, bool velocity, bool with_sample);
   [[nodiscard]] bool at_rest() const { return paused_ && steps_wanted_ == 0; }
   [[nodiscard]] std::string state() const;
 

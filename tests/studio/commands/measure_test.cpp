@@ -106,7 +106,7 @@ TEST(MeasureCommand, OfARingThatDoesNotFitNamesOneThatDoes) {
   // What is told is true.
   const Ran again = run_rift(command + told.str(1));
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_TRUE(contains(again.out, "G of the field is"));
+  EXPECT_TRUE(contains(again.out, "G from K "));
 }
 
 TEST(MeasureCommand, ReplacesWhatItMeasuredBefore) {

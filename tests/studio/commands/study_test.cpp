@@ -225,8 +225,8 @@ TEST(StudyCommand, SaysWhatItsScenariosLeaveOut) {
   const Ran ran = plate.study("--plain");
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_TRUE(
-      contains(ran.out, "left out: damping, numerical damping, damage zone: 4 of 8 scenarios, ramp"));
-  EXPECT_TRUE(contains(read_text(plate.out() / "report.html"), "damage zone (4 of 8 scenarios)"));
+      contains(ran.out, "left out: damping, numerical damping, damage zone (4 of 8 scenarios), ramp"));
+  EXPECT_TRUE(contains(read_text(plate.out() / "report.html"), "damage zone: 4 of 8 scenarios"));
   EXPECT_TRUE(
       table_in(plate.out()).at(0).at("left_out").starts_with("damping numerical_damping damage_zone "));
 }

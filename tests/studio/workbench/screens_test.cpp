@@ -524,7 +524,7 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
         dots += canvas.at(x, y).glyph == U'●' ? 1 : 0;
       }
     EXPECT_GT(coloured, 2 * width) << "both plates at " << width << "x" << height;
-    EXPECT_GE(dots, 2) << "their tips at " << width << "x" << height;
+    EXPECT_GE(dots, 2) << "their tips at " << width << "x" << height << "\n" << text_of(*screen, width, height);
   }
   screen->press({key_enter});
   EXPECT_NE(text_of(*screen).find("Which of the two"), std::string::npos);
