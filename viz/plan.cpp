@@ -172,10 +172,10 @@ std::vector<results::LaneSummary> scenarios_of(const std::vector<Shown>& shown) 
   return scenarios;
 }
 
-/// Text in pictures has no subscripts: "0.5 c_r" is in words, and r_l a length in mean radii.
+/// Text in pictures has no subscripts: "0.5 c_R" is in words, and r_l a length in mean radii.
 std::string in_words(std::string title) {
   for (const auto& [symbol, words] :
-       {std::pair<std::string_view, std::string_view>{" c_r", " × Rayleigh speed"},
+       {std::pair<std::string_view, std::string_view>{" c_R", " × Rayleigh speed"},
         {"r_l = ", "damage zone in R = "}})
     if (const auto at = title.find(symbol); at != std::string::npos) title.replace(at, symbol.size(), words);
   return title;

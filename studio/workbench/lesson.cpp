@@ -116,12 +116,6 @@ const std::vector<Lesson>& table() {
   return all;
 }
 
-/// Titles have "0.5 c_r", as presets do; the symbol is c_R.
-std::string with_symbol(std::string title) {
-  if (const auto at = title.find("c_r"); at != std::string::npos) title.replace(at, 3, "c_R");
-  return title;
-}
-
 NamedChart rate_chart(const Live& live) {
   Chart chart{.title = "Release rate against tip position",
               .x_label = "tip position [mm]",
@@ -129,8 +123,8 @@ NamedChart rate_chart(const Live& live) {
               .x_range = {.min = 0.0}};
   for (std::size_t k = 0; k < live.lanes.size(); ++k) {
     // The title's c_R and r_l are written as a chart wants them.
-    ChartSeries series = series_of(with_symbol(live.lanes[k].title), ChartSeries::Style::line,
-                                   static_cast<int>(k), live.lanes[k].rates, [](const results::RatePoint& p) {
+    ChartSeries series = series_of(live.lanes[k].title, ChartSeries::Style::line, static_cast<int>(k),
+                                   live.lanes[k].rates, [](const results::RatePoint& p) {
                                      return ChartPoint{1e3 * p.tip_m, p.ratio};
                                    });
     if (!series.x.empty()) chart.series.push_back(std::move(series));
