@@ -31,7 +31,8 @@ struct BenchCase {
   bool plain = false;  // the readable step (reference::PlainSimulation): what the others are measured against
   double damped = 0;   // share of the beams that are damped
   double beta = 1;
-  bool balanced = false;  // with the energy balance of every step
+  bool balanced = false;        // with the energy balance of every step
+  bool processor_time = false;  // counted, of all threads, in place of the time that passes
 };
 
 /// How fast it went: whole steps with integration.

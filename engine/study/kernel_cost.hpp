@@ -9,16 +9,15 @@
 namespace rift::study {
 
 /// What a step costs a scenario in the company of as many as fill a register, whoever it marched beside:
-/// a property of its scheme. Each form of the kernel is timed once, on a lattice of as many elements.
+/// a property of its scheme. Each form of the kernel is timed once, on a lattice of as many elements, in
+/// processor time on one thread, so that nothing else that the machine does counts.
 class KernelCosts {
  public:
-  explicit KernelCosts(int threads) : threads_(threads) {}
-
-  /// Seconds that the scenario's steps cost: steps × beams × the time of a beam and step of its kernel.
+  /// Seconds of a processor that the scenario's steps cost: steps × beams × the time of a beam and step of
+  /// its kernel.
   double cost_s(const scene::Scene& scene, const results::LaneSummary& summary);
 
  private:
-  int threads_;
   std::map<std::string, double> seconds_;  // of a beam and step, by the form of the kernel
 };
 

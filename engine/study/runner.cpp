@@ -39,7 +39,7 @@ struct Study {
   const simulation::BuildInfo& build;
   const StudyObserver& observer;
   std::vector<StudyItem> items;  // of all parts
-  KernelCosts kernels;
+  KernelCosts kernels = {};
   StudyResult result = {};
   int there = 0;                   // scenarios computed or found
   double cost = 0, cost_done = 0;  // of what is to be computed
@@ -293,13 +293,7 @@ Json to_json(const StudyRows& rows) {
 StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, base::Cache& cache,
                       const simulation::BuildInfo& build, const StudyObserver& observer) {
   const auto start = Clock::now();
-  Study study{preset,
-              options,
-              cache,
-              build,
-              observer,
-              plan_study(preset, build.version),
-              KernelCosts(options.threads)};
+  Study study{preset, options, cache, build, observer, plan_study(preset, build.version)};
   const std::vector<StudyItem>& items = study.items;
   study.result.rows.resize(preset.study.size());
   if (options.shared) {
