@@ -104,14 +104,9 @@ void LiveRun::run() {
     ++lanes_ended_;
   };
   beside.steer = [this](const simulation::RunSnapshot& moment) { return steer(moment); };
+  // Whatever is looked at now: it can be asked for when the march is over.
   beside.last_moment = [this](const simulation::RunSnapshot& moment, int lane) {
-    bool velocity = false;
-    {
-      const std::lock_guard lock(mutex_);
-      if (std::find(plates_wanted_.begin(), plates_wanted_.end(), lane) == plates_wanted_.end()) return;
-      velocity = velocity_wanted_;
-    }
-    show_plate(moment, lane, velocity, false);
+    show_plate(moment, lane, true, false);
   };
   beside.changed = [this](const scene::Change& change, const std::string& refused) {
     take_changed(change, refused);
