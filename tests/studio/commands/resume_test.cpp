@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 /// The same run twice over: one goes through, the other is stopped and resumed, as often as asked.
 struct Twice {
   TinyPlate plate;
-  std::string slow = "--quiet --threads 1 --set 'crack.velocity=0.004 c_r' ";  // some seconds
+  std::string slow = "--quiet --threads 1 --set 'crack.velocity=0.002 c_r' ";  // a second and more
   fs::path whole() const { return plate.path() / "whole"; }
 
   Twice() {
@@ -45,7 +45,7 @@ TEST(Resume, AfterASignalGoesOnToTheSameBytes) {
   const Twice twice;
   for (const char* signal : {"INT", "TERM", "HUP"}) {
     twice.begin_anew();
-    EXPECT_EQ(twice.plate.run_under(std::string("timeout -s ") + signal + " 0.7", twice.slow).exit_code, 124);
+    EXPECT_EQ(twice.plate.run_under(std::string("timeout -s ") + signal + " 0.5", twice.slow).exit_code, 124);
     ASSERT_TRUE(fs::exists(twice.plate.out() / "checkpoint.h5")) << signal;
     const Ran ran = twice.resume();
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
