@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <set>
 
 namespace rift::viz {
@@ -173,12 +174,9 @@ std::vector<results::LaneSummary> scenarios_of(const std::vector<Shown>& shown) 
 }
 
 /// Text in pictures has no subscripts: "0.5 c_R" is in words, and r_l a length in mean radii.
-std::string in_words(std::string title) {
-  for (const auto& [symbol, words] :
-       {std::pair<std::string_view, std::string_view>{" c_R", " × Rayleigh speed"},
-        {"r_l = ", "damage zone in R = "}})
-    if (const auto at = title.find(symbol); at != std::string::npos) title.replace(at, symbol.size(), words);
-  return title;
+std::string in_words(const std::string& title) {
+  static const std::regex speed(" c_R"), zone("r_l = ([^ ,]+)");
+  return std::regex_replace(std::regex_replace(title, speed, " × Rayleigh speed"), zone, "damage zone $1 R");
 }
 
 std::vector<Pane> panes_of(const std::vector<Shown>& shown) {
