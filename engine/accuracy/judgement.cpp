@@ -1,6 +1,7 @@
 #include "engine/accuracy/judgement.hpp"
 
 #include "engine/base/numbers.hpp"
+#include "engine/base/text.hpp"
 
 #include <fmt/format.h>
 
@@ -148,7 +149,7 @@ void judge_elements(Judging& j) {
     line->uncertainty = line->reference ? 0.0 : std::hypot(standard_error(*line), standard_error(*finest));
   }
   j.out.specimen_scatter = finest->scatter;
-  j.refer(Factor::elements, fmt::format("the mean of {} specimens of {}", finest->specimens, finest->label),
+  j.refer(Factor::elements, fmt::format("the mean of {} of {}", base::counted(finest->specimens, "specimen"), finest->label),
           limit.limit, limit);
 }
 

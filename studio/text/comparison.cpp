@@ -41,7 +41,11 @@ std::string name_of(const fs::path& folder) {
   return folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
 }
 
-void add_run(std::vector<ComparedScenario>& scenarios, const fs::path& run) {
+void add_run(std::vector<ComparedScenario>& scenarios, const fs::path& folder) {
+  // An experiment keeps its measured crack as a run.
+  const bool experiment =
+      !fs::exists(folder / results::journal_name) && fs::exists(folder / "run" / results::journal_name);
+  const fs::path run = experiment ? folder / "run" : folder;
   const fs::path file = run / results::summary_name;
   if (!fs::exists(file))
     throw base::WorldError("compare", run,
@@ -52,7 +56,7 @@ void add_run(std::vector<ComparedScenario>& scenarios, const fs::path& run) {
       results::lane_summaries_of(results::read_json(base::read_whole_file(file), file).at("scenarios"));
   const std::vector<std::string> titles = results::lane_titles(lanes);
   for (std::size_t k = 0; k < lanes.size(); ++k)
-    scenarios.push_back({.title = fmt::format("{}: {}", name_of(run), titles[k]),
+    scenarios.push_back({.title = fmt::format("{}: {}", name_of(folder), titles[k]),
                          .folder = run,
                          .lane = static_cast<int>(k),
                          .summary = lanes[k],

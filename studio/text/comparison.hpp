@@ -34,8 +34,8 @@ struct ComparedScenario {
   int series_lane = 0;
 };
 
-/// The scenarios of these folders in their order: each lane of a run, each scenario of a study that is
-/// computed. Throws WorldError where a folder holds neither, or a run that has not ended.
+/// The scenarios of these folders in their order: each lane of a run, or of the run of an experiment, each
+/// scenario of a study that is computed. Throws WorldError where a folder holds neither, or a run that has not ended.
 std::vector<ComparedScenario> compared_scenarios(const std::vector<std::filesystem::path>& folders);
 
 /// Quantities down, scenarios across by their number in the list, in blocks that are at most `width` wide.
