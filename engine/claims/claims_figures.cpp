@@ -57,13 +57,13 @@ Times times_of(const SeriesTable& s) {
   Times t;
   std::size_t start = 0;
   for (std::size_t k = 0; k < s.phase.size(); ++k) {
-    const double kinetic = s.at("energy_kinetic_translation_j")[k] + s.at("energy_kinetic_Rotation_j")[k];
+    const double kinetic = s.at("energy_kinetic_translation_j")[k] + s.at("energy_kinetic_rotation_j")[k];
     const double time = s.at("time_s")[k];
     if (s.phase[k] != "fracture") t.most_kinetic = std::max(t.most_kinetic, kinetic), start = k;
     (s.phase[k] == "loading" ? t.loading : s.phase[k] == "hold" ? t.hold : t.end) = time;
   }
   const auto other = [&](std::size_t k) {
-    return s.at("energy_kinetic_translation_j")[k] + s.at("energy_kinetic_Rotation_j")[k] +
+    return s.at("energy_kinetic_translation_j")[k] + s.at("energy_kinetic_rotation_j")[k] +
            s.at("energy_fracture_j")[k];
   };
   const std::size_t last = s.phase.size() - 1;

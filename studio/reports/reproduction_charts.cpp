@@ -117,7 +117,7 @@ bool energies(Chart& chart, const claims::Evidence& evidence) {
       const double t = 1e3 * table.at("time_s")[k];
       chart.series[0].add(t, table.at("energy_elastic_j")[k]);
       chart.series[1].add(
-          t, table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_Rotation_j")[k]);
+          t, table.at("energy_kinetic_translation_j")[k] + table.at("energy_kinetic_rotation_j")[k]);
       chart.series[2].add(t, table.at("energy_fracture_j")[k]);
       chart.series[3].add(t, table.at("work_external_j")[k]);
     }
