@@ -1,7 +1,10 @@
 #include "engine/claims/claims.hpp"
 
+#include "engine/results/series.hpp"
 #include "engine/scene/preset.hpp"
+#include "engine/study/store.hpp"
 #include "tests/expectations.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -272,6 +275,35 @@ TEST(Claims, FollowTheRowsTheyAreGiven) {
   ASSERT_NE(claim, nullptr);
   EXPECT_EQ(claim->judge({.rows = rows_with(0.01)}).verdict, Verdict::holds);
   EXPECT_EQ(claim->judge({.rows = rows_with(0.1)}).verdict, Verdict::does_not_hold);
+}
+
+results::Sample sample_of_fig05(double time_s, results::Phase phase, double kinetic_j, double elastic_j) {
+  results::Sample sample;
+  sample.time_s = time_s, sample.phase = phase;
+  sample.kinetic_translation_j = 0.75 * kinetic_j, sample.kinetic_rotation_j = 0.25 * kinetic_j;
+  sample.elastic_j = elastic_j, sample.fracture_j = 100.0 - elastic_j - kinetic_j;
+  return sample;
+}
+
+// Its times, energies and inertia are read from a series as a study stores it.
+TEST(ClaimOfFig5, ReadsTheColumnsOfASeries) {
+  using results::Phase;
+  const TemporaryFolder folder;
+  const auto verdict = [&](double kinetic_of_loading) {
+    const std::vector<results::Sample> samples{
+        sample_of_fig05(0.47e-3, Phase::loading, kinetic_of_loading, 99.0),
+        sample_of_fig05(0.71e-3, Phase::hold, 0.0, 100.0),
+        sample_of_fig05(0.72e-3, Phase::fracture, 0.0, 100.0),
+        sample_of_fig05(1.16e-3, Phase::fracture, 8.0, 40.0)};
+    write_text(folder / "series.csv", results::series_csv(samples, {}));
+    SummaryRow row = row_at(0.2, 1, 0.5);
+    row.prestress_method = "ramp", row.prestress_kinetic_fraction = 0.001;
+    return find_claim("fig05")->judge({.rows = {row}, .series = [&](const SummaryRow&) {
+                                         return study::read_series(folder / "series.csv");
+                                       }});
+  };
+  EXPECT_EQ(verdict(0.5).verdict, Verdict::holds) << verdict(0.5).measured;
+  EXPECT_EQ(verdict(2.0).verdict, Verdict::does_not_hold) << verdict(2.0).measured;
 }
 
 }  // namespace
