@@ -52,7 +52,8 @@ std::string scatter_cell(double value, double scatter, int digits) {
 }
 
 std::string label_line(std::string_view label, std::string_view content, int width) {
-  return fmt::format("  {:<{}}{}\n", label, width, content);
+  const bool fits = static_cast<int>(base::count_letters(label)) < width;
+  return fmt::format("  {:<{}}{}{}\n", label, width, fits ? "" : "  ", content);
 }
 
 std::size_t width_of(const std::string& text) { return base::count_letters(text); }
