@@ -7,7 +7,7 @@
 
 namespace rift::studio {
 
-/// Where `rift reproduce` works unless it is told.
+/// Where `rift reproduce` works by default.
 inline constexpr const char* reproduction_folder = "reproduction";
 
 /// Whether `rift reproduce` knows the name: a claim's, "all", "beyond".

@@ -18,7 +18,7 @@ namespace rift::studio {
 /// Longer than this is not begun without being asked for [s].
 inline constexpr double long_work_s = 600.0;
 
-/// Where `rift study PRESET` works unless it is told: studies/NAME.
+/// Where `rift study PRESET` works by default: studies/NAME.
 std::filesystem::path study_folder(const std::string& preset);
 
 /// Throws InputError unless the preset holds a study.

@@ -6,7 +6,7 @@
 
 namespace rift::studio {
 
-/// Where `rift accuracy PRESET` works unless it is told: NAME_accuracy.
+/// Where `rift accuracy PRESET` works by default: NAME_accuracy.
 std::filesystem::path accuracy_folder(const std::string& preset);
 
 /// By what a folder of `rift accuracy` is known.

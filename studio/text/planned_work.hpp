@@ -10,7 +10,7 @@
 
 namespace rift::studio {
 
-/// A part of the work that is told by itself: a claim, a stage of an experiment or of a calibration.
+/// A part of the work that is reported separately: a claim, a stage of an experiment or of a calibration.
 struct PlannedPart {
   std::string name;
   int count = 0;       // of scenarios or specimens

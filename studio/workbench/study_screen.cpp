@@ -19,7 +19,7 @@
 namespace rift::studio {
 namespace {
 
-/// Inks that are told apart on every terminal, for as many curves at a time.
+/// Inks that differ on every terminal, for as many curves at a time.
 constexpr std::array curve_inks{Ink::fracture, Ink::elastic, Ink::kinetic, Ink::damping, Ink::plain};
 constexpr int curves_at_a_time = static_cast<int>(curve_inks.size());
 

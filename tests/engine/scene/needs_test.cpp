@@ -88,7 +88,7 @@ TEST(LeftOut, HasAShortNameForEachLine) {
                                              "corotation", "contact", "step_energies", "gauges"}));
   EXPECT_EQ(names.size(), lines({default_scene()}).size());
   for (const std::string& name : names) EXPECT_NE(find_optional_part(name), nullptr) << name;
-  EXPECT_EQ(find_optional_part("books"), nullptr);
+  EXPECT_EQ(find_optional_part("no_such_part"), nullptr);
 }
 
 TEST(LeftOut, OfARampIsNoMovingGrip) {

@@ -103,7 +103,7 @@ TEST(MeasureCommand, OfARingThatDoesNotFitNamesOneThatDoes) {
                                 std::regex("'(--inner [0-9.]+ --grid [0-9.]+)' suits this run, "
                                            "specimen.elements = ([0-9]+) another one")))
       << ran.err;
-  // What is told is true.
+  // The proposal works.
   const Ran again = run_rift(command + told.str(1));
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_TRUE(contains(again.out, "G from K "));
