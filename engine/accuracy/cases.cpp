@@ -35,7 +35,7 @@ std::string grouped(int n) {
 
 std::string issues_text(const std::vector<scene::Issue>& issues) {
   std::string text;
-  for (const scene::Issue& issue : issues) text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
+  for (const scene::Issue& issue : issues) text += (text.empty() ? "" : "; ") + scene::without_place(issue);
   return text;
 }
 

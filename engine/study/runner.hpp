@@ -54,8 +54,18 @@ struct StudyObserver {
       finished;  // each scenario, as soon as it is computed or found
 };
 
+/// Scenarios that could not be made, all for the same reason.
+struct NotMade {
+  std::vector<int> rows;  // of the study
+  std::vector<scene::Issue> issues;
+};
+
+/// {"rows": [0, 1], "axes": {name: [texts]}, "why": [lines]} of each.
+nlohmann::ordered_json to_json(const std::vector<NotMade>& not_made, const scene::Preset& preset);
+
 struct StudyResult {
   StudyRows rows;
+  std::vector<NotMade> not_made;
   simulation::Outcome outcome = simulation::Outcome::finished;
   int computed = 0, found = 0;
   double wall_s = 0;
@@ -66,8 +76,8 @@ struct StudyResult {
 /// the scenario ends. Of a pass under way a checkpoint is kept in passes/ now and then and at a stop, with
 /// which the next call goes on. Scenarios that differ only in what lanes may differ in share specimen,
 /// lattice and pre-stress, and march side by side where their steps are equal. Damaged files are noted in
-/// cache.notes and computed again. Throws FolderExists (open_study), InputError with all scenarios that
-/// cannot be run, after the others, and WorldError.
+/// cache.notes and computed again. Scenarios that cannot be run stand in `not_made`, and the others are
+/// computed all the same. Throws FolderExists (open_study), InputError where none can be run, and WorldError.
 StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, base::Cache& cache,
                       const simulation::BuildInfo& build, const StudyObserver& observer);
 
