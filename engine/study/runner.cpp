@@ -280,39 +280,25 @@ std::vector<std::vector<StudyItem>> missing(const Study& study, const std::vecto
   return groups;
 }
 
-/// Keeps why these scenarios cannot be made, with those of which the same was found before.
-void refuse(Study& study, const std::vector<StudyItem>& items, const std::vector<scene::Issue>& issues) {
-  std::vector<NotMade>& all = study.result.not_made;
-  const auto texts = [](const std::vector<scene::Issue>& list) {
-    std::vector<std::string> lines;
-    for (const scene::Issue& issue : list) lines.push_back(scene::to_text(issue));
-    return lines;
-  };
-  auto known = std::find_if(all.begin(), all.end(),
-                            [&](const NotMade& other) { return texts(other.issues) == texts(issues); });
-  if (known == all.end()) known = all.insert(all.end(), NotMade{{}, issues});
-  for (const StudyItem& item : items) known->rows.push_back(item.row);
-}
-
 /// Computes what can be of a group; what cannot is kept with its reason, and each specimen that cannot be
 /// made is tried once.
 void compute_what_can_be(Study& study, std::vector<StudyItem> items) {
   const std::string specimen = simulation::specimen_key(items.front().scene);
   if (const auto known = study.impossible.find(specimen); known != study.impossible.end())
-    return refuse(study, items, known->second);
+    return add_not_made(study.result.not_made, items, known->second);
   try {
     compute_group(study, items);
   } catch (const ScenariosRefused& refused) {
     for (const StudyItem& item : items)
       if (const auto found = refused.of.find(item.row); found != refused.of.end())
-        refuse(study, {item}, found->second);
+        add_not_made(study.result.not_made, {item}, found->second);
     std::erase_if(items, [&](const StudyItem& item) { return refused.of.contains(item.row); });
     if (!items.empty()) compute_what_can_be(study, std::move(items));
   } catch (const simulation::SpecimenRefused& error) {
     study.impossible[specimen] = error.issues;
-    refuse(study, items, error.issues);
+    add_not_made(study.result.not_made, items, error.issues);
   } catch (const scene::InputError& error) {
-    refuse(study, items, error.issues);
+    add_not_made(study.result.not_made, items, error.issues);
   }
 }
 
@@ -361,21 +347,6 @@ Json to_json(const SummaryRow& row) {
 Json to_json(const StudyRows& rows) {
   Json list = Json::array();
   for (const std::optional<SummaryRow>& row : rows) list.push_back(row ? to_json(*row) : Json(nullptr));
-  return list;
-}
-
-Json to_json(const std::vector<NotMade>& not_made, const scene::Preset& preset) {
-  Json list = Json::array();
-  for (const NotMade& one : not_made) {
-    Json axes = Json::object(), why = Json::array();
-    for (const int row : one.rows)
-      for (const auto& [name, text] : preset.study[row].axes) {
-        Json& texts = axes[name];
-        if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
-      }
-    for (const scene::Issue& issue : one.issues) why.push_back(scene::without_place(issue));
-    list.push_back({{"rows", one.rows}, {"axes", std::move(axes)}, {"why", std::move(why)}});
-  }
   return list;
 }
 

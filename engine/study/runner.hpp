@@ -5,6 +5,7 @@
 #include "engine/scene/preset.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/record.hpp"
+#include "engine/study/not_made.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -53,15 +54,6 @@ struct StudyObserver {
   std::function<void(const SummaryRow&, int done, int of)>
       finished;  // each scenario, as soon as it is computed or found
 };
-
-/// Scenarios that could not be made, all for the same reason.
-struct NotMade {
-  std::vector<int> rows;  // of the study
-  std::vector<scene::Issue> issues;
-};
-
-/// {"rows": [0, 1], "axes": {name: [texts]}, "why": [lines]} of each.
-nlohmann::ordered_json to_json(const std::vector<NotMade>& not_made, const scene::Preset& preset);
 
 struct StudyResult {
   StudyRows rows;

@@ -127,7 +127,7 @@ PlannedWork planned_experiment(const scene::Preset& preset, const std::string& c
   const double pace = crack.seconds / marching_seconds(alone);  // over that of the estimates
   work.steps_factor = crack.steps / static_cast<double>(study::estimated_steps(preset.scene).steps);
   std::vector<scene::Scene> scenes;
-  const double preparing = pace * preparing_seconds(preset.scene),
+  const double preparing = preparing_seconds(preset.scene),
                solving = (1.0 - study::packing_share) * preparing;
   for (const experiment::PlannedPart& part : experiment::planned_parts(preset, options)) {
     const bool solved = part.scenes.empty();

@@ -40,7 +40,7 @@ struct MeasuredCrack {
   double steps = 0, seconds = 0;
 };
 
-/// At the pace of the measured crack.
+/// Its cracks at the pace of the measured one.
 PlannedWork planned_experiment(const scene::Preset& preset, const std::string& command,
                                const experiment::ExperimentOptions& options, const MeasuredCrack& crack);
 /// With the report that `--out` asks for.

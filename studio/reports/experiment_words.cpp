@@ -1,5 +1,6 @@
 #include "engine/base/text.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
+#include "engine/scene/validation.hpp"
 #include "studio/reports/experiment_report.hpp"
 
 #include <fmt/format.h>
@@ -43,13 +44,18 @@ Means means_of(const experiment::Experiment& e) {
 }
 
 /// What the band is made of, what was not evaluated being no zero: over the points, or of the mean.
-std::string uncertainty_text(const experiment::Experiment& e, double noise, double packing, double window) {
-  std::string text = e.resamples < 2
-                         ? fmt::format("noise not evaluated ({})", base::counted(e.resamples, "resample"))
-                         : fmt::format("noise {:.1f} % ({} resamples", 100 * noise, e.resamples);
-  if (e.resamples > 1 && e.resamples < e.resamples_asked)
-    text += fmt::format(" of {}: the others give no valid crack", e.resamples_asked);
-  if (e.resamples > 1) text += ")";
+std::string uncertainty_text(const ExperimentReport& report, double noise, double packing, double window) {
+  const experiment::Experiment& e = report.experiment;
+  std::string text;
+  if (scene::follows_every_row(report.scene, e.course))
+    text = "noise not evaluated (the smoothed history follows every row: they have no uncertainty)";
+  else if (e.resamples < 2)
+    text = fmt::format("noise not evaluated ({})", base::counted(e.resamples, "resample"));
+  else
+    text = fmt::format("noise {:.1f} % ({} resamples{})", 100 * noise, e.resamples,
+                       e.resamples < e.resamples_asked
+                           ? fmt::format(" of {}: the others give no valid crack", e.resamples_asked)
+                           : "");
   text += e.specimens == 1 ? std::string(", packing scatter not evaluated (1 specimen)")
                            : fmt::format(", packing {:.1f} % ({} specimens)", 100 * packing, e.specimens);
   return text + fmt::format(", window {:.1f} %", 100 * window);
@@ -129,7 +135,7 @@ Table conclusions(const ExperimentReport& report) {
       {"", ""},
       {{"smoothed history", fmt::format("{}; the measured rows scatter around it by {:.3g} mm",
                                         report.smoothing, 1e3 * e.course.scatter)},
-       {"standard uncertainty", uncertainty_text(e, m.noise, m.packing, m.window) +
+       {"standard uncertainty", uncertainty_text(report, m.noise, m.packing, m.window) +
                                     "; each ± in the table is two standard uncertainties"},
        {"damage zone", zone_text(report.scene)},
        {"quasi-static reading",
@@ -173,7 +179,7 @@ std::string publish_text(const ExperimentReport& report) {
       "corrected for the lattice efficiency η = {:.3f}, uncorrected {})",
       mean_with_band(m.corrected, m.corrected_uncertainty), 1e3 * m.from, 1e3 * m.to, m.slowest, m.fastest,
       1e-3 * m.deviation_along,
-      uncertainty_text(e, m.of_noise / m.as_paper, m.of_packing / m.as_paper, m.of_window / m.as_paper),
+      uncertainty_text(report, m.of_noise / m.as_paper, m.of_packing / m.as_paper, m.of_window / m.as_paper),
       100.0 * m.of_efficiency / m.corrected, m.efficiency, mean_with_band(m.as_paper, m.uncertainty));
 }
 

@@ -69,10 +69,10 @@ std::string theory(const LaneSummary& s) {
   if (!std::isnan(s.echo_free_over_length))
     out += label_line("", fmt::format("first boundary reflection reaches the tip at {:.3f} of the length",
                                       s.echo_free_over_length));
-  const char* reference = s.g_i0_reference == "griffith" ? " (griffith, mean)" : "";
+  const char* reference = s.g_i0_reference == "griffith" ? "(griffith, mean)" : "of the strip";
   const std::string g_id =
       std::isnan(s.g_id_j_m2) ? std::string() : fmt::format("   G_ID {:.5g} kJ/m²", 1e-3 * s.g_id_j_m2);
-  return out + label_line("G_I0", fmt::format("{:.5g} kJ/m²{}{}", 1e-3 * s.g_i0_j_m2, reference, g_id));
+  return out + label_line("G_I0", fmt::format("{:.5g} kJ/m² {}{}", 1e-3 * s.g_i0_j_m2, reference, g_id));
 }
 
 /// To two decimals, and no "-0.00".

@@ -116,9 +116,12 @@ TEST(Check, SaysOfThinPlatesWhatTheyAreBeforeTheyArePacked) {
 TEST(Check, OfAnExperimentCostsTheMeasuredCrackAsTheDryRunDoes) {
   const TinyPlate plate;
   const std::string set =
-      "--set 'crack.history=[[0, 0.006], [4e-6, 0.012], [8e-6, 0.018], [12e-6, 0.024], [16e-6, 0.03]]' "
-      "--json";
-  const Json plan = Json::parse(plate.check(set).out);
+      "--set 'crack.history=[[0, 0.006], [4e-6, 0.01], [8e-6, 0.014], [12e-6, 0.018], [16e-6, 0.022], "
+      "[20e-6, "
+      "0.026], [24e-6, 0.03]]' --set crack.end=28e-3 --json";
+  const Ran ran = plate.check(set);
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const Json plan = Json::parse(ran.out);
   const Json& crack = plan.at("experiment").at("parts").at(0);
   EXPECT_EQ(crack.at("name"), "measured crack");
   EXPECT_NEAR(crack.at("wall_estimate_s").get<double>(), plan.at("wall_estimate_s").get<double>(),
