@@ -39,11 +39,14 @@ std::string issues_text(const std::vector<scene::Issue>& issues) {
   return text;
 }
 
-/// The preset with another scene; contradictions are reported as if they stood in the preset.
+/// The preset with another scene; contradictions are reported as if they stood in the preset, without its own
+/// values, which are not those of the scene.
 std::vector<scene::Issue> contradictions_of(const scene::Preset& preset, const scene::Scene& scene) {
   scene::Preset varied = preset;
   varied.scene = scene;
-  return scene::validate(varied, {});
+  std::vector<scene::Issue> issues = scene::validate(varied, {});
+  for (scene::Issue& issue : issues) issue.value.clear();
+  return issues;
 }
 
 struct Planning {
