@@ -1,5 +1,6 @@
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
+#include "engine/scene/scenarios.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/layouts.hpp"
 #include "studio/workbench/form_screen.hpp"
