@@ -64,9 +64,10 @@ TEST(Run, EndsItsTableWithWhatIsLeftOut) {
   EXPECT_TRUE(contains(out,
                        "  left out              damping, numerical damping, ramp, moving grip, corotation, "
                        "contact, step energies, gauges\n"));
-  EXPECT_TRUE(contains(out,
-                       "a step would take 1 to 2.7 (damping), 1 to 1.7 (numerical damping) or 1.7 to 3.4 "
-                       "(corotation) times as long with it"));
+  for (const char* line : {"with damping a step would take 1 to 2.7 times as long\n",
+                           "with numerical damping a step would take 1 to 1.7 times as long\n",
+                           "with corotation a step would take 1.7 to 3.4 times as long\n"})
+    EXPECT_TRUE(contains(out, line)) << line;
 }
 
 TEST(Run, SummaryIsConsistentWithItself) {
