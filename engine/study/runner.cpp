@@ -164,10 +164,11 @@ void march_pass(Study& study, const simulation::Prepared& prepared, std::span<co
   for (const simulation::LanePlan& lane : prepared.lane) steps.push_back(lane.schedule.total());
   const bool ramp = prepared.lane.front().schedule.ramp > 0;
   const int lanes = ramp ? 0 : soonest(steps, prepared.preset.scene.solver.precision).lanes;
-  simulation::march_and_keep(
+  const simulation::RunResult marched = simulation::march_and_keep(
       prepared, observer,
       {.threads = study.options.threads, .lanes = lanes, .checkpoint_s = study.options.checkpoint_s}, keeping,
       from ? &*from : nullptr, note);
+  study.result.lane_steps += marched.lane_steps, study.result.lane_room += marched.lane_room;
   if (!note.empty()) study.cache.notes.push_back(note + ": the pass starts from the beginning");
   study.cost_done += cost;
   if (!study.stopped) simulation::forget_march(keeping.folder);
