@@ -79,7 +79,7 @@ struct Statics {
 
   std::vector<lattice::Vector6> unit(const std::vector<char>& present, const std::string& notch,
                                      const lattice::Pull& pull = {1.0}) {
-    return cached_motions("statics 2 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
+    return cached_motions("statics 3 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
                           from_cache, [&] {
                             auto q = lattice::stretched_at_rest(lattice, present, pull, telling());
                             ++solved;
@@ -92,7 +92,7 @@ struct Statics {
     if (scene.solver.kinematics == lattice::Kinematics::linear)
       return scaled(unit(present, notch, {1.0, l.tilt, l.shear}), displacement);
     const lattice::Pull pull(displacement, l.tilt, l.shear);
-    const std::string key = fmt::format("corotational statics 1 of {}{} by {:a}{}", lattice_key, notch,
+    const std::string key = fmt::format("corotational statics 2 of {}{} by {:a}{}", lattice_key, notch,
                                         pull.middle, key_of(pull));
     return cached_motions(key, lattice.centre.size(), cache, from_cache, [&] {
       auto q = lattice::stretched_at_rest_corotational(lattice, present, pull, telling());
