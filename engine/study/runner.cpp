@@ -171,6 +171,16 @@ void march_pass(Study& study, const simulation::Prepared& prepared, std::span<co
   if (!study.stopped) simulation::forget_march(keeping.folder);
 }
 
+/// How much of the preparation is done when so much of a stage is.
+double share_of_preparation(std::string_view stage, double done) {
+  constexpr double pre_stressed = 0.9, undamped = 0.95;
+  if (stage == "packing") return packing_share * done;
+  if (stage == "pre-stress") return packing_share + (pre_stressed - packing_share) * done;
+  if (stage == "critical step") return pre_stressed + (undamped - pre_stressed) * done;
+  if (stage == "critical step with damping") return undamped + (1.0 - undamped) * done;
+  return packing_share;  // a calibration, which comes between the first two
+}
+
 /// The group's lattice under its pre-stress, with a lane for each of these scenarios.
 simulation::Prepared prepare_lanes(Study& study, std::span<const StudyItem> items) {
   std::vector<scene::Scene> scenes;
@@ -178,8 +188,7 @@ simulation::Prepared prepare_lanes(Study& study, std::span<const StudyItem> item
   const double preparation = estimated_preparation(scenes.front());
   return simulation::prepare(preset_of(study, items.front()), scenes, study.cache,
                              [&](std::string_view stage, double done) {
-                               const bool packing = stage == "packing";
-                               return study.tell(stage, packing_share * (packing ? done : 1.0), preparation);
+                               return study.tell(stage, share_of_preparation(stage, done), preparation);
                              });
 }
 
