@@ -174,6 +174,16 @@ void march_pass(Study& study, const simulation::Prepared& prepared, std::span<co
   if (!study.stopped) simulation::forget_march(keeping.folder);
 }
 
+/// How much of the preparation is done when so much of a stage is.
+double share_of_preparation(std::string_view stage, double done) {
+  constexpr double pre_stressed = 0.9, undamped = 0.95;
+  if (stage == "packing") return packing_share * done;
+  if (stage == "pre-stress") return packing_share + (pre_stressed - packing_share) * done;
+  if (stage == "critical step") return pre_stressed + (undamped - pre_stressed) * done;
+  if (stage == "critical step with damping") return undamped + (1.0 - undamped) * done;
+  return packing_share;  // a calibration, which comes between the first two
+}
+
 /// Some scenarios of a group cannot run, by their rows.
 struct ScenariosRefused {
   std::map<int, std::vector<scene::Issue>> of;
@@ -201,11 +211,10 @@ simulation::Prepared prepare_lanes(Study& study, std::span<const StudyItem> item
   for (const StudyItem& item : items) scenes.push_back(item.scene);
   const double preparation = study.preparation;
   try {
-    return simulation::prepare(
-        preset_of(study, items.front()), scenes, study.cache, [&](std::string_view stage, double done) {
-          const bool packing = stage == "packing";
-          return study.tell(stage, packing_share * (packing ? done : 1.0), preparation);
-        });
+    return simulation::prepare(preset_of(study, items.front()), scenes, study.cache,
+                               [&](std::string_view stage, double done) {
+                                 return study.tell(stage, share_of_preparation(stage, done), preparation);
+                               });
   } catch (const simulation::LanesRefused& lanes) {
     throw refused_scenarios(study, items, lanes);
   }
