@@ -25,8 +25,10 @@ constexpr std::array<Explained, 6> code_table{
      {"4", "The time of --budget is over; the same command goes on."},
      {"128+n", "Signal n has stopped the command."}}};
 
-constexpr std::array<Explained, 5> variable_table{
+constexpr std::array<Explained, 6> variable_table{
     {{"NO_COLOR", "If set, there are no colours but those of --color always."},
+     {"RIFT_GRAPHICS",
+      "How pictures reach the terminal, in place of what it answers: see --graphics of rift view."},
      {"RIFT_PRESETS", "The folder of presets, in place of the one that was installed."},
      {"RIFT_SIMD",
       "The instruction set of the kernels, baseline or AVX2, in place of the widest that the processor has."},
@@ -45,6 +47,7 @@ constexpr std::array example_table{
     Example{"resume", "rift resume runs/plate_pnrt", "rift resume runs/plate_pnrt --budget '2 h'"},
     Example{"render", "rift render runs/quickstart",
             "rift render runs/quickstart --at 0.6 --picture crack.png"},
+    Example{"view", "rift view runs/quickstart", "rift view runs/quickstart --graphics symbols --field v"},
     Example{"watch", "rift watch runs/plate_pnrt", "rift watch runs/plate_pnrt --color never"},
     Example{"study", "rift study study_release", "rift study study_release --shard 1/4 --quiet"},
     Example{"reproduce", "rift reproduce fig07 fig13 --quick", "rift reproduce beyond -o beyond"},
