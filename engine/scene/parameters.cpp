@@ -256,8 +256,8 @@ std::vector<Parameter> solver_rows() {
 std::vector<Parameter> output_rows() {
   return {
       {"output.samples", "400", [](Scene& s) -> Slot { return &s.output.samples; },
-       "Least number of samples of energies and release rate over the run; samples are a power of two of "
-       "steps apart.",
+       "Number of samples of energies and release rate over the run, evenly spaced in time; eleven more mark "
+       "the measuring window.",
        none, closed(10, 1e6)},
       {"output.frames", "40", [](Scene& s) -> Slot { return &s.output.frames; },
        "Frames of the fields over the run; 0 for none.", none, closed(0, 1e5)},

@@ -12,12 +12,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
 #include <map>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace rift::simulation {
@@ -103,28 +105,57 @@ StepRequest step_wish(const LanePlan& lane, double rayleigh_speed) {
           .critical_damped = {}};
 }
 
-/// What damping leaves of the critical step, computed once for all lanes that damp alike.
+/// The limits of the step without damping, from the cache or computed and remembered.
+lattice::StableStep cached_stable_step(const Prepared& p, base::Cache& cache,
+                                       const base::ProgressCallback& told) {
+  const std::string key = "critical step 1 of " + dynamics_key(p);
+  if (const auto numbers = base::recall(cache, "step", key); numbers && numbers->size() == 2)
+    return {.critical = (*numbers)[0], .element_bound = (*numbers)[1]};
+  const lattice::StableStep stable = lattice::stable_step(p.lattice, told);
+  base::remember(cache, "step", key, std::array{stable.critical, stable.element_bound});
+  return stable;
+}
+
+/// What damping leaves of the critical step, computed once for all lanes that damp alike, and kept in the
+/// cache.
 class DampedLimits {
  public:
-  explicit DampedLimits(const Prepared& p) : p_(p) {}
+  DampedLimits(const Prepared& p, base::Cache& cache) : p_(p), cache_(cache) {}
   double of(const LanePlan& lane, std::vector<lattice::DampedBeam> damped,
             const base::ProgressCallback& told) {
-    const std::pair kind(lane.scene.damping.region, lane.scene.damping.alpha);
-    if (const auto known = limit_.find(kind); known != limit_.end()) return known->second;
-    return limit_[kind] = damped_limit(p_, std::move(damped), {&lane, 1}, told);
+    const std::string key = key_of(lane.scene);
+    if (const auto known = limit_.find(key); known != limit_.end()) return known->second;
+    if (const auto numbers = base::recall(cache_, "step", key); numbers && numbers->size() == 1)
+      return limit_[key] = numbers->front();
+    const double limit = damped_limit(p_, std::move(damped), {&lane, 1}, told);
+    base::remember(cache_, "step", key, {&limit, 1});
+    return limit_[key] = limit;
   }
 
  private:
+  /// Names all that the limit depends on.
+  std::string key_of(const scene::Scene& scene) const {
+    const scene::Scene::Damping& damping = scene.damping;
+    const std::string where = damping.region == scene::DampingRegion::all
+                                  ? "all"
+                                  : fmt::format("{:a} of path {}{}", p_.preset.scene.damping.surface_width,
+                                                path_key(p_.preset.scene),
+                                                p_.preset.scene.crack.tips == 2 ? " from the middle" : "");
+    return fmt::format("damped critical step 1 of {} damping {:a} in {}", dynamics_key(p_), damping.alpha,
+                       where);
+  }
+
   const Prepared& p_;
-  std::map<std::pair<scene::DampingRegion, double>, double> limit_;
+  base::Cache& cache_;
+  std::map<std::string, double> limit_;
 };
 
-std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>& scenes,
+std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>& scenes, base::Cache& cache,
                               const base::ProgressCallback& told) {
   if (fracture::crossings(p.path, p.lattice).empty())
     throw scene::InputError({scene::issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
   std::vector<LanePlan> lanes;
-  DampedLimits limits(p);
+  DampedLimits limits(p, cache);
   const auto plan = [&](const scene::Scene& scene) {
     LanePlan lane = plan_lane(p, scene);
     StepRequest wish = step_wish(lane, p.rayleigh_speed);
@@ -260,9 +291,9 @@ Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& l
     throw scene::InputError({scene::issue_at(p.preset, load_key(scene), error.what())});
   }
   p.gauge = gauges_of(p);
-  p.stable = lattice::stable_step(p.lattice, stage(progress, "critical step"));
+  p.stable = cached_stable_step(p, cache, stage(progress, "critical step"));
   refuse_out_of_range(p, critical_step_numbers(p));
-  take_lanes(p, planned(p, lanes, stage(progress, "critical step with damping")));
+  take_lanes(p, planned(p, lanes, cache, stage(progress, "critical step with damping")));
   for (int k = 0; k < static_cast<int>(p.lane.size()); ++k) check_steering(p, p.lane, k, 0);
   return p;
 }

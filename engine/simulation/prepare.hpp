@@ -105,6 +105,12 @@ void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
 /// StaticsError.
 void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progress);
 
+/// Names all that the lattice's stiffnesses depend on, and that with its masses; what of a scene makes the
+/// path of its crack. Parts of the keys under which what follows from them is cached.
+std::string statics_key(const Prepared& prepared);
+std::string dynamics_key(const Prepared& prepared);
+std::string path_key(const scene::Scene& scene);
+
 /// What the clamped strip of a continuum with the preset's E and nu would show [Pa].
 double continuum_strip_modulus(const scene::Scene& scene);
 

@@ -58,7 +58,7 @@ struct Queue {
 /// One long scenario beside many short ones wants few lanes, as the last steps are its own; many of a length
 /// fill a register.
 /// @param[in] steps  of each scenario
-Queue soonest(const std::vector<std::int64_t>& steps, ensemble::Precision precision);
+Queue soonest(std::vector<std::int64_t> steps, ensemble::Precision precision);
 
 /// Lanes side by side where there is no end of scenarios.
 int lanes_of_many(ensemble::Precision precision);

@@ -164,13 +164,24 @@ void march_pass(Study& study, const simulation::Prepared& prepared, std::span<co
   for (const simulation::LanePlan& lane : prepared.lane) steps.push_back(lane.schedule.total());
   const bool ramp = prepared.lane.front().schedule.ramp > 0;
   const int lanes = ramp ? 0 : soonest(steps, prepared.preset.scene.solver.precision).lanes;
-  simulation::march_and_keep(
+  const simulation::RunResult marched = simulation::march_and_keep(
       prepared, observer,
       {.threads = study.options.threads, .lanes = lanes, .checkpoint_s = study.options.checkpoint_s}, keeping,
       from ? &*from : nullptr, note);
+  study.result.lane_steps += marched.lane_steps, study.result.lane_room += marched.lane_room;
   if (!note.empty()) study.cache.notes.push_back(note + ": the pass starts from the beginning");
   study.cost_done += cost;
   if (!study.stopped) simulation::forget_march(keeping.folder);
+}
+
+/// How much of the preparation is done when so much of a stage is.
+double share_of_preparation(std::string_view stage, double done) {
+  constexpr double pre_stressed = 0.9, undamped = 0.95;
+  if (stage == "packing") return packing_share * done;
+  if (stage == "pre-stress") return packing_share + (pre_stressed - packing_share) * done;
+  if (stage == "critical step") return pre_stressed + (undamped - pre_stressed) * done;
+  if (stage == "critical step with damping") return undamped + (1.0 - undamped) * done;
+  return packing_share;  // a calibration, which comes between the first two
 }
 
 /// Some scenarios of a group cannot run, by their rows.
@@ -200,11 +211,10 @@ simulation::Prepared prepare_lanes(Study& study, std::span<const StudyItem> item
   for (const StudyItem& item : items) scenes.push_back(item.scene);
   const double preparation = study.preparation;
   try {
-    return simulation::prepare(
-        preset_of(study, items.front()), scenes, study.cache, [&](std::string_view stage, double done) {
-          const bool packing = stage == "packing";
-          return study.tell(stage, packing_share * (packing ? done : 1.0), preparation);
-        });
+    return simulation::prepare(preset_of(study, items.front()), scenes, study.cache,
+                               [&](std::string_view stage, double done) {
+                                 return study.tell(stage, share_of_preparation(stage, done), preparation);
+                               });
   } catch (const simulation::LanesRefused& lanes) {
     throw refused_scenarios(study, items, lanes);
   }

@@ -61,6 +61,7 @@ struct StudyResult {
   simulation::Outcome outcome = simulation::Outcome::finished;
   int computed = 0, found = 0;
   double wall_s = 0;
+  std::int64_t lane_steps = 0, lane_room = 0;  // of the scenarios computed, as of RunResult
 };
 
 /// Computes the scenarios of a preset's study that the folder does not hold yet. Each result is bit for bit

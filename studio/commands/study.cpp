@@ -118,8 +118,13 @@ void print_tables(const StudyCommand& command, const scene::Preset& preset, cons
   if (const std::size_t missing = result.rows.size() - table.rows.size() - scenarios_not_made(result);
       missing > 0)
     base::print("{} of {} scenarios are not computed yet\n", missing, result.rows.size());
-  base::print("{} computed, {} reused, {} in total; {}/  {}\n", result.computed, result.found,
-              duration_text(result.wall_s), folder.string(), files_in(folder));
+  const std::string lanes = result.lane_room > 0
+                                ? fmt::format(", {:.0f} % of the lanes' steps used",
+                                              100.0 * static_cast<double>(result.lane_steps) /
+                                                  static_cast<double>(result.lane_room))
+                                : "";
+  base::print("{} computed, {} reused, {} in total{}; {}/  {}\n", result.computed, result.found,
+              duration_text(result.wall_s), lanes, folder.string(), files_in(folder));
   if (!command.shard.empty())
     base::print(
         "when all parts have ended, the same command without --shard writes the table, charts and report\n");

@@ -1,6 +1,7 @@
 #include "engine/scene/derived.hpp"
 #include "engine/scene/layers_note.hpp"
 #include "engine/scene/needs.hpp"
+#include "engine/scene/scenarios.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/layouts.hpp"
 #include "studio/workbench/form_screen.hpp"

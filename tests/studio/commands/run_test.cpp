@@ -166,12 +166,12 @@ TEST(RunOut, ThatExistsIsRefusedAndLeftAsItWas) {
   EXPECT_EQ(read_text(plate.out() / "summary.json"), summary);
 }
 
-const std::string slow = "--quiet --checkpoint '0.1 s' --set solver.dt_fraction=0.002 --threads 1 ";
+const std::string many_steps = "--quiet --checkpoint '0.1 s' --set solver.dt_fraction=0.002 --threads 1 ";
 
 TEST(RunOut, OfAKilledRunOffersToGoOn) {
   const TinyPlate plate;
-  plate.run_and_kill("checkpoint.h5", slow);
-  const Ran ran = plate.run(slow);
+  plate.run_and_kill("checkpoint.h5", many_steps);
+  const Ran ran = plate.run(many_steps);
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.err, "rift: " + plate.out().string() + " holds an unfinished run: 'rift resume " +
                          plate.out().string() + "' continues it, --force replaces it\n");
@@ -182,7 +182,7 @@ TEST(RunOut, OfARunThatGoesOnIsNotReplaced) {
   const std::string run = "env " + plate.environment() + " '" RIFT_EXE "' run '" + plate.preset().string() +
                           "' --out '" + plate.out().string() + "' ";
   const Ran ran =
-      run_shell("((" + run + slow + ">/dev/null; echo first $?) & for k in $(seq 600); do [ -e '" +
+      run_shell("((" + run + many_steps + ">/dev/null; echo first $?) & for k in $(seq 600); do [ -e '" +
                 (plate.out() / "series.csv").string() + "' ] && break; sleep 0.02; done; " + run +
                 "--quiet --force --set crack.technique=simple >/dev/null; echo second $?; wait)");
   EXPECT_EQ(ran.out, "second 1\nfirst 0\n");
