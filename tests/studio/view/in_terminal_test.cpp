@@ -33,6 +33,7 @@ TEST(ViewInATerminal, KittyIsShownThePictureWithTheTipWhereItIs) {
   screen.type("...");
   ASSERT_TRUE(screen.rests());
   const viz::Image& image = screen.image();
+  ASSERT_EQ(image.rgb.size(), std::size_t{3} * 1000 * 520);
   EXPECT_EQ(image.width, 1000);
   EXPECT_EQ(image.height, 520) << "26 rows of 20 pixels";
   viz::Job job = plate::job_for(folder / "run");

@@ -119,7 +119,10 @@ class KittyScreen {
     unsigned collected = 0;
     int bits = 0;
     for (const char c : base64_) {
-      if (c == '=') break;
+      if (c == '=') {  // ends a piece
+        bits = 0;
+        continue;
+      }
       collected = collected << 6 | static_cast<unsigned>(value[static_cast<unsigned char>(c)]);
       if ((bits += 6) < 8) continue;
       bits -= 8;
