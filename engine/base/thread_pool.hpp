@@ -22,6 +22,8 @@ class ThreadPool {
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
+  int threads() const { return threads_; }
+
   /// Calls task(k) for k in [0, tasks) and returns when all are done. Tasks must not throw. Allocates
   /// nothing.
   template <class Task>

@@ -198,7 +198,9 @@ std::vector<Parameter> crack_rows() {
        "2.",
        none, above(0, 16)},
       {"crack.damage_zone_ratio", "1", [](Scene& s) -> Slot { return &s.crack.damage_zone_ratio; },
-       "Length of the damage zone r_l, in mean radii.", none, above(0, 1000)},
+       "Length r_l ahead of the tip over which beams are released, in mean radii: a parameter of the release "
+       "scheme, no property of the material. Below 4 results depend on the lattice (docs/limits.md).",
+       none, above(0, 1000)},
       {"crack.friction", "", [](Scene& s) -> Slot { return &s.crack.friction; },
        "Coulomb friction of the crack's faces, which are in contact where they meet; 0 for contact without "
        "friction. Without the key there is no contact, as in the paper, and the faces pass through each "

@@ -5,6 +5,7 @@
 #include "engine/scene/derived.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/scenarios.hpp"
+#include "engine/simulation/prepare.hpp"
 #include "engine/simulation/schedule.hpp"
 #include "engine/study/resources.hpp"
 #include "engine/study/store.hpp"
@@ -155,12 +156,14 @@ void share_costs(std::vector<StudyItem>& items) {
 
 std::vector<StudyItem> plan_scenes(std::vector<scene::Scene> scenes, const std::string& version) {
   std::vector<StudyItem> items;
-  std::map<std::string, int> groups;
+  std::map<std::string, int> groups, specimens;
   for (scene::Scene& scene : scenes) {
     StudyItem item;
     item.row = static_cast<int>(items.size());
     item.key = result_key(scene, version);
     item.group = groups.emplace(shared_text(scene), static_cast<int>(groups.size())).first->second;
+    item.specimen =
+        specimens.emplace(simulation::specimen_key(scene), static_cast<int>(specimens.size())).first->second;
     item.scene = std::move(scene);
     items.push_back(std::move(item));
   }
@@ -174,13 +177,16 @@ std::vector<StudyItem> plan_study(const scene::Preset& preset, const std::string
   return plan_scenes(scenes_of_study(preset), version);
 }
 
+double PreparationCost::next(const StudyItem& item) {
+  const double packing = packed_.insert(item.specimen).second ? packing_share : 0.0,
+               solving = solved_.insert(item.group).second ? 1.0 - packing_share : 0.0;
+  return (packing + solving) * estimated_preparation(item.scene);
+}
+
 double estimated_seconds(const std::vector<StudyItem>& items) {
+  PreparationCost preparation;
   double beam_steps = 0.0;
-  int group = -1;
-  for (const StudyItem& item : items) {
-    beam_steps += item.cost + (item.group != group ? estimated_preparation(item.scene) : 0.0);
-    group = item.group;
-  }
+  for (const StudyItem& item : items) beam_steps += item.cost + preparation.next(item);
   return beam_steps / assumed_beam_steps_per_s;
 }
 
