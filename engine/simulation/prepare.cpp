@@ -6,6 +6,7 @@
 #include "engine/lattice/statics.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/layers_note.hpp"
 #include "engine/simulation/steering.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -27,19 +29,16 @@ void build_specimen(Prepared& p, base::Cache& cache, const StageProgress& progre
   const scene::Scene& scene = p.preset.scene;
   const auto start = base::Clock::now();
   const packing::PackingRequest request = scene::request_of(scene);
-  const auto refuse = [&](const char* key, const packing::PackingError& error) {
-    return scene::InputError({scene::issue_at(p.preset, key, error.what())});
-  };
   packing::Packing packing;
   try {
     packing = packing::cached_packing(request, cache, p.packing_from_cache, stage(progress, "packing"));
   } catch (const packing::PackingError& error) {
-    throw refuse(scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination", error);
+    throw SpecimenRefused(scene::packing_issue(p.preset, error));
   }
   try {
     p.specimen = packing::make_plate(packing, request.box, scene.specimen.contact_tolerance);
   } catch (const packing::PackingError& error) {
-    throw refuse("specimen.elements", error);
+    throw SpecimenRefused(scene::issue_at(p.preset, "specimen.elements", error.what()));
   }
   p.wall_packing_s = base::seconds_since(start);
 }
@@ -157,19 +156,45 @@ std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>
     throw scene::InputError({scene::issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
   std::vector<LanePlan> lanes;
   DampedLimits limits(p, cache);
-  for (const scene::Scene& scene : scenes) {
+  const auto plan = [&](const scene::Scene& scene) {
     LanePlan lane = plan_lane(p, scene);
     StepRequest wish = step_wish(lane, p.rayleigh_speed);
     std::vector<lattice::DampedBeam> damped = damped_beams(p, {&lane, 1});
     lane.beams_damped = damped.size();
     if (!damped.empty()) wish.critical_damped = limits.of(lane, std::move(damped), told);
     lane.step = choose_step(p.preset, p.stable, wish, lane.units.time);
-    lanes.push_back(std::move(lane));
+    return lane;
+  };
+  LanesRefused::Issues refused;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    try {
+      lanes.push_back(plan(scenes[k]));
+    } catch (const scene::InputError& error) {
+      refused[k] = error.issues;
+    }
   }
+  if (!refused.empty()) throw LanesRefused(std::move(refused));
   return lanes;
 }
 
+/// The issues of all lanes, each once.
+std::vector<scene::Issue> each_once(const LanesRefused::Issues& of) {
+  std::vector<scene::Issue> all;
+  std::set<std::string> texts;
+  for (const auto& [lane, issues] : of)
+    for (const scene::Issue& issue : issues)
+      if (texts.insert(scene::to_text(issue)).second) all.push_back(issue);
+  return all;
+}
+
 }  // namespace
+
+std::string specimen_key(const scene::Scene& scene) {
+  return fmt::format("{} contacts within {:a}", packing::key_of(scene::request_of(scene)),
+                     scene.specimen.contact_tolerance);
+}
+
+LanesRefused::LanesRefused(Issues found) : InputError(each_once(found)), of(std::move(found)) {}
 
 std::vector<lattice::DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan> lanes) {
   const auto any = [&](scene::DampingRegion region) {
