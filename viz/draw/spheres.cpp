@@ -20,8 +20,8 @@ vtkNew<vtkLookupTable> lookup_table(const ColourMap& map, const std::array<doubl
   return table;
 }
 
-Spheres::Spheres(const results::Geometry& geometry, std::vector<std::int32_t> shown, float scale,
-                 vtkLookupTable& colours)
+Spheres::Spheres(const results::Geometry& geometry, std::vector<std::int32_t> shown,
+                 const std::vector<float>& radii, vtkLookupTable& colours)
     : geometry_(geometry), shown_(std::move(shown)) {
   const auto n = static_cast<vtkIdType>(shown_.size());
   points_->SetDataTypeToFloat();
@@ -30,7 +30,7 @@ Spheres::Spheres(const results::Geometry& geometry, std::vector<std::int32_t> sh
   vtkNew<vtkFloatArray> radius;
   radius->SetName("radius");
   radius->SetNumberOfValues(n);
-  for (vtkIdType k = 0; k < n; ++k) radius->SetValue(k, scale * geometry.radius[shown_[k]]);
+  for (vtkIdType k = 0; k < n; ++k) radius->SetValue(k, radii[static_cast<std::size_t>(k)]);
   cloud_->SetPoints(points_);
   vtkNew<vtkCellArray> cells;  // not drawn, but VTK tells by them where a cloud is
   cells->InsertNextCell(static_cast<int>(n));

@@ -23,8 +23,8 @@ namespace rift::viz {
 /// Elements as sphere impostors: a frame only swaps positions and values.
 class Spheres {
  public:
-  /// @param shown  the elements that are drawn;  @param scale  of their radii
-  Spheres(const results::Geometry& geometry, std::vector<std::int32_t> shown, float scale,
+  /// @param shown  the elements that are drawn;  @param radii  of these, as they are drawn [m]
+  Spheres(const results::Geometry& geometry, std::vector<std::int32_t> shown, const std::vector<float>& radii,
           vtkLookupTable& colours);
 
   /// @param displacement, value  of all elements;  @param magnification  of displacements

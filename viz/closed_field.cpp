@@ -1,0 +1,81 @@
+#include "viz/closed_field.hpp"
+
+#include "viz/covered_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace rift::viz {
+namespace {
+
+constexpr double cells_per_radius = 8;
+constexpr double slack = 1.03;        // waves draw the lattice more than the load does
+constexpr double largest_pore = 1.5;  // of its middle from the nearest element, in mean radii
+
+/// The discs around a place, without asking all of them.
+class NearDiscs {
+ public:
+  NearDiscs(const std::vector<Disc>& discs, double reach) : discs_(discs), reach_(reach) {
+    for (std::size_t k = 0; k < discs.size(); ++k) bins_[bin_of(discs[k].x, discs[k].y)].push_back(k);
+  }
+
+  /// The disc whose edge is nearest and how far it is; the number of discs where none is near.
+  [[nodiscard]] std::pair<std::size_t, double> nearest(double x, double y) const {
+    std::pair<std::size_t, double> best{discs_.size(), INFINITY};
+    const auto [column, row] = bin_of(x, y);
+    for (int r = row - 1; r <= row + 1; ++r)
+      for (int c = column - 1; c <= column + 1; ++c)
+        if (const auto bin = bins_.find({c, r}); bin != bins_.end())
+          for (const std::size_t k : bin->second)
+            if (const double away = std::hypot(discs_[k].x - x, discs_[k].y - y) - discs_[k].radius;
+                away < best.second)
+              best = {k, away};
+    return best;
+  }
+
+ private:
+  [[nodiscard]] std::pair<int, int> bin_of(double x, double y) const {
+    return {static_cast<int>(std::floor(x / reach_)), static_cast<int>(std::floor(y / reach_))};
+  }
+
+  const std::vector<Disc>& discs_;
+  double reach_;
+  std::map<std::pair<int, int>, std::vector<std::size_t>> bins_;
+};
+
+}  // namespace
+
+std::vector<float> radii_without_pores(const results::Geometry& geometry,
+                                       const std::vector<std::int32_t>& shown, float scale, double stretch) {
+  std::vector<float> radii;
+  std::vector<Disc> discs;
+  for (const std::int32_t i : shown) {
+    radii.push_back(scale * geometry.radius[i]);
+    discs.push_back(
+        {geometry.position[i][0] * slack, geometry.position[i][1] * slack * stretch, radii.back()});
+  }
+  if (discs.empty()) return radii;
+  const float least = *std::min_element(radii.begin(), radii.end());
+  const double mean = std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
+  CoveredCells cells(discs, least / cells_per_radius);
+  for (const Disc& disc : discs) (void)cells.cover(disc);
+  const NearDiscs near(discs, 2.0 * (1.0 + largest_pore) * mean);
+  for (const std::vector<Disc>& pore : cells.enclosed()) {
+    std::vector<std::pair<std::size_t, double>> beside;
+    for (const Disc& cell : pore) beside.push_back(near.nearest(cell.x, cell.y));
+    const bool has_room = std::any_of(beside.begin(), beside.end(),
+                                      [&](const auto& b) { return b.second > largest_pore * mean; });
+    if (has_room) continue;
+    for (std::size_t k = 0; k < pore.size(); ++k) {
+      const auto [disc, away] = beside[k];
+      const double needed = discs[disc].radius + away + std::sqrt(2.0) * pore[k].radius;
+      radii[disc] = std::max(radii[disc], static_cast<float>(needed));
+    }
+  }
+  return radii;
+}
+
+}  // namespace rift::viz
