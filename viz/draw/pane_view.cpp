@@ -1,6 +1,7 @@
 #include "viz/draw/pane_view.hpp"
 
 #include "engine/results/records.hpp"
+#include "viz/closed_field.hpp"
 #include "viz/draw/boundaries.hpp"
 #include "viz/front_layer.hpp"
 
@@ -23,10 +24,18 @@ std::vector<std::int32_t> elements_shown(const Look& look, const results::Geomet
 }
 
 /// Where every beam is drawn, elements are small balls between them; seen from far they are drawn a little
-/// larger than they are, so that the gaps between them do not glitter.
-float sphere_scale(const Look& look) {
-  if (look.beams == Beams::all) return 0.6F;
-  return look.camera == Camera::plate ? 1.15F : 1.0F;
+/// larger than they are and close the pores between them, so that no gap glitters.
+std::vector<float> radii_drawn(const Look& look, const results::Geometry& geometry,
+                               const std::vector<std::int32_t>& shown, const nlohmann::ordered_json& header) {
+  if (look.camera == Camera::plate && look.beams != Beams::all) {
+    const double pulled = look.magnification * header.value("displacement_m", 0.0);
+    return radii_without_pores(geometry, shown, 1.15F,
+                               std::max(1.0, 1.0 + pulled / header.at("height_m").get<double>()));
+  }
+  std::vector<float> radii;
+  for (const std::int32_t i : shown)
+    radii.push_back((look.beams == Beams::all ? 0.6F : 1.0F) * geometry.radius[i]);
+  return radii;
 }
 
 /// The side camera magnifies what leaves the plane and nothing else.
@@ -35,8 +44,11 @@ std::array<float, 3> magnification_of(const Look& look) {
   return look.camera == Camera::side ? std::array{1.0F, 1.0F, m} : std::array{m, m, m};
 }
 
-constexpr const char* widest_caption =
-    "t = 0000.0 µs   tip 000.0 mm   0000 m/s = 0.00 × Rayleigh speed   (end)";
+/// The longest caption that a lane may have, by which its size is chosen once and for all.
+std::string widest_caption(bool has_history) {
+  return std::string("t = 0000.0 µs   ") + (has_history ? "history \u22120000.0 µs   " : "") +
+         "tip 000.0 mm   0000 m/s = 0.00 × Rayleigh speed   (end)";
+}
 
 void place(vtkRenderer& renderer, const Box& box, const Job& job) {
   renderer.SetViewport(box.x0 / job.width, box.y0 / job.height, box.x1 / job.width, box.y1 / job.height);
@@ -53,9 +65,11 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
   const results::Geometry& geometry = reader.geometry();
   const Window shown = window_of(look_, place_.picture, plate, {0, 0});
   const double metres_per_pixel = shown.height / place_.picture.height();
-  if (look_.spheres)
-    renderer_->AddActor(
-        &spheres_.emplace(geometry, elements_shown(look_, geometry), sphere_scale(look_), colours).actor());
+  if (look_.spheres) {
+    const std::vector<std::int32_t> elements = elements_shown(look_, geometry);
+    const std::vector<float> radii = radii_drawn(look_, geometry, elements, reader.header());
+    renderer_->AddActor(&spheres_.emplace(geometry, elements, radii, colours).actor());
+  }
   if (look_.beams != Beams::none) {
     const double pixels = std::max(1.5, 0.35 * geometry.radius.front() / metres_per_pixel);
     const ColourMap& field_colours = find_colour_map(look_.colours) != nullptr
@@ -71,8 +85,9 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
   overlay.AddActor2D(title_);
   fit(*title_, overlay, place_.title.width());
   const bool below = place_.moment.x0 == place_.title.x0;
-  moment_ = text_at(below ? place_.moment.x0 : place_.moment.x1, place_.moment.y0 + 0.2 * text, text,
-                    below ? Align::left : Align::right, widest_caption);
+  moment_ =
+      text_at(below ? place_.moment.x0 : place_.moment.x1, place_.moment.y0 + 0.2 * text, text,
+              below ? Align::left : Align::right, widest_caption(std::isfinite(reader.at(0).history_s)));
   overlay.AddActor2D(moment_);
   fit(*moment_, overlay, place_.moment.width());
   if (look_.boundaries) {
@@ -137,8 +152,14 @@ void PaneView::look_at(const Window& shown) {
 std::string PaneView::caption(const Moment& moment) const {
   if (results::tips_at(reader_.header(), 0).empty()) return {};
   const double rayleigh = reader_.header().value("rayleigh_speed_m_s", 0.0);
-  std::string text =
-      fmt::format("t = {:.1f} µs   tip {:.1f} mm", moment.since_start_s * 1e6, moment.tip_m * 1e3);
+  const auto tenths = [](double value) {
+    const double rounded = std::round(10 * value) / 10;
+    return fmt::format("{}{:.1f}", rounded < 0 ? "\u2212" : "", std::abs(rounded));
+  };
+  std::string text = fmt::format("t = {} µs   ", tenths(moment.since_start_s * 1e6));
+  if (std::isfinite(moment.history_s))
+    text += fmt::format("history {} µs   ", tenths(moment.history_s * 1e6));
+  text += fmt::format("tip {} mm", tenths(moment.tip_m * 1e3));
   if (rayleigh > 0)
     text += fmt::format("   {:.0f} m/s = {:.2f} × Rayleigh speed", moment.velocity_m_s,
                         moment.velocity_m_s / rayleigh);
