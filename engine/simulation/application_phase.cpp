@@ -19,7 +19,7 @@ constexpr double errors_beyond_doubt = 3.0;
 /// Looks at the beams ahead of a resting tip in the time that a Rayleigh wave takes over a window.
 constexpr std::int64_t looks_in_window = 32;
 
-constexpr double fastest = std::max(scene::fastest_by_itself, slowest_by_itself);
+constexpr double fastest_tip = std::max(scene::fastest_by_itself, slowest_by_itself);
 
 /// crack.start, or where the tip restarted last [m].
 double runs_from(const OwnCrack& c) { return std::max(c.plan.scene.crack.start, c.rest.restarted_m); }
@@ -74,7 +74,7 @@ std::optional<double> velocity_of(const OwnCrack& c) {
     if (tip < from + window) break;
     const std::vector<fracture::ReleasedBeam> beams = released(c, tip - window);
     const double driving = fracture::driving_force(beams, tip, window, thickness);
-    const double velocity = fracture::velocity_over_cr(driving, toughness, rayleigh_speed, tip, fastest);
+    const double velocity = fracture::velocity_over_cr(driving, toughness, rayleigh_speed, tip, fastest_tip);
     if (velocity >= slowest_by_itself) return velocity;
     beyond_doubt =
         windows == windows_that_agree.back() ||
@@ -111,7 +111,7 @@ std::optional<double> restart_of(const OwnCrack& c, Rest& rest, std::int64_t res
   }
   const double velocity =
       fracture::velocity_over_cr(rest.driving * energy / rest.reference, c.plan.scene.crack.toughness,
-                                 c.prepared.rayleigh_speed, c.tip(), fastest);
+                                 c.prepared.rayleigh_speed, c.tip(), fastest_tip);
   return velocity < slowest_by_itself ? std::nullopt : std::optional(velocity);
 }
 

@@ -140,13 +140,13 @@ RunResult Run::march(const Resumption* from) {
     go_on(*from);
   else
     begin();
+  end_finished();  // a checkpoint may have been made at a lane's last step
   while (busy() || waiting()) {
     if (waiting() && (!busy() || marched_ % between_refills == 0)) refill();
     if (!prepared_.preset.steering.empty()) repeat_changes();
     if (scene::grip_moves(scene())) follow_load();
     step();
-    for (LaneSlot& slot : slot_)
-      if (slot.scenario >= 0 && ended(slot)) end(slot);
+    end_finished();
   }
   result_.wall_fracture_s = marching_s();
   if (observer_.checkpoint && !stopped_)
@@ -215,6 +215,11 @@ void Run::refill() {
     lane_of(slot).energy_at_crack_start = ensemble_.balance(index(slot)).elastic;
     observe(slot);
   }
+}
+
+void Run::end_finished() {
+  for (LaneSlot& slot : slot_)
+    if (slot.scenario >= 0 && ended(slot)) end(slot);
 }
 
 void Run::end(LaneSlot& slot) {

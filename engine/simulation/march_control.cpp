@@ -51,10 +51,12 @@ void Run::count_steps() {
 }
 
 void Run::stop_all() {
-  stopped_ = true;
-  for (LaneSlot& slot : slot_)
-    if (slot.scenario >= 0 && lane_of(slot).outcome == Outcome::finished)
-      stop(lane_of(slot), fmt::format("step {} of {}", steps(slot), plan(slot).schedule.total()));
+  stopped_ = next_scenario_ < static_cast<int>(lane_.size());
+  for (LaneSlot& slot : slot_) {
+    if (slot.scenario < 0 || ended(slot)) continue;
+    stop(lane_of(slot), fmt::format("step {} of {}", steps(slot), plan(slot).schedule.total()));
+    stopped_ = true;
+  }
   for (int k = next_scenario_; k < static_cast<int>(lane_.size()); ++k)
     stop(result_.lane[k], fmt::format("step 0 of {}", lane_[k].schedule.total()));
 }

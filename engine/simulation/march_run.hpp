@@ -67,6 +67,8 @@ class Run {
   void step();
   /// Moves the grip as a load curve says.
   void follow_load();
+  /// Ends the lanes whose last step is done, and those that were stopped or diverged.
+  void end_finished();
   /// Leaves the lane idle.
   void end(LaneSlot& slot);
   /// Gives idle lanes the next scenarios in the queue.

@@ -95,9 +95,9 @@ void add_step(results::LaneSummary& s, const Prepared& p, const LanePlan& lane, 
   s.dt_element_bound_s = p.step.element_bound * lane.units.time;
   s.dt_fraction = p.step.dt / p.step.critical;
   s.steps = static_cast<double>(result.steps);
-  const double fastest = scene::highest_velocity(lane.scene) * p.rayleigh_speed;
+  const double highest = scene::highest_velocity(lane.scene) * p.rayleigh_speed;
   const double zone = lane.scenario.law.zone_length;
-  if (zone > 0.0) s.steps_per_beam = zone / (fastest * dt);
+  if (zone > 0.0) s.steps_per_beam = zone / (highest * dt);
   s.threads = r.threads;
   s.simd = r.instructions;
   s.lanes = r.lanes;

@@ -117,6 +117,33 @@ TEST(Resumption, LanesThatHaveEndedAndThoseThatWaitGoOnToo) {
   }
 }
 
+TEST(Resumption, ALaneAtItsLastStepMarchesNoFurther) {
+  scene::Preset preset = small_preset();
+  std::vector<scene::Scene> lanes{preset.scene, preset.scene};
+  lanes.front().crack.velocity.front().speed.value = 0.9;
+  lanes.back().crack.velocity.front().speed.value = 0.5;
+  const Prepared p = prepare(preset, lanes, shared_cache());
+  const std::int64_t first = p.lane.front().schedule.total();
+  ASSERT_LT(first, p.lane.back().schedule.total());
+  const RunResult whole = march(p, {}, {.threads = 1});
+  const Resumption from = stopped_at(p, 2 * first, {.threads = 1});
+  expect_same(whole, march(p, {}, {.threads = 1}, &from));
+}
+
+TEST(March, AStopAfterTheLastStepStopsNothing) {
+  const Prepared p = small_plate({});
+  Observer observer;
+  observer.steer = [&](const RunSnapshot& moment) {
+    SteeringCommands orders;
+    orders.steps = 1;
+    orders.stop = moment.progress.step >= p.lane.front().schedule.total();
+    return orders;
+  };
+  const RunResult stopped = march(p, observer, {.threads = 1});
+  EXPECT_EQ(stopped.outcome, Outcome::finished);
+  expect_same(march(p, {}, {.threads = 1}), stopped);
+}
+
 TEST(Resumption, ASteeredRunGoesOnWithItsChanges) {
   Prepared p = small_plate({"crack.velocity=0.4 c_r"});
   const std::int64_t total = p.lane[0].schedule.total();
