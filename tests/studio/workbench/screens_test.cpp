@@ -128,6 +128,9 @@ TEST(HomeScreen, SearchShowsOnlyWhatHoldsTheLetters) {
   const std::string text = text_of(home);
   EXPECT_EQ(text.find("plate_tiny"), std::string::npos);
   EXPECT_NE(text.find("Can damping repair"), std::string::npos);
+  type(home, "/\x15lesson\n");  // a whole group by its name
+  EXPECT_NE(text_of(home).find("Can damping repair"), std::string::npos) << text_of(home);
+  EXPECT_NE(text_of(home).find("node-release"), std::string::npos) << text_of(home);
   type(home, "/zzzz\n");
   EXPECT_NE(text_of(home).find("no entry contains these letters"), std::string::npos);
   EXPECT_EQ(home.press({key_enter}).to, Navigation::To::stay);
