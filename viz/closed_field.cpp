@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace rift::viz {
@@ -46,6 +47,39 @@ class NearDiscs {
   std::map<std::pair<int, int>, std::vector<std::size_t>> bins_;
 };
 
+/// Which of the shown elements a crossing beam joins, by pairs.
+std::set<std::pair<std::size_t, std::size_t>> pairs_across_crack(const results::Geometry& geometry,
+                                                                 const std::vector<std::int32_t>& shown) {
+  std::map<std::int32_t, std::size_t> place;
+  for (std::size_t k = 0; k < shown.size(); ++k) place[shown[k]] = k;
+  std::set<std::pair<std::size_t, std::size_t>> pairs;
+  for (const std::int32_t b : geometry.crossing) {
+    const auto first = place.find(geometry.beam[b][0]), second = place.find(geometry.beam[b][1]);
+    if (first != place.end() && second != place.end())
+      pairs.insert(std::minmax(first->second, second->second));
+  }
+  return pairs;
+}
+
+/// The cells of a pore and the disc that is nearest to each, with its distance from it.
+struct Pore {
+  const std::vector<Disc>& cells;
+  std::vector<std::pair<std::size_t, double>> nearest;
+
+  [[nodiscard]] bool has_room_for(double radius) const {
+    return std::any_of(nearest.begin(), nearest.end(), [&](const auto& n) { return n.second > radius; });
+  }
+  /// Whether elements on both sides of the crack lie around it.
+  [[nodiscard]] bool is_cut(const std::set<std::pair<std::size_t, std::size_t>>& across) const {
+    std::set<std::size_t> around;
+    for (const auto& [disc, away] : nearest) around.insert(disc);
+    for (auto one = around.begin(); one != around.end(); ++one)
+      for (auto other = std::next(one); other != around.end(); ++other)
+        if (across.contains({*one, *other})) return true;
+    return false;
+  }
+};
+
 }  // namespace
 
 std::vector<float> radii_without_pores(const results::Geometry& geometry,
@@ -63,15 +97,14 @@ std::vector<float> radii_without_pores(const results::Geometry& geometry,
   CoveredCells cells(discs, least / cells_per_radius);
   for (const Disc& disc : discs) (void)cells.cover(disc);
   const NearDiscs near(discs, 2.0 * (1.0 + largest_pore) * mean);
-  for (const std::vector<Disc>& pore : cells.enclosed()) {
-    std::vector<std::pair<std::size_t, double>> beside;
-    for (const Disc& cell : pore) beside.push_back(near.nearest(cell.x, cell.y));
-    const bool has_room = std::any_of(beside.begin(), beside.end(),
-                                      [&](const auto& b) { return b.second > largest_pore * mean; });
-    if (has_room) continue;
-    for (std::size_t k = 0; k < pore.size(); ++k) {
-      const auto [disc, away] = beside[k];
-      const double needed = discs[disc].radius + away + std::sqrt(2.0) * pore[k].radius;
+  const auto across = pairs_across_crack(geometry, shown);
+  for (const std::vector<Disc>& cells_of_pore : cells.enclosed()) {
+    Pore pore{cells_of_pore, {}};
+    for (const Disc& cell : pore.cells) pore.nearest.push_back(near.nearest(cell.x, cell.y));
+    if (pore.has_room_for(largest_pore * mean) || pore.is_cut(across)) continue;
+    for (std::size_t k = 0; k < pore.cells.size(); ++k) {
+      const auto [disc, away] = pore.nearest[k];
+      const double needed = discs[disc].radius + away + std::sqrt(2.0) * pore.cells[k].radius;
       radii[disc] = std::max(radii[disc], static_cast<float>(needed));
     }
   }

@@ -53,7 +53,8 @@ std::vector<std::size_t> CoveredCells::group_of(std::size_t cell, std::vector<bo
       seen[at] = true;
       group.push_back(at);
     };
-    visit(column - 1, row), visit(column + 1, row), visit(column, row - 1), visit(column, row + 1);
+    for (int r = row - 1; r <= row + 1; ++r)
+      for (int c = column - 1; c <= column + 1; ++c) visit(c, r);
   }
   return group;
 }

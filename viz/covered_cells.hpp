@@ -26,7 +26,7 @@ class CoveredCells {
  private:
   [[nodiscard]] int column_at(double x) const;
   [[nodiscard]] int row_at(double y) const;
-  /// The bare cells that are joined to this one by their sides; they are marked as seen.
+  /// The bare cells that are joined to this one by sides and corners; they are marked as seen.
   [[nodiscard]] std::vector<std::size_t> group_of(std::size_t cell, std::vector<bool>& seen) const;
 
   double cell_, x0_ = 0, y0_ = 0;

@@ -17,7 +17,7 @@ using L = LaneSummary;
 #define WHOLE(member) (SummaryColumn{#member, WholeNumber{&L::member}})
 constexpr std::array summary_table{
     COLUMN(crack_velocity_over_cr), COLUMN(crack_course),
-    COLUMN_IF(history_clock_s, s.crack_course == "measured"), WHOLE(tips), COLUMN(technique),
+    COLUMN_IF(history_clock_s, !std::isnan(s.history_clock_s)), WHOLE(tips), COLUMN(technique),
     COLUMN(relaxation), COLUMN(relaxation_name), COLUMN(damage_zone_ratio),
     COLUMN_IF(friction, !std::isnan(s.friction)), COLUMN(damping_alpha), COLUMN(damping_region),
     COLUMN(stiffness), COLUMN(plane), COLUMN(prestress_method), COLUMN(kinematics), COLUMN(precision),

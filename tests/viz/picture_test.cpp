@@ -62,6 +62,7 @@ TEST(Picture, ItIsClosedBetweenTheElements) {
   const Image image = drawn(job, 3);
   for (int column = 16; column < 36; ++column)
     for (int row = 1; row < rows; ++row) {
+      if (row == rows / 2) continue;  // on the path of the crack pores stay open
       const double y = 1e-3 * row * (1 + pulled / height);
       const auto [px, py] = place_of(job, {1e-3 * column, y}, {0, 0});
       EXPECT_GT(apart(pixel(image, px, py), {1, 1, 1}), 0.5) << column << ", " << row;
