@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ class LaneReader {
   [[nodiscard]] const nlohmann::ordered_json& header() const { return header_; }
   /// The samples of the crack up to a time since its start [s].
   [[nodiscard]] std::vector<results::Sample> samples_until(double since_start_s) const;
+  [[nodiscard]] bool has_history() const { return std::isfinite(history_clock_s()); }
   /// When the crack starts [s], and how long it lasts as far as is known.
   [[nodiscard]] double start_s() const;
   [[nodiscard]] double lasts_s() const;

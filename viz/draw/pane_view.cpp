@@ -1,7 +1,6 @@
 #include "viz/draw/pane_view.hpp"
 
 #include "engine/results/records.hpp"
-#include "viz/closed_field.hpp"
 #include "viz/draw/boundaries.hpp"
 #include "viz/front_layer.hpp"
 
@@ -24,18 +23,20 @@ std::vector<std::int32_t> elements_shown(const Look& look, const results::Geomet
 }
 
 /// Where every beam is drawn, elements are small balls between them; seen from far they are drawn a little
-/// larger than they are and close the pores between them, so that no gap glitters.
-std::vector<float> radii_drawn(const Look& look, const results::Geometry& geometry,
-                               const std::vector<std::int32_t>& shown, const nlohmann::ordered_json& header) {
-  if (look.camera == Camera::plate && look.beams != Beams::all) {
+/// larger than they are and pores are closed, so that no gap between them glitters.
+std::vector<Ball> balls_drawn(const Look& look, const results::Geometry& geometry,
+                              const nlohmann::ordered_json& header) {
+  const std::vector<std::int32_t> shown = elements_shown(look, geometry);
+  const bool from_far = look.camera == Camera::plate && look.beams != Beams::all;
+  const float scale = look.beams == Beams::all ? 0.6F : from_far ? 1.15F : 1.0F;
+  std::vector<Ball> balls;
+  if (from_far) {
     const double pulled = look.magnification * header.value("displacement_m", 0.0);
-    return radii_without_pores(geometry, shown, 1.15F,
-                               std::max(1.0, 1.0 + pulled / header.at("height_m").get<double>()));
+    balls = pore_fillers(geometry, shown, scale,
+                         std::max(1.0, 1.0 + pulled / header.at("height_m").get<double>()));
   }
-  std::vector<float> radii;
-  for (const std::int32_t i : shown)
-    radii.push_back((look.beams == Beams::all ? 0.6F : 1.0F) * geometry.radius[i]);
-  return radii;
+  for (const std::int32_t i : shown) balls.push_back({i, geometry.position[i], scale * geometry.radius[i]});
+  return balls;
 }
 
 /// The side camera magnifies what leaves the plane and nothing else.
@@ -65,11 +66,8 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
   const results::Geometry& geometry = reader.geometry();
   const Window shown = window_of(look_, place_.picture, plate, {0, 0});
   const double metres_per_pixel = shown.height / place_.picture.height();
-  if (look_.spheres) {
-    const std::vector<std::int32_t> elements = elements_shown(look_, geometry);
-    const std::vector<float> radii = radii_drawn(look_, geometry, elements, reader.header());
-    renderer_->AddActor(&spheres_.emplace(geometry, elements, radii, colours).actor());
-  }
+  if (look_.spheres)
+    renderer_->AddActor(&spheres_.emplace(balls_drawn(look_, geometry, reader.header()), colours).actor());
   if (look_.beams != Beams::none) {
     const double pixels = std::max(1.5, 0.35 * geometry.radius.front() / metres_per_pixel);
     const ColourMap& field_colours = find_colour_map(look_.colours) != nullptr
@@ -85,9 +83,8 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
   overlay.AddActor2D(title_);
   fit(*title_, overlay, place_.title.width());
   const bool below = place_.moment.x0 == place_.title.x0;
-  moment_ =
-      text_at(below ? place_.moment.x0 : place_.moment.x1, place_.moment.y0 + 0.2 * text, text,
-              below ? Align::left : Align::right, widest_caption(std::isfinite(reader.at(0).history_s)));
+  moment_ = text_at(below ? place_.moment.x0 : place_.moment.x1, place_.moment.y0 + 0.2 * text, text,
+                    below ? Align::left : Align::right, widest_caption(reader.has_history()));
   overlay.AddActor2D(moment_);
   fit(*moment_, overlay, place_.moment.width());
   if (look_.boundaries) {

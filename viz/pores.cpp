@@ -1,11 +1,10 @@
-#include "viz/closed_field.hpp"
+#include "viz/pores.hpp"
 
 #include "viz/covered_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -13,6 +12,7 @@ namespace rift::viz {
 namespace {
 
 constexpr double cells_per_radius = 8;
+constexpr double margin = 0.1;        // of a filler, in mean radii: elements around a pore move apart
 constexpr double slack = 1.03;        // waves draw the lattice more than the load does
 constexpr double largest_pore = 1.5;  // of its middle from the nearest element, in mean radii
 
@@ -61,20 +61,30 @@ std::set<std::pair<std::size_t, std::size_t>> pairs_across_crack(const results::
   return pairs;
 }
 
-/// The cells of a pore and the disc that is nearest to each, with its distance from it.
+/// A pore by its cells: how wide it is, and what lies around it.
 struct Pore {
-  const std::vector<Disc>& cells;
-  std::vector<std::pair<std::size_t, double>> nearest;
+  Disc around;                                          // from the middle of its cells over all of them
+  std::vector<std::pair<std::size_t, double>> nearest;  // to each cell: a disc and its distance
 
+  Pore(const std::vector<Disc>& cells, const NearDiscs& near) {
+    for (const Disc& cell : cells) {
+      around.x += cell.x / static_cast<double>(cells.size());
+      around.y += cell.y / static_cast<double>(cells.size());
+      nearest.push_back(near.nearest(cell.x, cell.y));
+    }
+    for (const Disc& cell : cells)
+      around.radius =
+          std::max(around.radius, std::hypot(cell.x - around.x, cell.y - around.y) + 2 * cell.radius);
+  }
   [[nodiscard]] bool has_room_for(double radius) const {
     return std::any_of(nearest.begin(), nearest.end(), [&](const auto& n) { return n.second > radius; });
   }
   /// Whether elements on both sides of the crack lie around it.
   [[nodiscard]] bool is_cut(const std::set<std::pair<std::size_t, std::size_t>>& across) const {
-    std::set<std::size_t> around;
-    for (const auto& [disc, away] : nearest) around.insert(disc);
-    for (auto one = around.begin(); one != around.end(); ++one)
-      for (auto other = std::next(one); other != around.end(); ++other)
+    std::set<std::size_t> beside;
+    for (const auto& [disc, away] : nearest) beside.insert(disc);
+    for (auto one = beside.begin(); one != beside.end(); ++one)
+      for (auto other = std::next(one); other != beside.end(); ++other)
         if (across.contains({*one, *other})) return true;
     return false;
   }
@@ -82,33 +92,36 @@ struct Pore {
 
 }  // namespace
 
-std::vector<float> radii_without_pores(const results::Geometry& geometry,
-                                       const std::vector<std::int32_t>& shown, float scale, double stretch) {
-  std::vector<float> radii;
-  std::vector<Disc> discs;
+std::vector<Ball> pore_fillers(const results::Geometry& geometry, const std::vector<std::int32_t>& shown,
+                               float scale, double stretch) {
+  std::vector<Ball> fillers;
+  std::vector<Disc> discs;  // of the loaded plate
+  double least = INFINITY, mean = 0, behind = INFINITY;
   for (const std::int32_t i : shown) {
-    radii.push_back(scale * geometry.radius[i]);
-    discs.push_back(
-        {geometry.position[i][0] * slack, geometry.position[i][1] * slack * stretch, radii.back()});
+    const double radius = scale * geometry.radius[i];
+    discs.push_back({geometry.position[i][0] * slack, geometry.position[i][1] * slack * stretch, radius});
+    least = std::min(least, radius), mean += radius / static_cast<double>(shown.size());
+    behind = std::min(behind, geometry.position[i][2] - radius);
   }
-  if (discs.empty()) return radii;
-  const float least = *std::min_element(radii.begin(), radii.end());
-  const double mean = std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
+  if (discs.empty()) return fillers;
   CoveredCells cells(discs, least / cells_per_radius);
   for (const Disc& disc : discs) (void)cells.cover(disc);
   const NearDiscs near(discs, 2.0 * (1.0 + largest_pore) * mean);
   const auto across = pairs_across_crack(geometry, shown);
   for (const std::vector<Disc>& cells_of_pore : cells.enclosed()) {
-    Pore pore{cells_of_pore, {}};
-    for (const Disc& cell : pore.cells) pore.nearest.push_back(near.nearest(cell.x, cell.y));
+    const Pore pore(cells_of_pore, near);
     if (pore.has_room_for(largest_pore * mean) || pore.is_cut(across)) continue;
-    for (std::size_t k = 0; k < pore.cells.size(); ++k) {
-      const auto [disc, away] = pore.nearest[k];
-      const double needed = discs[disc].radius + away + std::sqrt(2.0) * pore.cells[k].radius;
-      radii[disc] = std::max(radii[disc], static_cast<float>(needed));
-    }
+    const auto [x, y, size] = pore.around;
+    const std::size_t k = near.nearest(x, y).first;
+    const double radius = size + margin * mean;
+    const auto& beside = geometry.position[shown[k]];
+    fillers.push_back(
+        {shown[k],
+         {static_cast<float>(beside[0] + (x - discs[k].x)), static_cast<float>(beside[1] + (y - discs[k].y)),
+          static_cast<float>(behind - radius)},
+         static_cast<float>(radius)});
   }
-  return radii;
+  return fillers;
 }
 
 }  // namespace rift::viz
