@@ -27,13 +27,14 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
     rift::base::print_text(text.str());
     return ExitCode::done;
   }
-  std::string command = "rift", hint;
+  std::string command = "rift";
   const CLI::App* chosen = &app;
   for (const CLI::App* one : app.get_subcommands()) command += " " + one->get_name(), chosen = one;
-  for (const std::string& argument : app.remaining(true))
-    if (hint.empty()) hint = rift::studio::nearest_argument(*chosen, argument);
-  if (!hint.empty()) hint = fmt::format(", did you mean '{}'?", hint);
-  rift::base::message("{}: {}{}\nTry '{} --help'.\n", command, error.what(), hint, command);
+  const std::vector<std::string> unexpected =
+      rift::studio::unexpected_arguments(*chosen, app.remaining(true));
+  for (const std::string& text : unexpected) rift::base::message("{}: {}\n", command, text);
+  if (unexpected.empty()) rift::base::message("{}: {}\n", command, error.what());
+  rift::base::message("Try '{} --help'.\n", command);
   return ExitCode::bad_input;
 }
 

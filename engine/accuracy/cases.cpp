@@ -35,15 +35,18 @@ std::string grouped(int n) {
 
 std::string issues_text(const std::vector<scene::Issue>& issues) {
   std::string text;
-  for (const scene::Issue& issue : issues) text += (text.empty() ? "" : "; ") + issue.key + " " + issue.text;
+  for (const scene::Issue& issue : issues) text += (text.empty() ? "" : "; ") + scene::without_place(issue);
   return text;
 }
 
-/// The preset with another scene; contradictions are reported as if they stood in the preset.
+/// The preset with another scene; contradictions are reported as if they stood in the preset, without its own
+/// values, which are not those of the scene.
 std::vector<scene::Issue> contradictions_of(const scene::Preset& preset, const scene::Scene& scene) {
   scene::Preset varied = preset;
   varied.scene = scene;
-  return scene::validate(varied, {});
+  std::vector<scene::Issue> issues = scene::validate(varied, {});
+  for (scene::Issue& issue : issues) issue.value.clear();
+  return issues;
 }
 
 struct Planning {

@@ -80,7 +80,7 @@ void side_by_side(const std::vector<double>& work, int threads, const base::Prog
 namespace {
 
 std::string key_of(const CylinderTest& test) {
-  constexpr int version = 1;
+  constexpr int version = 2;
   std::string key = fmt::format("cylinder {} {} tolerance {:a}", version, packing::key_of(test.packing),
                                 test.contact_tolerance);
   for (const BeamShape& b : test.beams)
@@ -124,7 +124,7 @@ CylinderResult press(const CylinderTest& test, base::Cache& cache, const base::P
   for (const BeamShape& beams : test.beams) {
     const lattice::Lattice lattice =
         lattice::make_lattice(specimen, {1.0, beams.poisson_ratio, beams.radius_ratio}, 1.0);
-    lattice::FreeBody body(lattice);
+    lattice::FreeBody body(lattice, 1);
     const auto all = static_cast<double>(test.beams.size());
     const auto tell = [&, before = static_cast<double>(result.responses.size())](double done) {
       return progress(share_of_packing + (1.0 - share_of_packing) * (before + done) / all);

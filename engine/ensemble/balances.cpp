@@ -28,7 +28,7 @@ void Balances::read(const State& state, double grip_work) {
     Lane& lane = lane_[k];
     const auto sum = [&](Account account) { return state.add_account(account, k); };
     lane.contact_energy = sum(contact_elastic);
-    lane.balance.elastic = sum(elastic) + lane.contact_energy;
+    lane.balance.elastic = state.base_energy(k) + sum(elastic) + lane.contact_energy;
     lane.balance.kinetic_translation = sum(kinetic_translation);
     lane.balance.kinetic_rotation = sum(kinetic_rotation);
     lane.balance.step_correction = sum(step_correction);

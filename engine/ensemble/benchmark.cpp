@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <functional>
+#include <memory>
 #include <random>
 
 namespace rift::ensemble {
@@ -30,13 +32,17 @@ constexpr double time_step = 1e-8;  // [s]
 /// Arithmetic of one beam and one lane, counted in engine/ensemble/forms.hpp (a fused multiply-add counts
 /// two), and of the integration of an element.
 constexpr double linear_flops = 101, corotational_flops = 306;
-constexpr double linear_drift_flops = 30, corotational_drift_flops = 75;
+constexpr double linear_drift_flops = 30, corotational_drift_flops = 75, damper_flops = 54;
 
 template <class Beam>
 double bytes_of_beam(const BenchCase& c, double beams_per_element) {
-  const double row = c.scenarios == 1 ? sizeof(BeamGroup<Beam>) / 4.0 : sizeof(IntactRow<Beam>);
-  const double numbers = 6 + Beam::position_numbers;  // velocity and position, each read and written
-  return row / c.scenarios + 2.0 * numbers * sizeof(typename Beam::Number) / beams_per_element;
+  const double row =
+      c.scenarios == 1 ? BeamGroup::rows * sizeof(std::int32_t) + sizeof(Beam) : sizeof(IntactRow<Beam>);
+  using Real = typename Beam::Number;
+  // Velocity, position and, where damped, the dampers' forces of the step before: each read and written.
+  const double numbers = 6 + Beam::position_numbers + (c.damped > 0.0 ? 6 : 0);
+  return (row + c.damped * sizeof(Dampers<Real>)) / c.scenarios +
+         2.0 * numbers * sizeof(Real) / beams_per_element;
 }
 
 double bytes_of_beam(const BenchCase& c, double beams_per_element) {
@@ -48,24 +54,17 @@ double bytes_of_beam(const BenchCase& c, double beams_per_element) {
                 : bytes_of_beam<CorotationalBeam<double>>(c, beams_per_element);
 }
 
-/// Steps per second in each of the runs, ascending.
-template <class Step>
-std::vector<double> rates_of_runs(const Step& step, int runs, double seconds, bool processor_time) {
-  for (int n = 0; n < 3; ++n) step();
-  std::vector<double> rates;
-  for (int run = 0; run < runs; ++run) {
-    const double start = now_s(processor_time);
-    int steps = 0;
-    double passed = 0.0;
-    while (passed < seconds) {
-      for (int n = 0; n < 4; ++n) step();
-      steps += 4;
-      passed = now_s(processor_time) - start;
-    }
-    rates.push_back(steps / passed);
+/// Steps per second, over `seconds` at least.
+double rate_of(const std::function<void()>& step, double seconds, bool processor_time) {
+  const double start = now_s(processor_time);
+  int steps = 0;
+  double passed = 0.0;
+  while (passed < seconds) {
+    for (int n = 0; n < 4; ++n) step();
+    steps += 4;
+    passed = now_s(processor_time) - start;
   }
-  std::sort(rates.begin(), rates.end());
-  return rates;
+  return steps / passed;
 }
 
 /// A shape that moves every element, so that no kernel meets a zero; small, since it is not the point.
@@ -85,33 +84,41 @@ std::vector<fracture::DamageableBeam> beams_in_the_middle(const lattice::Lattice
                                     lattice, 0.0);
 }
 
-std::vector<double> ensemble_rates(const BenchCase& c, const lattice::Lattice& lattice, int runs,
-                                   double seconds) {
-  Ensemble ensemble(lattice, beams_in_the_middle(lattice), time_step,
-                    std::vector<fracture::LaneScenario>(c.scenarios),
-                    {.kinematics = c.kinematics,
-                     .precision = c.precision,
-                     .threads = c.threads,
-                     .instructions = c.instructions});
-  ensemble.release_from(waves(lattice));
-  if (c.beta != 1.0) ensemble.set_beta(c.beta);
+std::function<void()> ensemble_step(const BenchCase& c, const lattice::Lattice& lattice) {
+  const auto ensemble = std::make_shared<Ensemble>(lattice, beams_in_the_middle(lattice), time_step,
+                                                   std::vector<fracture::LaneScenario>(c.scenarios),
+                                                   EnsembleOptions{.kinematics = c.kinematics,
+                                                                   .precision = c.precision,
+                                                                   .threads = c.threads,
+                                                                   .instructions = c.instructions});
+  ensemble->release_from(waves(lattice));
+  if (c.beta != 1.0) ensemble->set_beta(c.beta);
+  std::vector<int> crossing(lattice.beam.size(), -1);
+  for (int k = 0; k < static_cast<int>(ensemble->damageable().size()); ++k)
+    crossing[ensemble->damageable()[k].beam] = k;
   std::vector<lattice::DampedBeam> damped;
   for (int b = 0; b < static_cast<int>(c.damped * static_cast<double>(lattice.beam.size())); ++b)
-    damped.push_back(lattice::damped_beam(lattice, b, -1, false));
-  ensemble.start_crack(damped);
-  return rates_of_runs(
-      [&] {
-        ensemble.step();
-        if (c.balanced) ensemble.balance(0);
-      },
-      runs, seconds, c.processor_time);
+    damped.push_back(lattice::damped_beam(lattice, b, crossing[b], false));
+  ensemble->start_crack(damped);
+  return [ensemble, balanced = c.balanced] {
+    ensemble->step();
+    if (balanced) ensemble->balance(0);
+  };
 }
 
 /// The readable step; linear, double, one lane, one thread.
-std::vector<double> plain_rates(const lattice::Lattice& lattice, int runs, double seconds) {
-  reference::PlainSimulation plain(lattice, beams_in_the_middle(lattice), time_step, {});
-  plain.start_from(waves(lattice));
-  return rates_of_runs([&] { plain.step(); }, runs, seconds, false);
+std::function<void()> plain_step(const lattice::Lattice& lattice) {
+  const auto plain = std::make_shared<reference::PlainSimulation>(lattice, beams_in_the_middle(lattice),
+                                                                  time_step, fracture::LaneScenario{});
+  plain->start_from(waves(lattice));
+  return [plain] { plain->step(); };
+}
+
+/// One step of the case, done a few times already.
+std::function<void()> step_of(const BenchCase& c, const lattice::Lattice& lattice) {
+  std::function<void()> step = c.plain ? plain_step(lattice) : ensemble_step(c, lattice);
+  for (int n = 0; n < 3; ++n) step();
+  return step;
 }
 
 }  // namespace
@@ -180,8 +187,10 @@ BenchResult time_case(const BenchCase& bench, int runs, double seconds) {
   BenchResult result;
   result.of = bench;
   result.beams = lattice.beam.size();
-  result.beam_steps_per_s =
-      bench.plain ? plain_rates(lattice, runs, seconds) : ensemble_rates(bench, lattice, runs, seconds);
+  const std::function<void()> step = step_of(bench, lattice);
+  for (int run = 0; run < runs; ++run)
+    result.beam_steps_per_s.push_back(rate_of(step, seconds, bench.processor_time));
+  std::sort(result.beam_steps_per_s.begin(), result.beam_steps_per_s.end());
   const double lanes = bench.scenarios, beams = static_cast<double>(result.beams);
   result.step_s = 1.0 / result.median();
   result.element_steps_per_s = result.median() * lanes * static_cast<double>(lattice.mass.size());
@@ -189,9 +198,27 @@ BenchResult time_case(const BenchCase& bench, int runs, double seconds) {
   const double per_element = beams / static_cast<double>(lattice.mass.size());
   const bool linear = bench.kinematics == lattice::Kinematics::linear;
   result.bytes_per_beam = bytes_of_beam(bench, per_element);
-  result.flops_per_beam = (linear ? linear_flops : corotational_flops) +
+  result.flops_per_beam = (linear ? linear_flops : corotational_flops) + bench.damped * damper_flops +
                           (linear ? linear_drift_flops : corotational_drift_flops) / per_element;
   return result;
+}
+
+std::vector<std::vector<double>> ratios_to_first(const std::vector<BenchCase>& cases, int rounds,
+                                                 double seconds) {
+  const lattice::Lattice lattice = bench_lattice(cases.front().elements);
+  std::vector<std::function<void()>> steps;
+  for (const BenchCase& c : cases) steps.push_back(step_of(c, lattice));
+  std::vector<std::vector<double>> ratios(cases.size());
+  for (int round = 0; round < rounds; ++round) {
+    double first = 0.0;
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      const double rate = cases[k].scenarios * rate_of(steps[k], seconds, cases[k].processor_time);
+      if (k == 0) first = rate;
+      ratios[k].push_back(rate / first);
+    }
+  }
+  for (std::vector<double>& of_case : ratios) std::sort(of_case.begin(), of_case.end());
+  return ratios;
 }
 
 }  // namespace rift::ensemble

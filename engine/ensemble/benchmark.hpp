@@ -31,7 +31,7 @@ struct BenchCase {
   bool plain = false;  // the readable step (reference::PlainSimulation): what the others are measured against
   double damped = 0;   // share of the beams that are damped
   double beta = 1;
-  bool balanced = false;        // with the energy balance of every step
+  bool balanced = false;        // with a look at the energies after every step
   bool processor_time = false;  // counted, of all threads, in place of the time that passes
 };
 
@@ -48,5 +48,10 @@ struct BenchResult {
 
 /// @param[in] runs  each of at least `seconds`
 BenchResult time_case(const BenchCase& bench, int runs, double seconds);
+
+/// Times kernels of one number of elements by turns, so that whatever else the machine does meets them alike.
+/// @return of each case its speeds over that of the first one of the same round, ascending
+std::vector<std::vector<double>> ratios_to_first(const std::vector<BenchCase>& cases, int rounds,
+                                                 double seconds);
 
 }  // namespace rift::ensemble

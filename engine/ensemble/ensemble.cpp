@@ -75,7 +75,7 @@ void Ensemble::refill(int lane, const fracture::LaneScenario& scenario) {
 /// the kernels'.
 void Ensemble::step() {
   predict_damage();
-  state_.advance(constants(), grip_before_ != 0.0 || grip_after_ != 0.0);  // eqs. (1)-(6), (8)
+  state_.advance(constants());  // eqs. (1)-(6), (8)
   balances_.add_grip_work(-(0.5 * (grip_before_ + grip_after_) * dt_ * state_.base_pull()));
   apply_damage();  // eqs. (9)-(11)
   beta_before_ = beta_after_;

@@ -16,8 +16,9 @@ namespace rift::ensemble {
 /// doubles, in the units of the lane (set_units()) but where a comment says "of the lattice".
 ///
 /// Between two calls of step() positions are those of step n and velocities those of the middle of the step
-/// before it; forces are not kept. Whoever asks for energies or velocities has them evaluated once more, with
-/// all energies of step n. The lattice must outlive the ensemble.
+/// before it; forces are not kept. Who asks for energies or velocities has the forces of step n evaluated,
+/// and with them step n + 1, which step() takes up if nothing was changed in between. The lattice must
+/// outlive the ensemble.
 class Ensemble {
  public:
   /// @param[in] damageable  beams whose stiffness may fall; every other beam stays intact
@@ -73,7 +74,8 @@ class Ensemble {
   /// beta of eq. (2) from the next step on; below 1 damps.
   void set_beta(double beta);
 
-  /// The energy balance of a lane now [J]. Cost: two looks at every beam, for all lanes at once.
+  /// The energy balance of a lane now [J]. Cost: two fifths of a step, for all lanes at once, since the look
+  /// at the beams makes the next step as well; corotational beams cost another step's time.
   fracture::EnergyBalance balance(int lane);
 
   /// Force of the top grip along y [N]; below 0 it presses.

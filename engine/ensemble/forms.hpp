@@ -47,6 +47,7 @@ struct Linear {
             splat<V>(b.stiffness.twist)};
   }
   static Form form(const V* p) { return {{p[0], p[1], p[2]}, p[3], p[4], p[5], p[6]}; }
+  static Space<V> initial_axis(const Form& b) { return b.n; }
 
   /// theta_i + theta_j - (2/l) n x d across the axis, which is alpha_i + alpha_j
   static Space<V> bend(const Form& b, const Space<V>& d, const Space<V>& sum) {
@@ -122,6 +123,7 @@ struct Corotational {
             splat<V>(b.stiffness.twist)};
   }
   static Form form(const V* p) { return {{p[0], p[1], p[2]}, p[3], {p[4], p[5], p[6]}, p[7], p[8], p[9]}; }
+  static Space<V> initial_axis(const Form& b) { return b.n0; }
 
   struct Strain {
     Space<V> n, t_i, t_j, alpha_i, alpha_j, p;

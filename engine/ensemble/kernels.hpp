@@ -4,61 +4,8 @@
 
 namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
-/// Adds an element's additional loads to its forces.
-/// @param[in]     index  of the element among those with additional loads, or -1
-/// @param[in,out] f      force [N] and moment [N m] of each lane
-template <class Real, int Width>
-inline void add_extra(const PartView<Real>& p, int index, Pack<Real, Width> (&f)[6]) {
-  if (index < 0) return;
-  for (int c = 0; c < 6; ++c) {
-    const long at = (6L * index + c) * Width;
-    f[c] = f[c] + load<Width>(p.extra + at);
-    if (p.contact) f[c] = f[c] + load<Width>(p.contact + at);
-    if (p.damping) f[c] = f[c] + load<Width>(p.damping + at);
-  }
-}
-
-/// The energies that a step takes of one element or gives to it [J], in double   [model.md §7]: viscous
-/// damping and the faces' contact take - 1/2 (F_n + F_{n+1}) . dq, numerical damping takes 1/2 M (v^2 at beta
-/// = 1 - v^2 at beta), the moving grip gives - 1/2 F . dq.
-template <class Real, int Width>
-struct StepEnergies {
-  using D = Pack<double, Width>;
-  D damping{}, contact{}, numerical{}, grip{};
-
-  /// @param[in] i, index    the element, and its index among those with additional loads, or -1
-  /// @param[in] f           its force [N] and moment [N m]
-  /// @param[in] grip_moved  distance by which the top grip has moved, of two steps that share f [m]
-  void add(const PartView<Real>& p, const StepConstants& k, int i, int index, const Pack<Real, Width> (&f)[6],
-           double grip_moved) {
-    const Real* rates = (p.rate ? p.rate : p.v) + 6L * Width * i;
-    // The grip's velocity is that of the step that begins already.
-    const auto rate = [&](int c) {
-      return p.top[i] && c == 1 ? splat<D>(k.grip_before)
-                                : widened<Real, Width>(load<Width>(rates + c * Width));
-    };
-    const auto taken_by = [&](const Real* force, const Real* before, D& taken) {
-      if (!force || index < 0) return;
-      for (int c = 0; c < 6; ++c) {
-        const long at = (6L * index + c) * Width;
-        const D both =
-            widened<Real, Width>(load<Width>(force + at)) + widened<Real, Width>(load<Width>(before + at));
-        taken -= 0.5 * k.dt * both * rate(c);
-      }
-    };
-    taken_by(p.damping, p.damping_before, damping);
-    taken_by(p.contact, p.contact_before, contact);
-    if (p.rate && p.per_mass[2L * i] != 0)
-      for (int c = 0; c < 6; ++c) {
-        const D kick =
-            0.5 * k.dt * static_cast<double>(p.per_mass[2L * i + c / 3]) * widened<Real, Width>(f[c]);
-        const D conserved = widened<Real, Width>(load<Width>(rates + c * Width)) + kick;
-        const D v = widened<Real, Width>(load<Width>(p.v + (6L * i + c) * Width)) + k.beta_before * kick;
-        numerical += 0.5 * p.mass[2L * i + c / 3] * (conserved * conserved - v * v);
-      }
-    if (p.top[i]) grip -= 0.5 * grip_moved * widened<Real, Width>(f[1]);
-  }
-};
+template <template <class, int> class Form>
+inline constexpr bool is_linear = Form<double, 1>::numbers == 6;
 
 template <int Width>
 inline void add_to_account(double* chunk, Account which, Pack<double, Width> amount) {
@@ -69,57 +16,6 @@ inline void add_to_account(double* chunk, Account which, Pack<double, Width> amo
 template <class Real, int Width>
 inline double* chunk_of(const PartView<Real>& p, int i) {
   return p.account + static_cast<long>((i - p.begin) / chunk_size) * accounts * Width;
-}
-
-/// One step of Table 1 of the paper for the elements of a part. `v` holds the velocity after the first half
-/// of the step that ends; with beta = 1 that is the rate (q_n - q_{n-1}) / dt.
-/// @tparam Balanced  with the energy balance of every step
-/// @param[in,out] p  q [m, rad] and v [m/s, rad/s] of the elements, and their accounts [J]
-template <template <class, int> class Form, class Real, int Width, bool Balanced>
-void advance(const ViewOf<Form, Real>& p, const StepConstants& k) {
-  using F = Form<Real, Width>;
-  using V = Pack<Real, Width>;
-  const Real dt = static_cast<Real>(k.dt);
-  const Real kick = static_cast<Real>(0.5 * k.dt);
-  const Real both = Balanced ? static_cast<Real>(0.5 * k.dt * k.beta_before) : static_cast<Real>(k.dt);
-  const Real begun = static_cast<Real>(0.5 * k.dt * k.beta_after);
-  walk<Form, Real, Width>(p, [&](int i, V(&f)[6], int index) {  // f: balance of forces at q_n, eqs. (3)-(6)
-    add_extra<Real, Width>(p, index, f);
-    V q[F::numbers], v[6], rate[6];
-    Real* at_q = p.q + static_cast<long>(F::numbers) * Width * i;
-    Real* at_v = p.v + 6L * Width * i;
-    load_row<F::numbers, Width>(at_q, q);
-    load_row<6, Width>(at_v, v);
-    const V per_mass[2] = {splat<V>(p.per_mass[2L * i]), splat<V>(p.per_mass[2L * i + 1])};
-    if constexpr (Balanced) {
-      StepEnergies<Real, Width> energies;
-      energies.add(p, k, i, index, f, (k.grip_before + k.grip_after) * k.dt);
-      double* chunk = chunk_of<Real, Width>(p, i);
-      add_to_account<Width>(chunk, spent_damping, energies.damping);
-      add_to_account<Width>(chunk, spent_contact, energies.contact);
-      add_to_account<Width>(chunk, spent_numerical, energies.numerical);
-      add_to_account<Width>(chunk, spent_grip, energies.grip);
-      const auto keep = [&](const Real* force, Real* before) {
-        if (!force || index < 0) return;
-        for (long at = 6L * index * Width; at < 6L * (index + 1) * Width; ++at) before[at] = force[at];
-      };
-      keep(p.damping, p.damping_before);
-      keep(p.contact, p.contact_before);
-      for (int c = 0; c < 6; ++c) {
-        const V a = per_mass[c / 3] * f[c];   // Newton's law
-        v[c] = fma(splat<V>(both), a, v[c]);  // eq. (2), its second half
-        rate[c] = fma(splat<V>(kick), a, v[c]);
-        v[c] = fma(splat<V>(begun), a, v[c]);  // eq. (2), the first half of the next step
-      }
-      if (p.rate) store_row<6, Width>(p.rate + 6L * Width * i, rate);
-    } else {
-      for (int c = 0; c < 6; ++c)
-        rate[c] = v[c] = fma(both * per_mass[c / 3], f[c], v[c]);  // both halves of eq. (2)
-    }
-    F::drift(q, rate, splat<V>(dt));  // eq. (1)
-    store_row<F::numbers, Width>(at_q, q);
-    store_row<6, Width>(at_v, v);
-  });
 }
 
 /// The position of an element in double, whatever the state is.
@@ -175,64 +71,199 @@ inline void add_contact_energies(const ViewOf<Form, Real>& p) {
   }
 }
 
-/// Adds the elastic energy of the beams to the accounts of their first elements' chunks [J].
+/// Adds the elastic energy of the beams to the accounts of their first elements' chunks [J]. In linear
+/// kinematics that of the intact ones comes out of the walk, but for what is the same for all (State::
+/// base_energy()): their work against the base state's forces, which all beams balance, is that of the
+/// damageable ones with the opposite sign.
 template <template <class, int> class Form, class Real, int Width>
 inline void add_beam_energies(const ViewOf<Form, Real>& p) {
-  const auto* beam = p.intact + p.halo;
-  for (int i = p.begin; i < p.end; ++i) {
-    Pack<double, Width> sum{};
-    for (int left = p.first[i - p.begin + 1] - p.first[i - p.begin]; left > 0; --left, ++beam)
-      sum += wide_energy<Form, Real, Width>(p, beam->form, i, beam->j);
-    add_to_account<Width>(chunk_of<Real, Width>(p, i), elastic, sum);
+  using D = Pack<double, Width>;
+  if constexpr (!is_linear<Form>) {
+    const auto* beam = p.intact + p.halo;
+    for (int i = p.begin; i < p.end; ++i) {
+      D sum{};
+      for (int left = p.first[i - p.begin + 1] - p.first[i - p.begin]; left > 0; --left, ++beam)
+        sum += wide_energy<Form, Real, Width>(p, beam->form, i, beam->j);
+      add_to_account<Width>(chunk_of<Real, Width>(p, i), elastic, sum);
+    }
   }
   for (int b = 0; b < p.damageable_beams; ++b) {
     const auto& row = p.damageable[b];
     if (row.extra_i < 0) continue;  // the other part's
-    const auto s = widened<Real, Width>(load<Width>(p.factor + static_cast<long>(row.k) * Width));
-    add_to_account<Width>(chunk_of<Real, Width>(p, row.i), elastic,
-                          s * wide_energy<Form, Real, Width>(p, row.form, row.i, row.j));
+    D sum = widened<Real, Width>(load<Width>(p.factor + static_cast<long>(row.k) * Width)) *
+            wide_energy<Form, Real, Width>(p, row.form, row.i, row.j);
+    if constexpr (is_linear<Form>) {
+      const auto moved = [&](long element, int c) {
+        return widened<Real, Width>(load<Width>(p.q + (element * 6 + c) * Width));
+      };
+      for (int c = 0; c < 3; ++c)
+        sum += static_cast<double>(row.base[c]) * (moved(row.i, c) - moved(row.j, c)) +
+               static_cast<double>(row.base[3 + c]) * moved(row.i, 3 + c) +
+               static_cast<double>(row.base[6 + c]) * moved(row.j, 3 + c);
+    }
+    add_to_account<Width>(chunk_of<Real, Width>(p, row.i), elastic, sum);
   }
 }
 
-/// Evaluates the energies at q_n and v_n, and those that the step that ends has yet to take; all to the
-/// accounts [J].
-template <template <class, int> class Form, class Real, int Width>
-void evaluate_energies(const ViewOf<Form, Real>& p, const StepConstants& k) {
+/// Which accounts a step keeps: none, those of the step, or those and all energies of the moment before it.
+enum class Balance { none, of_step, of_moment };
+
+/// Energies of the elements of a chunk [J]. What an element has is summed in the precision of the state, over
+/// the elements in double: the accounts of a step then cost a tenth of it.   [model.md §7]
+template <class Real, int Width>
+struct ChunkEnergies {
   using V = Pack<Real, Width>;
   using D = Pack<double, Width>;
-  for (int i = p.begin; i < p.end; i += chunk_size) clear(chunk_of<Real, Width>(p, i), spent_damping * Width);
-  add_beam_energies<Form, Real, Width>(p);
-  if (p.contact) add_contact_energies<Form, Real, Width>(p);
-  walk<Form, Real, Width>(p, [&](int i, V(&f)[6], int index) {
-    add_extra<Real, Width>(p, index, f);
-    StepEnergies<Real, Width> energies;
-    energies.add(p, k, i, index, f, k.grip_before * k.dt);
-    D translation{}, rotation{}, correction{};
+  D elastic{}, translation{}, rotation{}, correction{};  // of this moment
+  D damping{}, contact{}, numerical{}, pull{};           // of the step that ends; force on the moving grip
+
+  /// Of an element that moves at `rate` with the forces now and before: viscous damping and the faces'
+  /// contact take - 1/2 (F_n + F_{n+1}) . dq, in units of - dt / 2.
+  static D work(const V (&now)[6], const Real* before, const V (&rate)[6]) {
+    V sum{};
+    for (int c = 0; c < 6; ++c) sum = fma(now[c] + load<Width>(before + c * Width), rate[c], sum);
+    return widened<Real, Width>(sum);
+  }
+
+  /// What numerical damping takes: 1/2 M (v^2 at beta = 1 - v^2 at beta).
+  void add_numerical(const PartView<Real>& p, const StepConstants& k, int i, const V (&f)[6], const V (&v)[6],
+                     const V (&rate)[6]) {
     for (int c = 0; c < 6; ++c) {
-      const D force = widened<Real, Width>(f[c]);
-      const double per_mass = static_cast<double>(p.per_mass[2L * i + c / 3]), m = p.mass[2L * i + c / 3];
-      const D v = widened<Real, Width>(load<Width>(p.v + (6L * i + c) * Width)) +
-                  0.5 * k.dt * k.beta_before * per_mass * force;
-      if (p.velocity) store<Width>(p.velocity + (6L * i + c) * Width, v);
-      if (per_mass == 0.0) continue;
-      (c < 3 ? translation : rotation) += 0.5 * m * v * v;
-      correction += 0.125 * k.dt * k.dt * per_mass * force * force;
+      const D kick =
+          0.5 * k.dt * static_cast<double>(p.per_mass[2L * i + c / 3]) * widened<Real, Width>(f[c]);
+      const D conserved = widened<Real, Width>(rate[c]) + kick;
+      const D now = widened<Real, Width>(v[c]) + k.beta_before * kick;
+      numerical += 0.5 * p.mass[2L * i + c / 3] * (conserved * conserved - now * now);
     }
-    double* chunk = chunk_of<Real, Width>(p, i);
-    add_to_account<Width>(chunk, kinetic_translation, translation);
-    add_to_account<Width>(chunk, kinetic_rotation, rotation);
-    add_to_account<Width>(chunk, step_correction, correction);
-    add_to_account<Width>(chunk, pending_damping, energies.damping);
-    add_to_account<Width>(chunk, pending_contact, energies.contact);
-    add_to_account<Width>(chunk, pending_numerical, energies.numerical);
-    add_to_account<Width>(chunk, pending_grip, energies.grip);
+  }
+
+  /// Kinetic energies at the velocity v of this moment, and the step correction C of all forces f.
+  void add_moment(const PartView<Real>& p, const StepConstants& k, int i, const V (&f)[6], const V (&v)[6]) {
+    for (const int c : {0, 3}) {
+      const double per_mass = static_cast<double>(p.per_mass[2L * i + c / 3]);
+      if (per_mass == 0.0) continue;
+      const V vv = fma(v[c + 2], v[c + 2], fma(v[c + 1], v[c + 1], v[c] * v[c]));
+      const V ff = fma(f[c + 2], f[c + 2], fma(f[c + 1], f[c + 1], f[c] * f[c]));
+      (c == 0 ? translation : rotation) += 0.5 * p.mass[2L * i + c / 3] * widened<Real, Width>(vv);
+      correction += 0.125 * k.dt * k.dt * per_mass * widened<Real, Width>(ff);
+    }
+  }
+
+  /// Closes the accounts of a chunk, whose next elements begin anew.
+  template <Balance balance>
+  void close(double* chunk, const StepConstants& k) {
+    const bool spent = balance == Balance::of_step;
+    const auto put = [&](Account which, D amount) { add_to_account<Width>(chunk, which, amount); };
+    put(spent ? spent_damping : pending_damping, -0.5 * k.dt * damping);
+    put(spent ? spent_contact : pending_contact, -0.5 * k.dt * contact);
+    put(spent ? spent_numerical : pending_numerical, numerical);
+    put(spent ? spent_grip : coming_grip, -0.5 * ((k.grip_before + k.grip_after) * k.dt) * pull);
+    if constexpr (balance == Balance::of_moment) {
+      put(pending_grip, -0.5 * (k.grip_before * k.dt) * pull);
+      put(Account::elastic, -0.5 * elastic);
+      put(kinetic_translation, translation);
+      put(kinetic_rotation, rotation);
+      put(step_correction, correction);
+    }
+    *this = {};
+  }
+};
+
+/// One step of Table 1 of the paper for the elements of a part. `v` holds the velocity after the first half
+/// of the step that ends; with beta = 1 that is the rate (q_n - q_{n-1}) / dt.
+///
+/// Energies of the moment are evaluated on the way, since a step needs the forces of this moment in any case:
+/// in linear kinematics the elastic energy of the change is - 1/2 sum f . q. Such a step leaves the state as
+/// it is and writes the next one beside it, for the step that comes to take up.
+///
+/// Flattened: every function below is inlined whatever its size. What GCC left as calls (a beam's loads, four
+/// positions) passed its numbers through the stack; one scenario in double is 1.28 times as fast without.
+/// @param[in,out] p  q [m, rad] and v [m/s, rad/s] of the elements, and their accounts [J]
+template <template <class, int> class Form, class Real, int Width, Balance balance>
+[[gnu::flatten]] void advance(const ViewOf<Form, Real>& p, const StepConstants& k) {
+  using F = Form<Real, Width>;
+  using V = Pack<Real, Width>;
+  constexpr bool balanced = balance != Balance::none, of_moment = balance == Balance::of_moment;
+  const V dt = splat<V>(static_cast<Real>(k.dt)), kick = splat<V>(static_cast<Real>(0.5 * k.dt)),
+          ended = splat<V>(static_cast<Real>(0.5 * k.dt * k.beta_before)),
+          begun = splat<V>(static_cast<Real>(0.5 * k.dt * k.beta_after));
+  if constexpr (of_moment) {
+    for (int i = p.begin; i < p.end; i += chunk_size)
+      clear(chunk_of<Real, Width>(p, i), spent_damping * Width);
+    add_beam_energies<Form, Real, Width>(p);
+    if (p.contact) add_contact_energies<Form, Real, Width>(p);
+  }
+  ChunkEnergies<Real, Width> energies;
+  // f: balance of forces at q_n, eqs. (3)-(6); d: of it, that of the dampers, eq. (8)
+  walk<Form, Real, Width, balanced>(p, [&](int i, V(&f)[6], int extra, int damped, V(&d)[6]) {
+    V q[F::numbers], v[6], rate[6];
+    load_row<F::numbers, Width>(p.q + static_cast<long>(F::numbers) * Width * i, q);
+    load_row<6, Width>(p.v + 6L * Width * i, v);
+    if constexpr (of_moment && is_linear<Form>) {
+      V work{};
+      for (int c = 0; c < 6; ++c) work = fma(f[c], q[c], work);
+      energies.elastic += widened<Real, Width>(work);
+    }
+    const auto add = [&](const Real* rows, V(&to)[6]) {
+      for (int c = 0; c < 6; ++c) to[c] += load<Width>(rows + (6L * extra + c) * Width);
+    };
+    if (extra >= 0) add(p.extra, f);
+    const bool with_accounts = balanced && (!of_moment || k.balanced);
+    if (with_accounts) {
+      rates_at<Width>(p, i, rate);
+      if (p.top[i])
+        rate[1] = splat<V>(static_cast<Real>(k.grip_before));  // v is that of the step that begins
+      if (extra >= 0 && p.contact) {
+        V contact[6];
+        const long at = 6L * Width * extra;
+        load_row<6, Width>(p.contact + at, contact);
+        energies.contact += energies.work(contact, p.contact_before + at, rate);
+        store_row<6, Width>(p.next_contact_before + at, contact);
+        for (int c = 0; c < 6; ++c) f[c] += contact[c];
+      }
+      if (damped >= 0) {
+        if (extra >= 0) add(p.damping, d);
+        const long at = 6L * Width * damped;
+        energies.damping += energies.work(d, p.damping_before + at, rate);
+        store_row<6, Width>(p.next_damping_before + at, d);
+        for (int c = 0; c < 6; ++c) f[c] += d[c];
+      }
+      if (p.rate && p.per_mass[2L * i] != 0) energies.add_numerical(p, k, i, f, v, rate);
+      if (p.top[i]) energies.pull += widened<Real, Width>(f[1]);
+    }
+    const V per_mass[2] = {splat<V>(p.per_mass[2L * i]), splat<V>(p.per_mass[2L * i + 1])};
+    if constexpr (of_moment) {
+      V now[6];
+      for (int c = 0; c < 6; ++c) now[c] = fma(ended * per_mass[c / 3], f[c], v[c]);
+      if (p.velocity)
+        for (int c = 0; c < 6; ++c)
+          store<Width>(p.velocity + (6L * i + c) * Width, widened<Real, Width>(now[c]));
+      energies.add_moment(p, k, i, f, now);
+    }
+    if (with_accounts) {
+      for (int c = 0; c < 6; ++c) {
+        const V a = per_mass[c / 3] * f[c];  // Newton's law
+        v[c] = fma(ended, a, v[c]);          // eq. (2), its second half
+        rate[c] = fma(kick, a, v[c]);
+        v[c] = fma(begun, a, v[c]);  // eq. (2), the first half of the next step
+      }
+      if (p.rate) store_row<6, Width>(p.next_rate + 6L * Width * i, rate);
+    } else {
+      for (int c = 0; c < 6; ++c)
+        rate[c] = v[c] = fma(dt * per_mass[c / 3], f[c], v[c]);  // both halves of eq. (2)
+    }
+    F::drift(q, rate, dt);  // eq. (1)
+    store_row<F::numbers, Width>(p.next_q + static_cast<long>(F::numbers) * Width * i, q);
+    store_row<6, Width>(p.next_v + 6L * Width * i, v);
+    if (balanced && ((i + 1) % chunk_size == 0 || i + 1 == p.end))
+      energies.template close<balance>(chunk_of<Real, Width>(p, i), k);
   });
 }
 
 template <template <class, int> class Form, class Real, int Width>
 constexpr Kernel<typename Form<Real, 1>::Row> kernel() {
-  return {advance<Form, Real, Width, false>, advance<Form, Real, Width, true>,
-          evaluate_energies<Form, Real, Width>};
+  return {advance<Form, Real, Width, Balance::none>, advance<Form, Real, Width, Balance::of_step>,
+          advance<Form, Real, Width, Balance::of_moment>, group_size<Form, Real>};
 }
 
 }  // namespace rift::ensemble::RIFT_INSTRUCTIONS

@@ -107,7 +107,7 @@ inline void add_contact_forces(const ViewOf<Form, Real>& p) {
     V slip[3];
     load_row<3, Width>(p.slip + at, slip);
     const Touch<V> t = touch<Real>(gap, normal, {slip[0], slip[1], slip[2]}, friction);
-    if (p.slip_after && row.extra_i >= 0) {
+    if (row.extra_i >= 0) {
       const Space<V> now = plus(gap, -dot(normal, gap), normal) - t.sliding;
       const V kept[3] = {parted > V{} ? now.x : slip[0], parted > V{} ? now.y : slip[1],
                          parted > V{} ? now.z : slip[2]};
@@ -145,28 +145,41 @@ inline void add_damageable_forces(const ViewOf<Form, Real>& p) {
   }
 }
 
-/// Adds the damping forces f = 2 alpha sqrt(K M) delta n at the rates (q_n - q_{n-1}) / dt   [paper eq. (8)]
-/// to rows of their own, which the energy balance reads.
+/// Forces of a beam's dampers, f = 2 alpha sqrt(K M) delta n along its axis n and about it   [paper eq. (8)].
+/// @param[in] at_i, at_j  rates of its ends (q_n - q_{n-1}) / dt [m/s, rad/s]
+template <class V>
+inline EndLoads<V> damper_loads(const Space<V>& n, V axial, V twist, V bend, const V (&at_i)[6],
+                                const V (&at_j)[6]) {
+  const Space<V> slide{at_j[0] - at_i[0], at_j[1] - at_i[1], at_j[2] - at_i[2]};
+  const Space<V> turn{at_j[3] - at_i[3], at_j[4] - at_i[4], at_j[5] - at_i[5]};
+  EndLoads<V> e;
+  e.force = (axial * dot(n, slide)) * n;
+  e.moment_i = plus(bend * turn, (twist - bend) * dot(n, turn), n);
+  e.moment_j = Space<V>{} - e.moment_i;
+  return e;
+}
+
+template <class Real>
+inline const Real* rates_of(const PartView<Real>& p) {
+  return p.rate ? p.rate : p.v;
+}
+
+/// Adds the forces of the damageable beams' dampers to rows of their own.
 /// @param[in,out] p  damping [N, N m] of the elements with additional loads
 template <class Real, int Width>
 inline void add_damping_forces(const PartView<Real>& p) {
   using V = Pack<Real, Width>;
-  const Real* rate = p.rate ? p.rate : p.v;
+  const Real* rate = rates_of(p);
   for (int b = 0; b < p.damped_beams; ++b) {
     const DampedRow<Real>& row = p.damped[b];
-    V alpha = load<Width>(row.at_surface ? p.alpha_at_surface : p.alpha_elsewhere);
-    if (row.damageable >= 0)
-      alpha = alpha * load<Width>(p.factor + static_cast<long>(row.damageable) * Width);
+    const V alpha = load<Width>(row.at_surface ? p.alpha_at_surface : p.alpha_elsewhere) *
+                    load<Width>(p.factor + static_cast<long>(row.damageable) * Width);
     V at_i[6], at_j[6];
     load_row<6, Width>(rate + row.i * 6L * Width, at_i);
     load_row<6, Width>(rate + row.j * 6L * Width, at_j);
     const Space<V> n{splat<V>(row.nx), splat<V>(row.ny), splat<V>(row.nz)};
-    const Space<V> slide{at_j[0] - at_i[0], at_j[1] - at_i[1], at_j[2] - at_i[2]};
-    const Space<V> turn{at_j[3] - at_i[3], at_j[4] - at_i[4], at_j[5] - at_i[5]};
-    EndLoads<V> e;
-    e.force = (alpha * row.axial * dot(n, slide)) * n;
-    e.moment_i = plus((alpha * row.bend) * turn, alpha * (row.twist - row.bend) * dot(n, turn), n);
-    e.moment_j = Space<V>{} - e.moment_i;
+    const EndLoads<V> e =
+        damper_loads<V>(n, alpha * row.axial, alpha * row.twist, alpha * row.bend, at_i, at_j);
     if (row.extra_i >= 0) add_to<Width>(p.damping + row.extra_i * 6L * Width, [&](V(&f)[6]) { put(f, e); });
     if (row.extra_j >= 0)
       add_to<Width>(p.damping + row.extra_j * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });

@@ -50,14 +50,20 @@ struct IntactRow {
   Beam form;
 };
 
-/// Four intact beams side by side, for one scenario alone.
-inline constexpr int group_size = 4;
-template <class Beam>
+/// The dampers of an intact beam at alpha = 1, along and about the axis of its form   [paper eq. (8)].
+template <class Real>
+struct Dampers {
+  Real axial, twist, bend;
+  std::int32_t at_surface;  // 0 or 1; below 0 where the beam is not damped
+};
+
+/// For one scenario alone intact beams go side by side, as many as the kernel says: what each of these arrays
+/// holds of a group.
 struct BeamGroup {
-  std::int32_t i[group_size], j[group_size];            // rows of state
-  std::int32_t slot_i[group_size], slot_j[group_size];  // of the forces in the ring
-  std::int32_t complete;                                // elements before this one have all their forces now
-  typename Beam::Number number[beam_numbers<Beam>][group_size];  // of the form
+  static constexpr int i = 0, j = 1, slot_i = 2, slot_j = 3, rows = 4;  // rows of state; slots in the ring
+  static constexpr int damper_slot_i = 0, damper_slot_j = 1, at_surface = 2, damper_rows = 3;
+  static constexpr int damper_numbers = 3;  // axial, twist, bend
+  static constexpr int ring_row = 8;        // numbers of a row of the rings, six of them used
 };
 
 /// A beam that can be damaged.
@@ -80,11 +86,11 @@ struct ContactRow {
   typename Beam::Number gap[3];     // in the base state, 0 where the form's is of all
 };
 
-/// A beam with viscous damping   [paper eq. (8)].
+/// A damageable beam with viscous damping   [paper eq. (8)].
 template <class Real>
 struct DampedRow {
   std::int32_t i, j, extra_i, extra_j;
-  std::int32_t damageable;  // its place among the damageable beams, or -1
+  std::int32_t damageable;  // its place among the damageable beams
   std::int32_t at_surface;  // 0 or 1
   Real nx, ny, nz;
   Real axial, twist, bend;  // at alpha = 1
@@ -101,6 +107,7 @@ enum Account : int {
   pending_numerical,
   pending_contact,
   pending_grip,  // of the step under way, now
+  coming_grip,   // of that step and the next together, at this moment's force
   spent_damping,
   spent_numerical,
   spent_contact,
@@ -111,12 +118,14 @@ enum Account : int {
 inline constexpr int chunk_size = 128;  // elements
 
 /// The elements [begin, end) and their loads, for one thread. Rows beyond the elements are copies of other
-/// parts' elements, made before each step.
+/// parts' elements, made before each step. What has a `next` is read from the one and written to the other:
+/// the same where a step moves the elements, another where energies are evaluated.
 template <class Real>
 struct PartView {
   std::int32_t begin, end;
-  Real *q, *v, *rate;  // rows of state; rate may be null (then v is the rate)
-  Real* ring;          // forces of elements under way, slot = element & mask
+  const Real *q, *v, *rate;  // rows of state; rate may be null (then v is the rate)
+  Real *next_q, *next_v, *next_rate;
+  Real* ring;  // forces of elements under way, slot = element & mask
   std::int32_t mask;
   const Real* per_mass;     // [element][2]: 1/m, 1/I; 0 where gripped
   const double* mass;       // [element][2]: m [kg], I [kg m2]
@@ -124,17 +133,25 @@ struct PartView {
   const double* base;       // [row][6] the base state, in double
 
   std::int32_t extras;
-  const std::int32_t* extra_element;  // own elements with additional loads, ascending
-  Real* extra;                        // [extra element][6][lane] loads of damageable beams
-  Real *damping, *damping_before;     // [extra element][6][lane], null without damping
-  Real *contact, *contact_before;     // [extra element][6][lane], null without contact
-
+  const std::int32_t* extra_element;  // own elements of damageable beams, ascending
+  Real* extra;                        // [extra element][6][lane] loads of these beams
+  Real* contact;                      // [extra element][6][lane] of their faces, null without contact
+  const Real* contact_before;
+  Real* next_contact_before;
   const Real* factor;                 // [damageable][lane] what is left of the stiffness
   const Real* slip;                   // [damageable][3][lane] as the forces of the step before left it [m]
-  Real* slip_after;                   // where this step's leave it; null where energies are evaluated
+  Real* slip_after;                   // where this step's leave it
   const Real *in_contact, *friction;  // [lane]: 1 where the lane's faces touch; mu
-  std::int32_t damped_beams;
+
+  std::int32_t damped_elements;
+  const std::int32_t* damped_element;  // own elements that dampers act on, ascending
+  Real* damping_ring;                  // as `ring`, of intact beams' dampers
+  const Dampers<Real>* dampers;        // [intact beam]
+  const Real* damping_before;          // [damped element][6][lane] at the step before
+  Real* next_damping_before;
+  std::int32_t damped_beams;  // damageable ones
   const DampedRow<Real>* damped;
+  Real* damping;                                   // [extra element][6][lane] of these, null without damping
   const Real *alpha_at_surface, *alpha_elsewhere;  // [lane]
 
   double* account;   // [chunk][accounts][lane], chunk 0 begins at `begin`
@@ -149,7 +166,12 @@ struct BeamView : PartView<typename Beam::Number> {
   const std::int32_t* first;  // [own + 1] of the other beams, by their first element
   const IntactRow<Beam>* intact;
   std::int32_t groups;
-  const BeamGroup<Beam>* group;
+  const std::int32_t* group_rows;             // [group][BeamGroup::rows][beam]
+  const std::int32_t* group_complete;         // [group]: elements before have all their forces now
+  const typename Beam::Number* group_number;  // [group][number of the form][beam]
+  const std::int32_t* group_dampers;          // [group]: its place in the two below, or -1; null without
+  const std::int32_t* group_damper_rows;      // [damped group][BeamGroup::damper_rows][beam]
+  const typename Beam::Number* group_damper_number;  // [damped group][BeamGroup::damper_numbers][beam]
   std::int32_t damageable_beams;
   const DamageableRow<Beam>* damageable;
   std::int32_t contacts;
@@ -161,6 +183,10 @@ struct StepConstants {
   double dt;                       // [s]
   double beta_before, beta_after;  // of eq. (2), of the step that ends and of the one that begins
   double grip_before, grip_after;  // speed of the top grip in them [m/s]
+  /// With the accounts of the step, where something dissipates or the grip moves: the two halves of eq. (2)
+  /// one by one.
+  bool balanced = false;
+  bool operator==(const StepConstants&) const = default;
 };
 
 /// The kernels of one form of the beam and lane count.
@@ -168,8 +194,10 @@ template <class Beam>
 struct Kernel {
   using Function = void (*)(const BeamView<Beam>&, const StepConstants&);
   Function advance = nullptr;
-  Function advance_with_balance = nullptr;  // with the energy balance of every step
+  Function advance_with_balance = nullptr;  // with the accounts of the step
+  /// With all energies of this moment; moves the elements to the other rows of state.
   Function evaluate_energies = nullptr;
+  int group_size = 0;  // beams that go side by side where there is one lane
 };
 
 }  // namespace rift::ensemble

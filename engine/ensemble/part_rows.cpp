@@ -3,7 +3,9 @@
 #include "engine/fracture/face_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cassert>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -68,14 +70,19 @@ class PartOf final : public Part {
     make_room(s);
   }
 
-  void advance(StateArrays& state, const StepConstants& constants, bool balanced) override {
-    (balanced ? kernel_.advance_with_balance : kernel_.advance)(view_of(state), constants);
+  void advance(StateArrays& state, const StepConstants& constants) override {
+    (constants.balanced ? kernel_.advance_with_balance : kernel_.advance)(view_of(state), constants);
   }
 
   void evaluate_energies(StateArrays& state, const StepConstants& constants, double* velocities) override {
+    next_damping_before.resize(damping_before.size());
+    next_contact_before.resize(contact_before.size());
     BeamView<Beam> view = view_of(state);
     view.velocity = velocities;
-    view.slip_after = nullptr;
+    view.next_q = state.next_q.data<Real>(), view.next_v = state.next_v.data<Real>();
+    view.next_rate = state.next_rate.data<Real>();
+    view.next_damping_before = next_damping_before.data<Real>();
+    view.next_contact_before = next_contact_before.data<Real>();
     kernel_.evaluate_energies(view, constants);
   }
 
@@ -97,7 +104,7 @@ class PartOf final : public Part {
   /// How far beyond the first element that still lacks forces the walk reaches: no two of those may share a
   /// slot.
   int longest_reach(const RowSource& s) const {
-    const std::size_t at_once = s.lanes == 1 ? group_size : 1;
+    const std::size_t at_once = s.lanes == 1 ? kernel_.group_size : 1;
     int reach = 0;
     for (std::size_t b = 0; b < beams_.size(); b += at_once) {
       const int lacking = std::max(begin_, s.lattice.ends[beams_[b]][0]);
@@ -109,24 +116,22 @@ class PartOf final : public Part {
   }
 
   void find_ghosts_and_extras(const RowSource& s) {
-    std::vector<int> extra;
-    const auto see = [&](int i, int j, bool loads) {
+    const auto see = [&](int i, int j, std::vector<std::int32_t>* loaded) {
       for (const auto& [element, other] : {std::pair{i, j}, std::pair{j, i}}) {
-        if (owns(element) && loads)
-          extra.push_back(element);
+        if (owns(element) && loaded)
+          loaded->push_back(element);
         else if (!owns(element) && owns(other))
           ghost.push_back(element);
       }
     };
-    for (const int b : beams_) see(s.lattice.ends[b][0], s.lattice.ends[b][1], false);
+    for (const int b : beams_) see(s.lattice.ends[b][0], s.lattice.ends[b][1], nullptr);
     for (const fracture::DamageableBeam& d : s.damageable)
-      see(s.lattice.ends[d.beam][0], s.lattice.ends[d.beam][1], true);
-    for (const lattice::DampedBeam& d : s.damped) see(d.i, d.j, true);
-    for (std::vector<int>* list : {&ghost, &extra}) {
+      see(s.lattice.ends[d.beam][0], s.lattice.ends[d.beam][1], &extra_element);
+    for (const lattice::DampedBeam& d : s.damped) see(d.i, d.j, &damped_element);
+    for (auto* list : {&ghost, &extra_element, &damped_element}) {
       std::sort(list->begin(), list->end());
       list->erase(std::unique(list->begin(), list->end()), list->end());
     }
-    extra_element.assign(extra.begin(), extra.end());
   }
 
   std::int32_t row(int element) const {
@@ -199,47 +204,102 @@ class PartOf final : public Part {
     }
   }
 
+  /// What is missing of the last group is the last beam again, without stiffness; elements without intact
+  /// beams still move, with a group of a beam that is not there.
   void make_groups(const RowSource& s) {
     constexpr int numbers = beam_numbers<Beam>;
-    for (std::size_t b = 0; b < beams_.size(); b += group_size) {
-      BeamGroup<Beam> g{};
-      for (std::size_t k = 0; k < group_size; ++k) {
-        // What is missing of the last four is the last beam again, without stiffness.
-        const std::size_t at = std::min(b + k, beams_.size() - 1);
-        const bool missing = b + k >= beams_.size();
-        const auto& [i, j] = s.lattice.ends[beams_[at]];
-        g.i[k] = row(i), g.j[k] = row(j);
-        g.slot_i[k] = missing ? mask_ + 1 : slot(i), g.slot_j[k] = missing ? mask_ + 1 : slot(j);
-        const Real* number = reinterpret_cast<const Real*>(&intact_[at].form);
-        for (int a = 0; a < numbers; ++a) g.number[a][k] = missing && a >= numbers - 3 ? Real(0) : number[a];
+    const std::size_t size = kernel_.group_size;
+    groups_ = std::max<std::size_t>(1, (beams_.size() + size - 1) / size);
+    group_rows_.assign(groups_ * BeamGroup::rows * size, begin_);
+    group_number_.assign(groups_ * numbers * size, 0);
+    for (std::size_t place = 0; place < groups_ * size; ++place) {
+      const std::size_t g = place / size, k = place % size, at = std::min(place + 1, beams_.size());
+      const bool missing = place >= beams_.size();
+      const auto rows = [&](int which) -> std::int32_t& {
+        return group_rows_[(g * BeamGroup::rows + which) * size + k];
+      };
+      rows(BeamGroup::slot_i) = rows(BeamGroup::slot_j) = mask_ + 1;
+      const auto number = [&](int a) -> Real& { return group_number_[(g * numbers + a) * size + k]; };
+      if (at == 0) {
+        number(0) = number(3) = 1;  // an axis and a length
+        continue;
       }
-      const std::size_t next = b + group_size;
-      g.complete = next < beams_.size() ? std::clamp(s.lattice.ends[beams_[next]][0], begin_, end_) : end_;
-      group_.push_back(g);
+      const auto& [i, j] = s.lattice.ends[beams_[at - 1]];
+      rows(BeamGroup::i) = row(i), rows(BeamGroup::j) = row(j);
+      if (!missing) rows(BeamGroup::slot_i) = slot(i), rows(BeamGroup::slot_j) = slot(j);
+      const Real* form = reinterpret_cast<const Real*>(&intact_[at - 1].form);
+      for (int a = 0; a < numbers; ++a) number(a) = missing && a >= numbers - 3 ? Real(0) : form[a];
     }
-    if (!group_.empty()) return;
-    BeamGroup<Beam> g{};  // elements without intact beams still move
-    for (int k = 0; k < group_size; ++k)
-      g.i[k] = g.j[k] = begin_, g.slot_i[k] = g.slot_j[k] = mask_ + 1, g.number[0][k] = g.number[3][k] = 1;
-    g.complete = end_;
-    group_.push_back(g);
+    for (std::size_t next = size; next <= groups_ * size; next += size)
+      group_complete_.push_back(
+          next < beams_.size() ? std::clamp(s.lattice.ends[beams_[next]][0], begin_, end_) : end_);
+  }
+
+  /// The place of an intact beam among the part's.
+  std::size_t place_of(const RowSource& s, int i, int j) const {
+    const auto first = beams_.begin() + static_cast<std::ptrdiff_t>(owns(i) ? halo_ : 0),
+               last = owns(i) ? beams_.end() : beams_.begin() + static_cast<std::ptrdiff_t>(halo_);
+    const auto at = std::lower_bound(first, last, std::array{i, j},
+                                     [&](int b, const auto& ends) { return s.lattice.ends[b] < ends; });
+    assert(at != last && s.lattice.ends[*at] == (std::array{i, j}));
+    return at - beams_.begin();
   }
 
   void make_damped(const RowSource& s) {
+    if (s.damped.empty()) return;
+    dampers_.assign(beams_.size(), {0, 0, 0, -1});
     for (const lattice::DampedBeam& d : s.damped) {
       if (!owns(d.i) && !owns(d.j)) continue;
-      damped_.push_back({row(d.i), row(d.j), extra(d.i), extra(d.j), d.crossing, d.at_surface ? 1 : 0,
-                         static_cast<Real>(d.axis.x()), static_cast<Real>(d.axis.y()),
-                         static_cast<Real>(d.axis.z()), static_cast<Real>(d.axial),
-                         static_cast<Real>(d.twist), static_cast<Real>(d.bend)});
+      const auto axial = static_cast<Real>(d.axial), twist = static_cast<Real>(d.twist),
+                 bend = static_cast<Real>(d.bend);
+      if (d.crossing < 0)
+        dampers_[place_of(s, d.i, d.j)] = {axial, twist, bend, d.at_surface ? 1 : 0};
+      else
+        damped_.push_back({row(d.i), row(d.j), extra(d.i), extra(d.j), d.crossing, d.at_surface ? 1 : 0,
+                           static_cast<Real>(d.axis.x()), static_cast<Real>(d.axis.y()),
+                           static_cast<Real>(d.axis.z()), axial, twist, bend});
+    }
+    if (s.lanes == 1) make_group_dampers();
+  }
+
+  /// Beams without dampers in a group with some have none of any strength, whose loads nobody reads.
+  void make_group_dampers() {
+    const std::size_t size = kernel_.group_size;
+    for (std::size_t g = 0; g < groups_; ++g) {
+      const std::size_t first = g * size, last = std::min(first + size, dampers_.size());
+      const auto damped = [](const Dampers<Real>& d) { return d.at_surface >= 0; };
+      if (std::none_of(dampers_.begin() + first, dampers_.begin() + last, damped)) {
+        group_dampers_.push_back(-1);
+        continue;
+      }
+      const std::size_t rows = group_damper_rows_.size(), numbers = group_damper_number_.size();
+      group_dampers_.push_back(static_cast<std::int32_t>(rows / (BeamGroup::damper_rows * size)));
+      group_damper_rows_.resize(rows + BeamGroup::damper_rows * size, mask_ + 1);
+      group_damper_number_.resize(numbers + BeamGroup::damper_numbers * size, 0);
+      for (std::size_t k = 0; k < size; ++k) {
+        std::int32_t* row = &group_damper_rows_[rows + k];
+        row[BeamGroup::at_surface * size] = 0;
+        if (first + k >= last || !damped(dampers_[first + k])) continue;
+        const Dampers<Real>& d = dampers_[first + k];
+        const std::int32_t* slots = &group_rows_[g * BeamGroup::rows * size + k];
+        row[BeamGroup::damper_slot_i * size] = slots[BeamGroup::slot_i * size];
+        row[BeamGroup::damper_slot_j * size] = slots[BeamGroup::slot_j * size];
+        row[BeamGroup::at_surface * size] = d.at_surface;
+        Real* number = &group_damper_number_[numbers + k];
+        number[0] = d.axial, number[size] = d.twist, number[2 * size] = d.bend;
+      }
     }
   }
 
   void make_room(const RowSource& s) {
     const std::size_t row = 6UL * s.lanes, extras = extra_element.size() * row;
-    ring_.assign((mask_ + 2) * row, 0);
+    const std::size_t ring = (mask_ + 2) * (s.lanes == 1 ? BeamGroup::ring_row : row);
+    ring_.assign(ring, 0);
     extra_.assign(extras, 0);
-    if (!s.damped.empty()) damping_ = extra_, damping_before.resize(extras);
+    if (!s.damped.empty()) {
+      damping_ring_ = ring_, damping_ = extra_;
+      damping_before.resize(damped_element.size() * row);
+    }
     if (s.options.contact) contact_ = extra_, contact_before.resize(extras);
     const std::size_t chunks = (end_ - begin_ + chunk_size - 1) / chunk_size;
     account.assign(chunks * accounts * s.lanes, 0.0);
@@ -250,22 +310,29 @@ class PartOf final : public Part {
     const auto count = [](const auto& rows) { return static_cast<std::int32_t>(rows.size()); };
     BeamView<Beam> w{};
     w.begin = begin_, w.end = end_;
-    w.q = state.q.data<Real>(), w.v = state.v.data<Real>(), w.rate = state.rate.data<Real>();
+    w.q = w.next_q = state.q.data<Real>(), w.v = w.next_v = state.v.data<Real>();
+    w.rate = w.next_rate = state.rate.data<Real>();
     w.ring = ring_.data(), w.mask = mask_;
     w.per_mass = state.per_mass.data<Real>(), w.mass = state.mass.data();
     w.top = state.top.data(), w.base = state.base.data();
     w.extras = count(extra_element), w.extra_element = extra_element.data(), w.extra = extra_.data();
-    w.damping = damping_.data(), w.damping_before = damping_before.data<Real>();
-    w.contact = contact_.data(), w.contact_before = contact_before.data<Real>();
+    w.contact = contact_.data();
+    w.contact_before = w.next_contact_before = contact_before.data<Real>();
     w.factor = state.factor.data<Real>();
     w.slip = state.slip.data<Real>(), w.slip_after = state.slip_after.data<Real>();
     w.in_contact = state.in_contact.data<Real>(), w.friction = state.friction.data<Real>();
-    w.damped_beams = count(damped_), w.damped = damped_.data();
+    w.damped_elements = count(damped_element), w.damped_element = damped_element.data();
+    w.damping_ring = damping_ring_.data(), w.dampers = dampers_.data();
+    w.damping_before = w.next_damping_before = damping_before.data<Real>();
+    w.damped_beams = count(damped_), w.damped = damped_.data(), w.damping = damping_.data();
     w.alpha_at_surface = state.alpha_at_surface.data<Real>();
     w.alpha_elsewhere = state.alpha_elsewhere.data<Real>();
     w.account = account.data();
     w.halo = count(halo_i_), w.halo_i = halo_i_.data(), w.first = first_.data(), w.intact = intact_.data();
-    w.groups = count(group_), w.group = group_.data();
+    w.groups = static_cast<std::int32_t>(groups_), w.group_rows = group_rows_.data();
+    w.group_complete = group_complete_.data(), w.group_number = group_number_.data();
+    w.group_dampers = group_dampers_.data(), w.group_damper_rows = group_damper_rows_.data();
+    w.group_damper_number = group_damper_number_.data();
     w.damageable_beams = count(damageable_), w.damageable = damageable_.data();
     w.contacts = count(contact_row_), w.contact_row = contact_row_.data();
     return w;
@@ -278,14 +345,30 @@ class PartOf final : public Part {
   std::int32_t mask_ = 0;
   std::vector<std::int32_t> halo_i_, first_;
   std::vector<IntactRow<Beam>> intact_;
-  AlignedVector<BeamGroup<Beam>> group_;
+  std::size_t groups_ = 0;
+  std::vector<std::int32_t> group_rows_, group_complete_, group_dampers_, group_damper_rows_;
+  AlignedVector<Real> group_number_, group_damper_number_;
+  std::vector<Dampers<Real>> dampers_;  // of the intact beams; none where nothing is damped
   std::vector<DamageableRow<Beam>> damageable_;
   std::vector<ContactRow<Beam>> contact_row_;
   std::vector<DampedRow<Real>> damped_;
-  AlignedVector<Real> ring_, extra_, damping_, contact_;  // null where empty
+  AlignedVector<Real> ring_, damping_ring_, extra_, damping_, contact_;  // null where empty
 };
 
 }  // namespace
+
+void Part::take_up(int lanes, bool balanced) {
+  std::swap(damping_before, next_damping_before);
+  std::swap(contact_before, next_contact_before);
+  if (!balanced) return;
+  const std::size_t chunk = static_cast<std::size_t>(accounts) * lanes;
+  for (std::size_t at = 0; at < account.size(); at += chunk)
+    for (const auto& [spent, coming] :
+         {std::pair{spent_damping, pending_damping}, std::pair{spent_numerical, pending_numerical},
+          std::pair{spent_contact, pending_contact}, std::pair{spent_grip, coming_grip}})
+      for (int lane = 0; lane < lanes; ++lane)
+        account[at + spent * lanes + lane] += account[at + coming * lanes + lane];
+}
 
 std::vector<int> cut_evenly(const lattice::Lattice& lattice, int parts) {
   const int n = static_cast<int>(lattice.centre.size());

@@ -16,6 +16,9 @@ struct StateArrays {
       : q(p),
         v(p),
         rate(p),
+        next_q(p),
+        next_v(p),
+        next_rate(p),
         per_mass(p),
         factor(p),
         alpha_at_surface(p),
@@ -24,7 +27,7 @@ struct StateArrays {
         friction(p),
         slip(p),
         slip_after(p) {}
-  Numbers q, v, rate;  // as of PartView
+  Numbers q, v, rate, next_q, next_v, next_rate;  // as of PartView
   Numbers per_mass, factor, alpha_at_surface, alpha_elsewhere, in_contact, friction, slip, slip_after;
   AlignedVector<double> mass, base;
   std::vector<std::uint8_t> top;
@@ -40,6 +43,9 @@ struct EnsembleOptions {
   int lanes = 0;         // of the kernel; 0 for the fewest that hold the scenarios
   bool contact = false;  // whether any scenario's faces touch, now or later
 };
+
+/// Numbers beyond the last row of state that a kernel may read (columns_of()).
+inline constexpr std::size_t row_padding = 2;
 
 /// What the rows of all parts are made from.
 struct RowSource {
@@ -58,18 +64,21 @@ std::vector<int> cut_evenly(const lattice::Lattice& lattice, int parts);
 /// The rows that one thread works on, with the kernels that walk them, whatever the form of the beam and the
 /// precision.
 struct Part {
-  explicit Part(Precision p) : damping_before(p), contact_before(p) {}
+  explicit Part(Precision p)
+      : damping_before(p), contact_before(p), next_damping_before(p), next_contact_before(p) {}
   Part(const Part&) = delete;
   virtual ~Part() = default;
-  /// @param[in] balanced  with the energy balance of this step
-  virtual void advance(StateArrays& state, const StepConstants& constants, bool balanced) = 0;
+  virtual void advance(StateArrays& state, const StepConstants& constants) = 0;
+  /// Evaluates the accounts of this moment and moves the elements to the other rows of state.
   /// @param[out] velocities  of this moment, [element][6][lane], may be null
   virtual void evaluate_energies(StateArrays& state, const StepConstants& constants, double* velocities) = 0;
+  /// Takes up the step that evaluate_energies() has made: what it has before the next one, and its accounts.
+  void take_up(int lanes, bool balanced);
 
   std::vector<int> ghost;  // elements of other parts that it refers to, in the order of their copies' rows
   int first_ghost_row = 0;
-  std::vector<std::int32_t> extra_element;
-  Numbers damping_before, contact_before;
+  std::vector<std::int32_t> extra_element, damped_element;
+  Numbers damping_before, contact_before, next_damping_before, next_contact_before;
   AlignedVector<double> account;
 };
 

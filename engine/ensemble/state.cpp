@@ -2,6 +2,7 @@
 
 #include "engine/fracture/face_contact.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -38,6 +39,7 @@ State::State(const lattice::Lattice& lattice, std::vector<fracture::DamageableBe
 void State::set_base(const std::vector<lattice::Vector6>& base) {
   base_ = base;
   find_beams_at_top();
+  sum_base_energy();
   build_parts();
   for (int lane = 0; lane < lanes_; ++lane) put_to_rest(lane);
 }
@@ -58,7 +60,29 @@ void State::find_beams_at_top() {
   }
 }
 
+/// The corotational energies are whole without it.
+void State::sum_base_energy() {
+  base_energy_ = 0.0;
+  if (options_.kinematics == lattice::Kinematics::corotational) return;
+  std::vector<char> intact(lattice_->beam.size(), 1);
+  for (const fracture::DamageableBeam& d : damageable_) intact[d.beam] = 0;
+  for (std::size_t b = 0; b < intact.size(); ++b) {
+    if (!intact[b]) continue;
+    const auto& [i, j] = lattice_->ends[b];
+    const lattice::Beam& beam = lattice_->beam[b];
+    base_energy_ += lattice::energy_of(beam, lattice::strain_of(beam, base_[i], base_[j]));
+  }
+}
+
+double State::base_energy(int lane) const {
+  const auto top = std::find(arrays_.top.begin(), arrays_.top.end(), 1);
+  if (base_pull_ == 0.0 || top == arrays_.top.end()) return base_energy_;
+  const std::size_t element = top - arrays_.top.begin();
+  return base_energy_ - base_pull_ * arrays_.q[(element * position_numbers() + 1) * lanes_ + lane];
+}
+
 void State::build_parts() {
+  ahead_.reset();
   const RowSource source{*lattice_, options_, lanes_, base_, damageable_, damped_};
   part_.clear();
   std::vector<int> element(base_.size());  // of each row
@@ -68,24 +92,25 @@ void State::build_parts() {
     element.insert(element.end(), part_.back()->ghost.begin(), part_.back()->ghost.end());
   }
   const std::size_t rows = element.size() * lanes_;
-  arrays_.q.resize(rows * position_numbers());
-  arrays_.v.resize(rows * 6);
-  if (!arrays_.rate.empty()) arrays_.rate.resize(rows * 6);
+  arrays_.q.resize(rows * position_numbers() + row_padding);
+  arrays_.v.resize(rows * 6 + row_padding);
+  if (!arrays_.rate.empty()) arrays_.rate.resize(arrays_.v.size());
   arrays_.base.clear();
   for (const int i : element) arrays_.base.insert(arrays_.base.end(), base_[i].begin(), base_[i].end());
 }
 
 void State::set_damped(const std::vector<lattice::DampedBeam>& damped) {
   // What the loads of the last step were: the next step's work is that of both.
-  const std::vector<double> contact = by_element(&Part::contact_before);
-  const std::vector<double> damping = by_element(&Part::damping_before);
+  const std::vector<double> contact = by_element(&Part::contact_before, &Part::extra_element);
+  const std::vector<double> damping = by_element(&Part::damping_before, &Part::damped_element);
   damped_ = damped;
   build_parts();
-  set_by_element(&Part::contact_before, contact);
-  set_by_element(&Part::damping_before, damping);
+  set_by_element(&Part::contact_before, &Part::extra_element, contact);
+  set_by_element(&Part::damping_before, &Part::damped_element, damping);
 }
 
 void State::set_lane(int lane, const fracture::LaneScenario& scenario) {
+  ahead_.reset();
   assert(options_.contact || !scenario.friction);
   arrays_.alpha_at_surface.set(lane, scenario.alpha_at_surface);
   arrays_.alpha_elsewhere.set(lane, scenario.alpha_elsewhere);
@@ -94,10 +119,12 @@ void State::set_lane(int lane, const fracture::LaneScenario& scenario) {
 }
 
 void State::put_to_rest(int lane) {
+  ahead_.reset();
   const int numbers = position_numbers();
   const std::size_t rows = arrays_.v.size() / (6UL * lanes_);
   for (std::size_t row = 0; row < rows; ++row) {
-    for (int c = 0; c < 6; ++c) arrays_.v.set((row * 6 + c) * lanes_ + lane, 0.0);
+    for (Numbers* rates : {&arrays_.v, &arrays_.rate})
+      for (int c = 0; c < 6 && !rates->empty(); ++c) rates->set((row * 6 + c) * lanes_ + lane, 0.0);
     Eigen::Vector4d turn(1, 0, 0, 0);
     if (numbers == 7 && row < base_.size()) {
       const Eigen::Quaterniond base = lattice::pose_of(base_[row]).turn;
@@ -118,6 +145,7 @@ void State::put_to_rest(int lane) {
 }
 
 void State::set_motion(const std::vector<lattice::Vector6>& moved) {
+  ahead_.reset();
   const int numbers = position_numbers();
   for (std::size_t i = 0; i < moved.size(); ++i) {
     const Eigen::Quaterniond turn = lattice::pose_of(moved[i]).turn;
@@ -129,15 +157,18 @@ void State::set_motion(const std::vector<lattice::Vector6>& moved) {
 }
 
 void State::set_velocities(const AlignedVector<double>& velocity) {
+  ahead_.reset();
   for (std::size_t k = 0; k < velocity.size(); ++k) arrays_.v.set(k, velocity[k]);
 }
 
 void State::set_velocities(int lane, const std::vector<lattice::Vector6>& velocity) {
+  ahead_.reset();
   for (std::size_t i = 0; i < velocity.size(); ++i)
     for (int c = 0; c < 6; ++c) arrays_.v.set((i * 6 + c) * lanes_ + lane, velocity[i][c]);
 }
 
 void State::set_top_velocity(double speed) {
+  ahead_.reset();
   for (std::size_t i = 0; i < arrays_.top.size(); ++i)
     if (arrays_.top[i])
       for (int lane = 0; lane < lanes_; ++lane) arrays_.v.set((i * 6 + 1) * lanes_ + lane, speed);
@@ -162,16 +193,33 @@ void State::copy_ghosts() {
   });
 }
 
-void State::advance(const StepConstants& constants, bool balanced) {
-  copy_ghosts();
-  balanced = balanced || !damped_.empty() || !arrays_.rate.empty() || options_.contact;
-  threads_->run(threads(), [&](int p) { part_[p]->advance(arrays_, constants, balanced); });
-  std::swap(arrays_.slip, arrays_.slip_after);
+StepConstants State::with_balance(StepConstants constants) const {
+  constants.balanced = constants.grip_before != 0.0 || constants.grip_after != 0.0 || !damped_.empty() ||
+                       !arrays_.rate.empty() || options_.contact;
+  return constants;
 }
 
-void State::evaluate_energies(const StepConstants& constants, double* velocities) {
+void State::advance(const StepConstants& given) {
+  const StepConstants constants = with_balance(given);
+  if (ahead_ == constants) {
+    std::swap(arrays_.q, arrays_.next_q), std::swap(arrays_.v, arrays_.next_v);
+    std::swap(arrays_.rate, arrays_.next_rate);
+    for (const auto& part : part_) part->take_up(lanes_, constants.balanced);
+  } else {
+    copy_ghosts();
+    threads_->run(threads(), [&](int p) { part_[p]->advance(arrays_, constants); });
+  }
+  std::swap(arrays_.slip, arrays_.slip_after);
+  ahead_.reset();
+}
+
+void State::evaluate_energies(const StepConstants& given, double* velocities) {
+  const StepConstants constants = with_balance(given);
+  arrays_.next_q.resize(arrays_.q.size()), arrays_.next_v.resize(arrays_.v.size());
+  arrays_.next_rate.resize(arrays_.rate.size());
   copy_ghosts();
   threads_->run(threads(), [&](int p) { part_[p]->evaluate_energies(arrays_, constants, velocities); });
+  ahead_ = constants;
 }
 
 double State::add_account(Account account, int lane, double sum) const {
@@ -233,24 +281,24 @@ double State::grip_force(int lane) const {
 }
 
 /// Rows of elements with additional loads as rows of all, 0 elsewhere; none where no part has any.
-std::vector<double> State::by_element(Numbers Part::*rows) const {
+std::vector<double> State::by_element(Numbers Part::*rows, Elements elements) const {
   std::vector<double> all;
   const std::size_t row = 6UL * lanes_;
   for (const auto& part : part_) {
     const Numbers& numbers = (*part).*rows;
     if (!numbers.empty()) all.resize(base_.size() * row);
     for (std::size_t k = 0; k < numbers.size(); ++k)
-      all[static_cast<std::size_t>(part->extra_element[k / row]) * row + k % row] = numbers[k];
+      all[static_cast<std::size_t>(((*part).*elements)[k / row]) * row + k % row] = numbers[k];
   }
   return all;
 }
 
-void State::set_by_element(Numbers Part::*rows, const std::vector<double>& all) {
+void State::set_by_element(Numbers Part::*rows, Elements elements, const std::vector<double>& all) {
   const std::size_t row = 6UL * lanes_;
   for (const auto& part : part_) {
     Numbers& numbers = (*part).*rows;
     for (std::size_t k = 0; k < numbers.size() && !all.empty(); ++k)
-      numbers.set(k, all[static_cast<std::size_t>(part->extra_element[k / row]) * row + k % row]);
+      numbers.set(k, all[static_cast<std::size_t>(((*part).*elements)[k / row]) * row + k % row]);
   }
 }
 
@@ -262,13 +310,14 @@ void State::save(NamedNumbers& state) const {
   put(state, "factor", arrays_.factor, arrays_.factor.size());
   // By chunks and by elements, which do not depend on how many threads march.
   for (const auto& part : part_) put(state, "account", part->account, part->account.size());
-  state["damping_before"] = by_element(&Part::damping_before);
+  state["damping_before"] = by_element(&Part::damping_before, &Part::damped_element);
   if (!options_.contact) return;
-  state["contact_before"] = by_element(&Part::contact_before);
+  state["contact_before"] = by_element(&Part::contact_before, &Part::extra_element);
   put(state, "slip", arrays_.slip, arrays_.slip.size());
 }
 
 void State::restore(const NamedNumbers& state) {
+  ahead_.reset();
   const std::size_t rows = base_.size() * lanes_;
   const auto rates = state.find("rate");
   if (rates != state.end() && !rates->second.empty()) keep_rates();
@@ -276,9 +325,11 @@ void State::restore(const NamedNumbers& state) {
   take(state, "velocity", arrays_.v, rows * 6);
   take(state, "rate", arrays_.rate, arrays_.rate.empty() ? 0 : rows * 6);
   take(state, "factor", arrays_.factor, arrays_.factor.size());
-  set_by_element(&Part::damping_before, numbers_of(state, "damping_before", damped_.empty() ? 0 : rows * 6));
+  set_by_element(&Part::damping_before, &Part::damped_element,
+                 numbers_of(state, "damping_before", damped_.empty() ? 0 : rows * 6));
   if (options_.contact) {
-    set_by_element(&Part::contact_before, numbers_of(state, "contact_before", rows * 6));
+    set_by_element(&Part::contact_before, &Part::extra_element,
+                   numbers_of(state, "contact_before", rows * 6));
     take(state, "slip", arrays_.slip, arrays_.slip.size());
     arrays_.slip_after = arrays_.slip;
   }

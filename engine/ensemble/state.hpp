@@ -5,6 +5,7 @@
 #include "engine/fracture/release.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rift::ensemble {
@@ -33,15 +34,18 @@ class State {
   /// @param[in] velocity  N [m/s, rad/s]
   void set_velocities(int lane, const std::vector<lattice::Vector6>& velocity);
   void set_top_velocity(double speed);  // along y [m/s]
-  void set_factor(int k, int lane, double factor) { arrays_.factor.set(at(k, lane), factor); }
+  void set_factor(int k, int lane, double factor) {
+    ahead_.reset();
+    arrays_.factor.set(at(k, lane), factor);
+  }
   /// Makes room for rates that differ from the velocities, as they do with beta other than 1.
   void keep_rates();
 
-  /// Moves all lanes on by a step. @param[in] balanced  with the accounts of the step; they are kept in any
-  /// case where something dissipates
-  void advance(const StepConstants& constants, bool balanced);
-  /// Evaluates the accounts of energies at this moment. @param[out] velocities  [element][6][lane], may be
-  /// null
+  /// Moves all lanes on by a step, with its accounts where something dissipates or the grip moves; costs
+  /// nothing where evaluate_energies() has made this very step already.
+  void advance(const StepConstants& constants);
+  /// Evaluates the accounts of energies at this moment, and with the same look at the beams the step that
+  /// comes. @param[out] velocities  [element][6][lane], may be null
   void evaluate_energies(const StepConstants& constants, double* velocities);
   /// An account of a lane, chunk by chunk added to `sum` [J].
   double add_account(Account account, int lane, double sum = 0.0) const;
@@ -59,7 +63,10 @@ class State {
   }
   Eigen::Vector3d gap(int k, int lane) const;   // of the faces of a damageable beam [m]
   Eigen::Vector3d slip(int k, int lane) const;  // along them so far [m]
-  double grip_force(int lane) const;            // of the top grip along y [N]; below 0 it presses
+  /// What the account `elastic` leaves out: the intact beams' energy in the base state and what the top
+  /// grip's rise since then does against the base state's pull, both 0 in corotational kinematics [J].
+  double base_energy(int lane) const;
+  double grip_force(int lane) const;  // of the top grip along y [N]; below 0 it presses
   double base_pull() const {
     return base_pull_;
   }  // of the lattice on the top grip along y in the base state [N]
@@ -82,10 +89,13 @@ class State {
   template <class Function>
   auto of_ends(const Function& function, int beam, int lane) const;
   void find_beams_at_top();
+  void sum_base_energy();
   void build_parts();
   void copy_ghosts();
-  std::vector<double> by_element(Numbers Part::*rows) const;
-  void set_by_element(Numbers Part::*rows, const std::vector<double>& numbers);
+  StepConstants with_balance(StepConstants constants) const;
+  using Elements = std::vector<std::int32_t> Part::*;
+  std::vector<double> by_element(Numbers Part::*rows, Elements elements) const;
+  void set_by_element(Numbers Part::*rows, Elements elements, const std::vector<double>& numbers);
 
   const lattice::Lattice* lattice_;
   EnsembleOptions options_;
@@ -97,8 +107,10 @@ class State {
     int beam, k;  // the latter -1 where nothing damages it
   };
   std::vector<TopBeam> top_beam_;  // from the top grip to other elements
-  double base_pull_ = 0;
+  double base_pull_ = 0, base_energy_ = 0;
   StateArrays arrays_;
+  /// Of the step that evaluate_energies() has made ahead; none where the state has changed since.
+  std::optional<StepConstants> ahead_;
   std::vector<int> cut_;  // first elements of the parts, and N
   std::vector<std::unique_ptr<Part>> part_;
   std::unique_ptr<base::ThreadPool> threads_;

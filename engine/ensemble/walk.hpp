@@ -1,122 +1,159 @@
 #pragma once
 
+#include "engine/ensemble/columns.hpp"
 #include "engine/ensemble/loads.hpp"
 
 namespace rift::ensemble::RIFT_INSTRUCTIONS {
 
-/// Finds the additional loads of elements as the walk comes by.
-template <class Real>
-struct ExtraIndex {
-  const PartView<Real>& p;
-  int next = 0;
-  /// The index of element i among those with additional loads, or -1; i ascends.
-  int of(int i) { return next < p.extras && p.extra_element[next] == i ? next++ : -1; }
+/// Finds an element in an ascending list of them as the walk comes by.
+struct ElementIndex {
+  const std::int32_t* element;
+  int count, next = 0;
+  /// The place of element i in the list, or -1; i ascends.
+  int of(int i) { return next < count && element[next] == i ? next++ : -1; }
 };
 
-/// Walks over the elements in their order: each gets the forces of its beams to later ones, of earlier ones'
-/// beams to it (in the ring), and its additional loads; then nothing is missing and `finish` may move it on,
-/// since no later beam asks for it. Every element sums in one order, whoever walks. Cost O(beams x lanes);
-/// allocates nothing.
-/// @param[in] finish  called with the element, its forces [N] and moments [N m], and its index among those
-/// with
-///                    additional loads, or -1
-template <template <class, int> class Form, class Real, int Width, class Finish>
+/// The rates of an element.
+template <int Width, class Real>
+inline void rates_at(const PartView<Real>& p, long row, Pack<Real, Width> (&to)[6]) {
+  load_row<6, Width>(rates_of(p) + row * 6 * Width, to);
+}
+
+/// A beam's dampers times alpha. @param[in] at_i  rates of its first element;  @param[in] j  row of the
+/// second
+template <class Real, int Width>
+inline EndLoads<Pack<Real, Width>> damper_loads_at(const PartView<Real>& p, const Dampers<Real>& d,
+                                                   const Space<Pack<Real, Width>>& axis,
+                                                   const Pack<Real, Width> (&at_i)[6], long j) {
+  using V = Pack<Real, Width>;
+  const V alpha = load<Width>(d.at_surface ? p.alpha_at_surface : p.alpha_elsewhere);
+  V at_j[6];
+  rates_at<Width>(p, j, at_j);
+  return damper_loads<V>(axis, alpha * d.axial, alpha * d.twist, alpha * d.bend, at_i, at_j);
+}
+
+/// Walks over the elements in their order: each gets the forces of its beams to later ones and, in the ring,
+/// of earlier ones' beams to it; then nothing is missing and `finish` may move it on, since no later beam
+/// asks for it. Every element sums in one order, whoever walks. Forces of dampers go through a ring of their
+/// own, since the energy balance asks for them alone; elements without dampers do not see it. Cost O(beams x
+/// lanes); allocates nothing.
+/// @tparam    Damped  whether there may be dampers at all
+/// @param[in] finish  called with the element, the forces [N] and moments [N m] of its intact beams, its
+/// index
+///                    among those with additional loads and among those that dampers act on, or -1, and the
+///                    forces of its intact beams' dampers, where there are any
+template <template <class, int> class Form, class Real, int Width, bool Damped, class Finish>
 inline void walk_lanes(const ViewOf<Form, Real>& p, const Finish& finish) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
-  const auto* beam = p.intact;
-  for (int h = 0; h < p.halo; ++h, ++beam) {
-    const EndLoads<V> e = F::loads(F::form(beam->form), position_at<Form, Real, Width>(p.q, p.halo_i[h]),
-                                   position_at<Form, Real, Width>(p.q, beam->j));
-    add_to<Width>(p.ring + beam->slot * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
+  long b = 0;  // intact beam
+  for (; b < p.halo; ++b) {
+    const auto& beam = p.intact[b];
+    const auto form = F::form(beam.form);
+    const EndLoads<V> e = F::loads(form, position_at<Form, Real, Width>(p.q, p.halo_i[b]),
+                                   position_at<Form, Real, Width>(p.q, beam.j));
+    add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
+    if (!Damped || !p.dampers || p.dampers[b].at_surface < 0) continue;
+    V at_i[6];
+    rates_at<Width>(p, p.halo_i[b], at_i);
+    const EndLoads<V> taken =
+        damper_loads_at<Real, Width>(p, p.dampers[b], F::initial_axis(form), at_i, beam.j);
+    add_to<Width>(p.damping_ring + beam.slot * 6L * Width, [&](V(&d)[6]) { put_opposite(d, taken); });
   }
-  ExtraIndex<Real> extra_index{p};
+  ElementIndex extra{p.extra_element, p.extras}, damped{p.damped_element, p.damped_elements};
   for (int i = p.begin; i < p.end; ++i) {
     const auto qi = position_at<Form, Real, Width>(p.q, i);
+    const long ended = p.halo + p.first[i - p.begin + 1];
     Real* own = p.ring + (i & p.mask) * 6L * Width;
-    V f[6];
+    V f[6], d[6]{}, at_i[6]{};
     load_row<6, Width>(own, f);
-    for (int left = p.first[i - p.begin + 1] - p.first[i - p.begin]; left > 0; --left, ++beam) {
-      const EndLoads<V> e = F::loads(F::form(beam->form), qi, position_at<Form, Real, Width>(p.q, beam->j));
-      put(f, e);
-      add_to<Width>(p.ring + beam->slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
+    const int damped_index = Damped ? damped.of(i) : -1;
+    if (damped_index >= 0) {
+      Real* own_damping = p.damping_ring + (i & p.mask) * 6L * Width;
+      load_row<6, Width>(own_damping, d);
+      rates_at<Width>(p, i, at_i);
+      clear(own_damping, 6L * Width);
     }
-    finish(i, f, extra_index.of(i));
+    for (; b < ended; ++b) {
+      const auto& beam = p.intact[b];
+      const auto form = F::form(beam.form);
+      const EndLoads<V> e = F::loads(form, qi, position_at<Form, Real, Width>(p.q, beam.j));
+      put(f, e);
+      add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
+      // In the same loop: a second one over so few beams is mispredicted at its end.
+      if (damped_index < 0 || p.dampers[b].at_surface < 0) continue;
+      const EndLoads<V> taken =
+          damper_loads_at<Real, Width>(p, p.dampers[b], F::initial_axis(form), at_i, beam.j);
+      put(d, taken);
+      add_to<Width>(p.damping_ring + beam.slot * 6L * Width,
+                    [&](V(&other)[6]) { put_opposite(other, taken); });
+    }
+    finish(i, f, extra.of(i), damped_index, d);
     clear(own, 6L * Width);
   }
 }
 
-template <class Real>
-inline void transpose(Pack<Real, 4> (&r)[4]) {
-  const auto a = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6),
-             b = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
-  const auto c = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6),
-             d = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
-  r[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5), r[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
-  r[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7), r[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+/// The dampers of a group's beams.
+template <int Size, class Real>
+inline void add_group_dampers(const PartView<Real>& p, const Space<Pack<Real, Size>>& axis,
+                              const std::int32_t* rows, const std::int32_t* damper_rows, const Real* number) {
+  using V = Pack<Real, Size>;
+  V at_i[6], at_j[6], alpha{};
+  columns_of<Size, 6>(rates_of(p), rows + BeamGroup::i * Size, at_i);
+  columns_of<Size, 6>(rates_of(p), rows + BeamGroup::j * Size, at_j);
+  for (int k = 0; k < Size; ++k)
+    alpha[k] = *(damper_rows[BeamGroup::at_surface * Size + k] ? p.alpha_at_surface : p.alpha_elsewhere);
+  const V axial = load<Size>(number), twist = load<Size>(number + Size), bend = load<Size>(number + 2 * Size);
+  add_loads<Size>(p.damping_ring, damper_rows + BeamGroup::damper_slot_i * Size,
+                  damper_rows + BeamGroup::damper_slot_j * Size,
+                  damper_loads<V>(axis, alpha * axial, alpha * twist, alpha * bend, at_i, at_j));
 }
 
-/// The positions of four elements, one in each place of the packs.
-template <template <class, int> class Form, class Real>
-inline typename Form<Real, 4>::Position four_positions(const Real* q, const std::int32_t (&row)[4]) {
-  constexpr int n = Form<Real, 4>::numbers;
-  Pack<Real, 4> low[4], high[4], c[n];
-  for (int k = 0; k < 4; ++k)
-    low[k] = load<4>(q + row[k] * long{n}), high[k] = load<4>(q + row[k] * long{n} + n - 4);
-  transpose<Real>(low), transpose<Real>(high);
-  for (int k = 0; k < 4; ++k) c[k] = low[k], c[n - 4 + k] = high[k];
-  return Form<Real, 4>::position(c);
-}
-
-/// The same walk for one scenario alone, four beams at once.
-template <template <class, int> class Form, class Real, class Finish>
+/// The same walk for one scenario alone, a group of beams at once.
+template <template <class, int> class Form, class Real, bool Damped, class Finish>
 inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
-  using F = Form<Real, 4>;
-  using V = Pack<Real, 4>;
+  constexpr int Size = group_size<Form, Real>;
+  using F = Form<Real, Size>;
+  using V = Pack<Real, Size>;
   constexpr int numbers = beam_numbers<typename Form<Real, 1>::Row>;
-  const auto* group = p.group;
-  ExtraIndex<Real> extra_index{p};
+  ElementIndex extra{p.extra_element, p.extras}, damped{p.damped_element, p.damped_elements};
   int i = p.begin;
-  for (int g = 0; g < p.groups; ++g, ++group) {
-    V number[numbers];
-    for (int k = 0; k < numbers; ++k) number[k] = load<4>(group->number[k]);
-    const EndLoads<V> e = F::loads(F::form(number), four_positions<Form, Real>(p.q, group->i),
-                                   four_positions<Form, Real>(p.q, group->j));
-    V on_i[4] = {e.force.x, e.force.y, e.force.z, e.moment_i.x};
-    V on_j[4] = {V{} - e.force.x, V{} - e.force.y, V{} - e.force.z, e.moment_j.x};
-    transpose<Real>(on_i), transpose<Real>(on_j);
-    const V yz[4] = {__builtin_shufflevector(e.moment_i.y, e.moment_i.z, 0, 4, 1, 5),
-                     __builtin_shufflevector(e.moment_i.y, e.moment_i.z, 2, 6, 3, 7),
-                     __builtin_shufflevector(e.moment_j.y, e.moment_j.z, 0, 4, 1, 5),
-                     __builtin_shufflevector(e.moment_j.y, e.moment_j.z, 2, 6, 3, 7)};
-    const auto add = [&](Real* row, V head, Pack<Real, 2> tail) {
-      store<4>(row, load<4>(row) + head);
-      store<2>(row + 4, load<2>(row + 4) + tail);
-    };
-    for (int k = 0; k < 4; ++k) {
-      const auto half = [&](V x) {
-        return k % 2 == 0 ? __builtin_shufflevector(x, x, 0, 1) : __builtin_shufflevector(x, x, 2, 3);
-      };
-      add(p.ring + group->slot_i[k] * 6L, on_i[k], half(yz[k / 2]));
-      add(p.ring + group->slot_j[k] * 6L, on_j[k], half(yz[2 + k / 2]));
-    }
-    for (; i < group->complete; ++i) {
-      Real* own = p.ring + (i & p.mask) * 6L;
-      Real f[6];
+  for (long g = 0; g < p.groups; ++g) {
+    const std::int32_t* rows = p.group_rows + g * BeamGroup::rows * Size;
+    V number[numbers], qi[F::numbers], qj[F::numbers];
+    load_row<numbers, Size>(p.group_number + g * numbers * Size, number);
+    columns_of<Size, F::numbers>(p.q, rows + BeamGroup::i * Size, qi);
+    columns_of<Size, F::numbers>(p.q, rows + BeamGroup::j * Size, qj);
+    const auto form = F::form(number);
+    add_loads<Size>(p.ring, rows + BeamGroup::slot_i * Size, rows + BeamGroup::slot_j * Size,
+                    F::loads(form, F::position(qi), F::position(qj)));
+    if (const long at = Damped && p.group_dampers ? p.group_dampers[g] : -1; at >= 0)
+      add_group_dampers<Size>(p, F::initial_axis(form), rows,
+                              p.group_damper_rows + at * BeamGroup::damper_rows * Size,
+                              p.group_damper_number + at * BeamGroup::damper_numbers * Size);
+    for (; i < p.group_complete[g]; ++i) {
+      Real* own = p.ring + long{i & p.mask} * BeamGroup::ring_row;
+      Real f[6], d[6]{};
       load_row<6, 1>(own, f);
-      finish(i, f, extra_index.of(i));
+      const int damped_index = Damped ? damped.of(i) : -1;
+      if (damped_index >= 0) {
+        Real* own_damping = p.damping_ring + long{i & p.mask} * BeamGroup::ring_row;
+        load_row<6, 1>(own_damping, d);
+        clear(own_damping, 6);
+      }
+      finish(i, f, extra.of(i), damped_index, d);
       clear(own, 6);
     }
   }
 }
 
-template <template <class, int> class Form, class Real, int Width, class Finish>
+template <template <class, int> class Form, class Real, int Width, bool Damped, class Finish>
 inline void walk(const ViewOf<Form, Real>& p, const Finish& finish) {
   add_extra_forces<Form, Real, Width>(p);
   if constexpr (Width == 1)
-    walk_groups<Form, Real>(p, finish);
+    walk_groups<Form, Real, Damped>(p, finish);
   else
-    walk_lanes<Form, Real, Width>(p, finish);
+    walk_lanes<Form, Real, Width, Damped>(p, finish);
 }
 
 }  // namespace rift::ensemble::RIFT_INSTRUCTIONS

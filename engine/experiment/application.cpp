@@ -150,10 +150,10 @@ Application apply(const scene::Preset& preset, const Experiment& found, base::Ca
                   const Parts& parts, const ExperimentProgress& progress) {
   scene::Preset own = preset;
   own.scene = by_itself(preset, found);
-  const simulation::Prepared prepared =
-      simulation::prepare(own, cache, [&](std::string_view, double) { return progress("application", 0.0); });
+  const simulation::Prepared prepared = simulation::prepare(
+      own, cache, [&](std::string_view, double) { return progress("forward check", 0.0); });
   const simulation::RunResult run =
-      parts.march("application", prepared, [&](double done) { return progress("application", done); });
+      parts.march("application", prepared, [&](double done) { return progress("forward check", done); });
   Application a;
   a.arrested_m = run.lane[0].arrested_m;
   std::vector<Sample> rows;

@@ -71,9 +71,9 @@ std::vector<EfficiencyPoint> efficiency_of(const scene::Preset& preset, double p
   scene::Preset strip = preset;
   strip.scene = scenes.front(), strip.steering.clear();
   const simulation::Prepared prepared = simulation::prepare(
-      strip, scenes, cache, [&](std::string_view, double) { return progress("efficiency", 0.0); });
+      strip, scenes, cache, [&](std::string_view, double) { return progress("lattice efficiency", 0.0); });
   const simulation::RunResult run =
-      parts.march("efficiency", prepared, [&](double done) { return progress("efficiency", done); });
+      parts.march("efficiency", prepared, [&](double done) { return progress("lattice efficiency", done); });
   for (std::size_t k = 0; k < points.size(); ++k) {
     const simulation::Rates rates = simulation::rates_of(prepared, run, static_cast<int>(k));
     points[k].efficiency = rates.plateau.mean.ratio, points[k].scatter = rates.plateau.scatter;

@@ -1,6 +1,7 @@
 #include "engine/experiment/experiment.hpp"
 
 #include "engine/base/interrupted.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/kept_parts.hpp"
@@ -21,8 +22,6 @@ namespace rift::experiment {
 namespace {
 
 using results::Sample;
-
-constexpr int points = 60;
 
 std::vector<Sample> crack_rows(const simulation::LaneResult& lane) {
   std::vector<Sample> rows;
@@ -129,20 +128,11 @@ class Laboratory {
   }
 
   void lay_points(const simulation::Prepared& p) {
-    const double start = preset_.scene.crack.start + p.lane[0].scenario.law.zone_length + 0.5 * e_.width,
-                 end = p.lane[0].crack_end - 0.5 * e_.width;
-    if (!(end > start))
+    e_.along = points_of(preset_.scene, e_.course, p.lane[0].scenario.law.zone_length, p.lattice.mean_radius);
+    if (e_.along.empty())
       throw scene::InputError({scene::issue_at(
           preset_, "crack.toughness_window",
           "must be shorter than the history, because the release rate is averaged over it")});
-    for (int k = 0; k < points; ++k) {
-      CriticalPoint point;
-      point.position = start + k * (end - start) / (points - 1);
-      const double since = history::time_of_arrival(e_.course.history, point.position);
-      point.time = e_.course.first_time + since;
-      point.over_cr = history::speed_at(e_.course.history, since) / p.rayleigh_speed;
-      e_.along.push_back(point);
-    }
   }
 
   /// The same crack along histories that might as well have been measured, as lanes.
@@ -213,12 +203,9 @@ class Laboratory {
     std::vector<double> at;
     const double from = e_.along.front().position, to = e_.along.back().position;
     for (int k = 0; k <= static_parts; ++k) at.push_back(from + k * (to - from) / static_parts);
-    std::vector<double> part_rates, rates;
-    for (int k = 0; k < static_parts; ++k) {
-      if (!progress_("quasi-static", static_cast<double>(k) / static_parts))
-        throw base::Interrupted("the quasi-static plates were solved");
-      part_rates.push_back(measurement::quasi_static_rates(p, {at[k], at[k + 1]}).front());
-    }
+    const std::vector<double> part_rates = measurement::quasi_static_rates(
+        p, at, [this](double done) { return progress_("quasi-static", done); });
+    std::vector<double> rates;
     // Over two parts each: the few beams between two positions scatter.
     for (int k = 1; k < static_parts; ++k) rates.push_back(0.5 * (part_rates[k - 1] + part_rates[k]));
     for (CriticalPoint& point : e_.along) {  // straight between the positions and on beyond them
@@ -263,8 +250,52 @@ class Laboratory {
       point.corrected_uncertainty =
           std::hypot(point.uncertainty, point.corrected * of_efficiency) / point.efficiency;
     }
+    e_.mean = mean_of_points();
     std::erase_if(e_.along, [](const CriticalPoint& point) { return !std::isfinite(point.as_paper); });
     e_.law = law_of(e_.along);
+  }
+
+  /// How far a curve lies from the result, on average over the points that both have.
+  double offset_of(const std::vector<double>& curve) const {
+    std::vector<double> offsets;
+    for (std::size_t k = 0; k < curve.size(); ++k)
+      if (const double offset = curve[k] - e_.along[k].as_paper; std::isfinite(offset))
+        offsets.push_back(offset);
+    return base::mean_of(offsets);
+  }
+  std::vector<double> offsets_of(const std::vector<std::vector<double>>& curves) const {
+    std::vector<double> offsets;
+    for (const std::vector<double>& curve : curves) offsets.push_back(offset_of(curve));
+    return offsets;
+  }
+
+  CriticalMean mean_of_points() const {
+    CriticalMean m;
+    m.slowest = slowest(), m.fastest = fastest();
+    std::vector<double> as_paper, corrected, relative;
+    for (const CriticalPoint& point : e_.along) {
+      if (!std::isfinite(point.as_paper)) continue;
+      m.from = as_paper.empty() ? point.position : m.from, m.to = point.position;
+      as_paper.push_back(point.as_paper), corrected.push_back(point.corrected);
+      const EfficiencyPoint of_lattice = efficiency_at(e_.efficiency, point.over_cr);
+      relative.push_back(of_lattice.scatter / of_lattice.efficiency);
+    }
+    m.as_paper = base::mean_of(as_paper), m.corrected = base::mean_of(corrected);
+    m.efficiency = m.as_paper / m.corrected;
+    const auto deviation = [](const std::vector<double>& numbers) {
+      return numbers.size() > 1 ? base::deviation_of(numbers) : 0.0;
+    };
+    m.deviation_along = deviation(corrected);
+    m.of_noise = deviation(offsets_of(drawn_)), m.of_packing = deviation(offsets_of(specimens_));
+    std::vector<double> by_width = offsets_of(widths_);
+    by_width.push_back(offset_of(specimens_.front()));
+    const auto [least, most] = std::minmax_element(by_width.begin(), by_width.end());
+    m.of_window = 0.5 * (*most - *least);
+    m.uncertainty = std::hypot(m.of_noise, m.of_packing, m.of_window);
+    m.of_efficiency =
+        m.corrected * base::mean_of(relative) / std::sqrt(static_cast<double>(fracture::sub_windows));
+    m.corrected_uncertainty = std::hypot(m.uncertainty / m.efficiency, m.of_efficiency);
+    return m;
   }
 
   const scene::Preset& preset_;

@@ -31,6 +31,17 @@ struct CriticalPoint {
   double corrected = 0, corrected_uncertainty = 0;                      // as_paper / efficiency [J/m2]
 };
 
+/// G_IDc over the whole of the measured crack, the mean of its points. Uncertainties are standard ones of
+/// that mean: how far whole curves of other resamples, specimens and windows lie from it.
+struct CriticalMean {
+  double from = 0, to = 0;                                              // tip positions [m]
+  double slowest = 0, fastest = 0;                                      // v / c_R
+  double as_paper = 0, corrected = 0, efficiency = 1;                   // [J/m2], [J/m2], their ratio
+  double of_noise = 0, of_packing = 0, of_window = 0, uncertainty = 0;  // of as_paper [J/m2]
+  double of_efficiency = 0, corrected_uncertainty = 0;                  // of corrected [J/m2]
+  double deviation_along = 0;  // standard deviation of the corrected points along the crack [J/m2]
+};
+
 /// The share of what arrives at the tip that the damage zone takes, at one velocity   [model.md §9.5].
 struct EfficiencyPoint {
   double over_cr = 0, efficiency = 0, scatter = 0;
@@ -58,6 +69,7 @@ struct Experiment {
   double width = 0;                 // over which release rates are read [m]
   double thickness = 0, rayleigh_speed = 0, mean_radius = 0;
   std::vector<CriticalPoint> along;  // by position
+  CriticalMean mean;
   /// What the material withstands against v / c_R: as_paper [J/m2] averaged over stretches of the velocity,
   /// made to rise by pooling what does not (isotonic regression; Barlow et al. 1972), and its uncertainty;
   /// beyond the measured velocities with its mean slope.

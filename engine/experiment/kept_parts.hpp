@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 /// An experiment under way: the marches that it has done so far and the one that it was stopped in, kept in
 /// its folder until its report is there.
@@ -18,6 +19,10 @@ std::string experiment_identity(const scene::Preset& preset, const ExperimentOpt
 
 /// Whether the folder holds this very experiment, stopped or killed before its report.
 bool is_under_way(const std::filesystem::path& folder, const std::string& identity);
+
+/// In what the experiment under way in the folder differs from this one: "specimen.elements was 3000, is now
+/// 5000", one for each; empty where the folder holds none.
+std::vector<std::string> differences_from(const std::filesystem::path& folder, const std::string& identity);
 
 /// Says in the folder that this experiment is under way; what another one has left of itself is removed, an
 /// earlier report stays. Nothing is done where it is under way already. Throws WorldError.

@@ -9,21 +9,39 @@
 namespace rift::experiment {
 namespace {
 
-/// The slowest and the fastest of the measured course between its ends, in c_R.
+/// The slowest and the fastest of the points that are to be expected, in c_R.
 std::array<double, 2> ends_of_velocity(const scene::Scene& scene) {
-  constexpr int moments = 60;
-  const history::SmoothedHistory course = scene::smoothed_history(scene);
-  const double from = history::time_of_arrival(course.history, scene.crack.start),
-               to = history::time_of_arrival(course.history, scene::crack_end(scene));
-  std::vector<double> speeds;
-  for (int k = 1; k < moments; ++k)
-    speeds.push_back(history::speed_at(course.history, from + k * (to - from) / moments) /
-                     scene::rayleigh_speed(scene));
-  const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
-  return {*slowest, *fastest};
+  const std::vector<CriticalPoint> points = planned_points(scene);
+  if (points.empty()) return {0.0, 0.0};
+  const auto [slowest, fastest] = std::minmax_element(
+      points.begin(), points.end(),
+      [](const CriticalPoint& a, const CriticalPoint& b) { return a.over_cr < b.over_cr; });
+  return {slowest->over_cr, fastest->over_cr};
 }
 
 }  // namespace
+
+std::vector<CriticalPoint> points_of(const scene::Scene& scene, const history::SmoothedHistory& course,
+                                     double zone_length, double mean_radius) {
+  constexpr int count = 60;
+  const double half = 0.5 * scene.crack.toughness_window * mean_radius,
+               start = scene.crack.start + zone_length + half, end = scene::crack_end(scene) - half;
+  std::vector<CriticalPoint> points;
+  if (!(end > start)) return points;
+  for (int k = 0; k < count; ++k) {
+    CriticalPoint& point = points.emplace_back();
+    point.position = start + k * (end - start) / (count - 1);
+    const double since = history::time_of_arrival(course.history, point.position);
+    point.time = course.first_time + since;
+    point.over_cr = history::speed_at(course.history, since) / scene::rayleigh_speed(scene);
+  }
+  return points;
+}
+
+std::vector<CriticalPoint> planned_points(const scene::Scene& scene) {
+  return points_of(scene, scene::smoothed_history(scene), scene::expected_zone_m(scene),
+                   scene::expected_mean_radius_m(scene));
+}
 
 std::vector<PlannedPart> planned_parts(const scene::Preset& preset, const ExperimentOptions& options) {
   const scene::Scene& scene = preset.scene;
@@ -39,11 +57,12 @@ std::vector<PlannedPart> planned_parts(const scene::Preset& preset, const Experi
   std::vector<PlannedPart> parts{
       {.name = "measured crack", .scenes = {scene}},
       {.name = "resampled histories", .scenes = std::vector(noise ? options.resamples : 0, unseen)},
-      {.name = "other packings", .scenes = packings},
+      {.name = "other specimens", .scenes = packings},
       {.name = "quasi-static", .solutions = static_parts + 1},
-      {.name = "efficiency",
-       .scenes = steady_cracks(scene, scene::displacement_at_start(scene), slowest, fastest)}};
-  if (options.application) parts.push_back({.name = "application", .scenes = {unseen}});
+      {.name = "lattice efficiency",
+       .scenes = steady_cracks(scene, scene::displacement_at_start(scene), slowest, fastest),
+       .solutions = 1}};
+  if (options.application) parts.push_back({.name = "forward check", .scenes = {unseen}});
   return parts;
 }
 

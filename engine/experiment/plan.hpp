@@ -10,6 +10,14 @@ namespace rift::experiment {
 /// Plates of equal crack length between which a quasi-static release rate is read.
 inline constexpr int static_parts = 8;
 
+/// Where G_IDc is read along the measured course: position, time and velocity of each point. None where the
+/// course is no longer than the window over which a release rate is averaged.
+std::vector<CriticalPoint> points_of(const scene::Scene& scene, const history::SmoothedHistory& course,
+                                     double zone_length, double mean_radius);
+
+/// The same as it is to be expected without a lattice.
+std::vector<CriticalPoint> planned_points(const scene::Scene& scene);
+
 /// A part of an experiment before anything is computed: scenes that march in one pass, and static solutions.
 struct PlannedPart {
   std::string name;

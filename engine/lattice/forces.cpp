@@ -3,40 +3,6 @@
 #include <cmath>
 
 namespace rift::lattice {
-namespace {
-
-/// What one beam does to its ends: force on i, moment on i, moment on j.
-struct EndLoads {
-  double fx, fy, fz, mix, miy, miz, mjx, mjy, mjz;
-};
-
-/// Symbols as in model.md §2: d = u_j - u_i, p = chord rotation psi = n x d / l, a, b = theta of i, j.
-inline EndLoads end_loads(const BeamRow& beam, const double* qi, const double* qj) {
-  const double nx = beam.nx, ny = beam.ny, nz = beam.nz;
-  const double dx = qj[0] - qi[0], dy = qj[1] - qi[1], dz = qj[2] - qi[2];
-  const double ax = qi[3], ay = qi[4], az = qi[5];
-  const double bx = qj[3], by = qj[4], bz = qj[5];
-  const double px = (ny * dz - nz * dy) * beam.per_length;
-  const double py = (nz * dx - nx * dz) * beam.per_length;
-  const double pz = (nx * dy - ny * dx) * beam.per_length;
-  const double sx = ax + bx - 2.0 * px, sy = ay + by - 2.0 * py, sz = az + bz - 2.0 * pz;
-
-  const double pull = beam.axial * (nx * dx + ny * dy + nz * dz);
-  const double shear = 3.0 * beam.bending * beam.per_length;
-  const double na = nx * ax + ny * ay + nz * az, nb = nx * bx + ny * by + nz * bz;
-  const double torsion = beam.twist * (nb - na);
-  const double along_i =
-      beam.bending * (2.0 * na + nb) + torsion;  // w n.(s + alpha_i) + k_t n.(theta_j - theta_i)
-  const double along_j = beam.bending * (na + 2.0 * nb) - torsion;
-  const double w = beam.bending;
-  return {pull * nx - shear * (sy * nz - sz * ny), pull * ny - shear * (sz * nx - sx * nz),
-          pull * nz - shear * (sx * ny - sy * nx), along_i * nx - w * (sx + ax - px),
-          along_i * ny - w * (sy + ay - py),       along_i * nz - w * (sz + az - pz),
-          along_j * nx - w * (sx + bx - px),       along_j * ny - w * (sy + by - py),
-          along_j * nz - w * (sz + bz - pz)};
-}
-
-}  // namespace
 
 BeamRow row_of(const Lattice& lattice, int beam) {
   const Beam& b = lattice.beam[beam];
@@ -53,10 +19,9 @@ BeamRow row_of(const Lattice& lattice, int beam) {
 
 void add_beam_forces(std::span<const BeamRow> beams, const double* q, double* f) {
   for (const BeamRow& beam : beams) {
-    double *fi = f + 6L * beam.i, *fj = f + 6L * beam.j;
-    const EndLoads e = end_loads(beam, q + 6L * beam.i, q + 6L * beam.j);
-    fi[0] += e.fx, fi[1] += e.fy, fi[2] += e.fz, fi[3] += e.mix, fi[4] += e.miy, fi[5] += e.miz;
-    fj[0] -= e.fx, fj[1] -= e.fy, fj[2] -= e.fz, fj[3] += e.mjx, fj[4] += e.mjy, fj[5] += e.mjz;
+    const EndLoads loads = end_loads(beam, q + 6L * beam.i, q + 6L * beam.j);
+    loads.add_to_i(f + 6L * beam.i);
+    loads.add_to_j(f + 6L * beam.j);
   }
 }
 

@@ -1,25 +1,11 @@
 #pragma once
 
-#include "engine/lattice/lattice.hpp"
+#include "engine/lattice/rows.hpp"
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace rift::lattice {
-
-/// A beam in one cache line.
-struct BeamRow {
-  std::int32_t i, j;
-  double nx, ny, nz;
-  double axial;       // k_a [N/m]
-  double bending;     // w [N m]
-  double twist;       // k_t [N m]
-  double per_length;  // 1 / l [1/m]
-};
-static_assert(sizeof(BeamRow) == 64);
-
-BeamRow row_of(const Lattice& lattice, int beam);
 
 /// Force and moment which each beam exerts on its two elements   [model.md §2; paper eqs. (3)-(6)], beam by
 /// beam: for Lanczos iteration, and what the ensemble's kernels are measured against.

@@ -1,10 +1,11 @@
 #include "engine/lattice/stable_step.hpp"
 
+#include "engine/lattice/blocks.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -16,48 +17,10 @@ constexpr double settled =
     1e-5;  // relative change of omega_max over one batch of rounds; kept as a margin, too
 constexpr int batch = 50, most_batches = 40;
 
-using Operator = std::function<void(const Eigen::VectorXd&, Eigen::VectorXd&)>;
-
 /// How near an iteration is to its end, by how its changes have fallen from 1 towards the one that ends it.
 double share_of_digits(double change, double last_change) {
   if (!(change > 0.0)) return 0.0;
   return std::clamp(std::log(change) / std::log(last_change), 0.0, 1.0);
-}
-
-/// Largest eigenvalue of a symmetric operator by Lanczos iteration (Paige 1972, without reorthogonalisation:
-/// rounding only repeats eigenvalues that have converged already).
-double largest_eigenvalue(const Operator& apply, long size, const base::ProgressCallback& told) {
-  Eigen::VectorXd v(size), last = Eigen::VectorXd::Zero(size), w(size);
-  std::mt19937_64 random(20);
-  for (long k = 0; k < size; ++k) v[k] = static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5;
-  v.normalize();
-  std::vector<double> diagonal, off;
-  double largest = 0.0, beta = 0.0, done = 0.0;
-  for (int b = 0; b < most_batches; ++b) {
-    for (int k = 0; k < batch; ++k) {
-      base::tell_or_stop(told, done, "computing the critical step");
-      apply(v, w);
-      const double alpha = v.dot(w);
-      w -= alpha * v + beta * last;
-      diagonal.push_back(alpha);
-      beta = w.norm();
-      if (!(beta > 1e-14 * std::abs(alpha))) break;  // the whole of an invariant space is found
-      off.push_back(beta);
-      last = v;
-      v = w / beta;
-    }
-    const long m = static_cast<long>(diagonal.size());
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> tridiagonal;
-    tridiagonal.computeFromTridiagonal(Eigen::Map<Eigen::VectorXd>(diagonal.data(), m),
-                                       Eigen::Map<Eigen::VectorXd>(off.data(), m - 1),
-                                       Eigen::EigenvaluesOnly);
-    const double now = tridiagonal.eigenvalues().maxCoeff();
-    const bool complete = static_cast<long>(off.size()) < m;
-    if (complete || std::abs(now - largest) < 2.0 * settled * now) return now;
-    done = std::max(done, share_of_digits(std::abs(now - largest) / now, 2.0 * settled));
-    largest = now;
-  }
-  throw std::runtime_error("the lattice's highest frequency did not converge in 2000 Lanczos iterations");
 }
 
 /// 1 / sqrt(mass) per degree of freedom, 0 where gripped: turns K x = omega^2 M x into a symmetric problem.
@@ -75,6 +38,94 @@ std::vector<BeamRow> all_rows(const Lattice& lattice) {
   std::vector<BeamRow> rows;
   for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b) rows.push_back(row_of(lattice, b));
   return rows;
+}
+
+/// The damping of each beam, whose rates are `rate` times its motions.
+std::vector<DampingRow> damping_rows(const ViscousDamping& damping, double rate) {
+  std::vector<DampingRow> rows;
+  for (const DampedBeam& b : damping.beam) {
+    const double alpha = rate * (b.at_surface ? damping.alpha_at_surface : damping.alpha_elsewhere);
+    rows.push_back({b.i, b.j, b.axis.x(), b.axis.y(), b.axis.z(), alpha * b.axial, alpha * (b.twist - b.bend),
+                    alpha * b.bend});
+  }
+  return rows;
+}
+
+/// M^-1/2 (K + mu C) M^-1/2 of a lattice, its elements shared out among threads. The bits of a product do not
+/// depend on their number.
+class Vibration {
+ public:
+  Vibration(const Lattice& lattice, int threads)
+      : blocks_(static_cast<int>(lattice.mass.size()), threads),
+        root_(inverse_root_mass(lattice)),
+        moved_(root_.size()),
+        beams_(shared_out(blocks_.ends(), all_rows(lattice))),
+        damping_(shared_out(blocks_.ends(), std::vector<DampingRow>{})) {}
+  void damp(const ViscousDamping& damping, double mu) {
+    damping_ = shared_out(blocks_.ends(), damping_rows(damping, mu));
+  }
+  long size() const { return root_.size(); }
+
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+    for_numbers([&](long k) { moved_[k] = root_[k] * x[k]; });
+    blocks_.each_share([&](int s) {
+      const Share<BeamRow>& share = beams_[s];
+      const long first = 6L * share.begin, last = 6L * share.end;
+      y.segment(first, last - first).setZero();
+      add_loads(share, moved_.data(), y.data());
+      add_loads(damping_[s], moved_.data(), y.data());
+      for (long k = first; k < last; ++k) y[k] *= -root_[k];
+    });
+  }
+  /// Does it with every number of a vector.
+  template <class Task>
+  void for_numbers(const Task& task) {
+    blocks_.each_block([&](int begin, int end) {
+      for (long k = 6L * begin; k < 6L * end; ++k) task(k);
+    });
+  }
+
+ private:
+  Blocks blocks_;
+  Eigen::VectorXd root_, moved_;
+  std::vector<Share<BeamRow>> beams_;
+  std::vector<Share<DampingRow>> damping_;
+};
+
+/// Largest eigenvalue of a symmetric operator by Lanczos iteration (Paige 1972, without reorthogonalisation:
+/// rounding only repeats eigenvalues that have converged already).
+double largest_eigenvalue(Vibration& vibration, const base::ProgressCallback& told) {
+  const long size = vibration.size();
+  Eigen::VectorXd v(size), last = Eigen::VectorXd::Zero(size), w(size);
+  std::mt19937_64 random(20);
+  for (long k = 0; k < size; ++k) v[k] = static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5;
+  v.normalize();
+  std::vector<double> diagonal, off;
+  double largest = 0.0, beta = 0.0, done = 0.0;
+  for (int b = 0; b < most_batches; ++b) {
+    for (int k = 0; k < batch; ++k) {
+      base::tell_or_stop(told, done, "computing the critical step");
+      vibration.multiply(v, w);
+      const double alpha = v.dot(w);
+      vibration.for_numbers([&](long n) { w[n] -= alpha * v[n] + beta * last[n]; });
+      diagonal.push_back(alpha);
+      beta = w.norm();
+      if (!(beta > 1e-14 * std::abs(alpha))) break;  // the whole of an invariant space is found
+      off.push_back(beta);
+      vibration.for_numbers([&](long n) { last[n] = v[n], v[n] = w[n] / beta; });
+    }
+    const long m = static_cast<long>(diagonal.size());
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> tridiagonal;
+    tridiagonal.computeFromTridiagonal(Eigen::Map<Eigen::VectorXd>(diagonal.data(), m),
+                                       Eigen::Map<Eigen::VectorXd>(off.data(), m - 1),
+                                       Eigen::EigenvaluesOnly);
+    const double now = tridiagonal.eigenvalues().maxCoeff();
+    const bool complete = static_cast<long>(off.size()) < m;
+    if (complete || std::abs(now - largest) < 2.0 * settled * now) return now;
+    done = std::max(done, share_of_digits(std::abs(now - largest) / now, 2.0 * settled));
+    largest = now;
+  }
+  throw std::runtime_error("the lattice's highest frequency did not converge in 2000 Lanczos iterations");
 }
 
 double step_from(double omega_squared) {
@@ -112,52 +163,60 @@ double element_bound(const Lattice& lattice) {
   return step_from(worst);
 }
 
+/// lambda_max(M^-1 C) <= max over beams of the largest eigenvalue of (c_beam, the beam's share of its
+/// elements' masses), as in element_bound(); of a beam without damping there is no share.
+double damping_bound(const Lattice& lattice, const ViscousDamping& damping) {
+  const std::vector<DampingRow> rows = damping_rows(damping, 1.0);
+  std::vector<int> valence(lattice.mass.size(), 0);
+  for (const DampingRow& row : rows) ++valence[row.i], ++valence[row.j];
+  double worst = 0.0;
+  for (const DampingRow& row : rows) {
+    const auto yield = [&](int e, const std::vector<double>& mass) {
+      return lattice.grip[e] == packing::Grip::none ? valence[e] / mass[e] : 0.0;
+    };
+    const double slides = yield(row.i, lattice.mass) + yield(row.j, lattice.mass),
+                 turns = yield(row.i, lattice.inertia) + yield(row.j, lattice.inertia);
+    worst = std::max({worst, row.axial * slides, row.bend * turns, (row.bend + row.twist) * turns});
+  }
+  return worst;
+}
+
+/// The larger root of mu^2 = lambda + slope (mu - at).
+double crossing_of(double lambda, double slope, double at) {
+  return 0.5 * slope + std::sqrt(0.25 * slope * slope + lambda - slope * at);
+}
+
 }  // namespace
 
-StableStep stable_step(const Lattice& lattice, const base::ProgressCallback& told) {
-  const Eigen::VectorXd root = inverse_root_mass(lattice);
-  const std::vector<BeamRow> rows = all_rows(lattice);
-  Eigen::VectorXd q(root.size());
-  const Operator apply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-    q = root.cwiseProduct(x);
-    y.setZero();
-    add_beam_forces(rows, q.data(), y.data());
-    y = -root.cwiseProduct(y);
-  };
-  const double omega_squared = largest_eigenvalue(apply, root.size(), told);
+StableStep stable_step(const Lattice& lattice, const base::ProgressCallback& told, int threads) {
+  Vibration vibration(lattice, threads);
+  const double omega_squared = largest_eigenvalue(vibration, told);
   return {.critical = step_from(omega_squared) * (1.0 - settled), .element_bound = element_bound(lattice)};
 }
 
 double damped_critical_step(const Lattice& lattice, const ViscousDamping& damping, double undamped,
-                            const base::ProgressCallback& told) {
+                            const base::ProgressCallback& told, int threads) {
   if (damping.beam.empty() || !std::isfinite(undamped)) return undamped;
-  const Eigen::VectorXd root = inverse_root_mass(lattice);
-  const std::vector<BeamRow> rows = all_rows(lattice);
-  const std::vector<double> intact(lattice.beam.size(), 1.0);
-  ViscousDamping scratch = damping;
-  double work = 0.0;
-  Eigen::VectorXd q(root.size()), rate(root.size());
-  double dt = undamped, done = 0.0;
-  const base::ProgressCallback tell = [&](double) { return !told || told(done); };
-  // lambda(dt) grows as dt falls, so the iteration alternates about its limit; the mean of two iterates
-  // contracts.
-  for (int round = 0; round < 60; ++round) {
-    const Operator apply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-      q = root.cwiseProduct(x);
-      rate = q * (2.0 / dt);
-      y.setZero();
-      add_beam_forces(rows, q.data(), y.data());
-      add_damping_forces(scratch, rate.data(), intact.data(), dt, y.data(), work);
-      y = -root.cwiseProduct(y);
-    };
-    const double next = step_from(largest_eigenvalue(apply, root.size(), tell));
-    const double change = std::abs(next - dt);
-    const bool last = change < settled * dt;
-    done = std::max(done, share_of_digits(change / dt, settled));
-    dt = 0.5 * (dt + next);
-    if (last) break;
+  constexpr int most_rounds = 60;
+  const double omega = 2.0 * (1.0 - settled) / undamped, steepest = damping_bound(lattice, damping);
+  Vibration vibration(lattice, threads);
+  double mu = omega, done = 0.0, shown = 0.0;
+  const base::ProgressCallback tell = [&](double in_round) {
+    shown = std::max(shown, done + (1.0 - done) * in_round);
+    return !told || told(shown);
+  };
+  for (int round = 0; round < most_rounds; ++round) {
+    vibration.damp(damping, mu);
+    const double lambda = largest_eigenvalue(vibration, tell);
+    // lambda is convex in mu: beyond mu it rises at least as steeply as its chord from 0, and no more steeply
+    // than `steepest`.
+    const double least = crossing_of(lambda, (lambda - omega * omega) / mu, mu),
+                 most = crossing_of(lambda, steepest, mu);
+    if (std::min(most - least, least - mu) < settled * least) return 2.0 / least * (1.0 - settled);
+    done = std::max(done, share_of_digits((least - mu) / least, settled));
+    mu = least;
   }
-  return dt * (1.0 - settled);
+  throw std::runtime_error("the critical step with damping did not converge");
 }
 
 }  // namespace rift::lattice

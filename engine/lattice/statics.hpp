@@ -3,9 +3,6 @@
 #include "engine/base/interrupted.hpp"
 #include "engine/lattice/lattice.hpp"
 
-#include <Eigen/SparseCore>
-
-#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -17,53 +14,16 @@ struct StaticsError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// K q = f over the free elements of a lattice, in the unknowns (u, R theta) with R the mean radius, which
-/// puts forces and moments on one scale.
-struct StaticSystem {
-  using Matrix = Eigen::SparseMatrix<double>;
-  std::vector<int> number;              // of each element among the free ones, -1 where held
-  std::vector<Eigen::Vector3d> centre;  // of the free ones [m]
-  double mean_radius = 0;               // R [m]
-  Matrix k;
-};
-
-using StiffnessOf = std::function<Matrix12(int beam)>;
-
-/// @param[in] number   of each element among the free ones, -1 where held
-/// @param[in] present  B, 0 for a beam that is not there
-StaticSystem assemble(const Lattice& lattice, std::vector<int> number, const std::vector<char>& present,
-                      const StiffnessOf& stiffness);
-
-/// The loads on the free elements, in the unknowns' scale. @param[in] force  N forces and moments [N, N m]
-Eigen::VectorXd loads_on(const StaticSystem& system, const std::vector<Vector6>& force);
-
-/// Motions of all elements [m, rad], those that are held staying where they are.
-std::vector<Vector6> motions_in(const StaticSystem& system, const Eigen::VectorXd& unknown);
-
-/// Conjugate gradients over a system that must outlive it; ready for many loads.
-class StaticSolver {
- public:
-  explicit StaticSolver(const StaticSystem& system);
-  ~StaticSolver();
-  /// Throws StaticsError where the relative residual stays above the tolerance, Interrupted. What is told is
-  /// done by the digits of the residual.
-  Eigen::VectorXd solve(const Eigen::VectorXd& load, double tolerance,
-                        const base::ProgressCallback& told = {});
-
- private:
-  struct ConjugateGradients;  // Eigen's, which takes long to compile
-  const StaticSystem& system_;
-  std::unique_ptr<ConjugateGradients> iteration_;
-};
-
 /// A lattice that nothing holds, under loads that balance each other: a body, or a box that repeats itself.
 /// What the loads leave open (the rigid motions of a body, the drift of a periodic box) is settled by a
 /// spring that ties one element to where it was; under balanced loads the spring carries nothing. All
 /// elements must hang together.
 class FreeBody {
  public:
-  /// Cost of one assembly; the lattice is not needed afterwards.
-  explicit FreeBody(const Lattice& lattice);
+  /// The lattice is not needed afterwards. @param[in] threads  0 for one per core; the bits do not depend on
+  /// it
+  explicit FreeBody(const Lattice& lattice, int threads = 0);
+  ~FreeBody();
 
   /// Motions at rest under forces and moments on the elements [N, N m]. Cost about 100 products with K;
   /// throws StaticsError, Interrupted. @param[in] tolerance  of the relative residual
@@ -71,8 +31,8 @@ class FreeBody {
                                const base::ProgressCallback& told = {});
 
  private:
-  StaticSystem system_;
-  StaticSolver solver_;
+  struct Tied;
+  std::unique_ptr<Tied> tied_;
 };
 
 /// How the top face is moved along y: by `middle` [m] in its middle, and by `tilt` of that more at its right
@@ -89,16 +49,18 @@ struct Pull {
 /// path of present beams joins to a grip stay where they are.
 /// @param[in] present       B, 0 for a beam that a notch has cut
 /// @return N displacements (u [m], theta [rad]); relative residual of the free forces 1e-13
-/// Cost about 100 products with K (conjugate gradients, see RigidPatches); throws StaticsError, Interrupted.
+/// Cost about 110 products with K (conjugate gradients, see RigidPatches) and 1.5 kB an element; throws
+/// StaticsError, Interrupted. @param[in] threads  0 for one per core; the bits do not depend on it
 std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector<char>& present,
-                                       const Pull& pull, const base::ProgressCallback& told = {});
+                                       const Pull& pull, const base::ProgressCallback& told = {},
+                                       int threads = 0);
 
 /// The same with corotational beams: Newton's method from the linear solution until the free forces are 1e-11
 /// of the linear loads, or what rounding leaves of strains below 1e-4. Cost about five linear solutions;
 /// throws StaticsError, Interrupted.
 /// @return N displacements and rotation vectors
 std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, const std::vector<char>& present,
-                                                    const Pull& pull,
-                                                    const base::ProgressCallback& told = {});
+                                                    const Pull& pull, const base::ProgressCallback& told = {},
+                                                    int threads = 0);
 
 }  // namespace rift::lattice

@@ -99,7 +99,7 @@ SpecimenProperties measure_specimen(const simulation::Prepared& p, base::Cache& 
   SpecimenProperties found;
   found.nominal = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
   base::tell_or_stop(telling("static pulls", 0.0, 1.0), 0.0, "pulling the plate");
-  lattice::FreeBody body(plate);
+  lattice::FreeBody body(plate, threads);
   const calibration::Pulled along = calibration::pull(plate, body, 0, 1.0, telling("static pulls", 0.0, 0.5));
   const calibration::Pulled across =
       calibration::pull(plate, body, 1, 1.0, telling("static pulls", 0.5, 0.5));

@@ -67,7 +67,8 @@ Eigen::Matrix3d wall_stiffness(const Box& box, const Eigen::Vector3d& centre, do
 
 /// Between two flat walls, at 0 and at `edge`.
 inline double push_between(double p, double edge, double radius) {
-  return 2.0 * (std::max(0.0, radius - p) - std::max(0.0, radius - (edge - p)));
+  const double beyond_low = radius - p, beyond_high = radius - (edge - p);
+  return 2.0 * ((beyond_low > 0.0 ? beyond_low : 0.0) - (beyond_high > 0.0 ? beyond_high : 0.0));
 }
 
 /// wall_push() where some wall is round, or none is there.

@@ -54,18 +54,19 @@ void Stiffness::build(int c) {
   const SpherePacking::Chunk& chunk = spheres_.chunk[c];
   Part& part = part_[c];
   part.first.push_back(0);
+  auto pair = chunk.candidate.begin();
   for (int i = chunk.begin; i < chunk.end; ++i) {
     const SpherePacking::Sphere& s = spheres_.sphere[i];
     const Eigen::Matrix3d k_wall = wall_stiffness(spheres_.box, {s.x, s.y, s.z}, spheres_.scale * s.shape);
     if (!k_wall.isZero(0.0)) part.wall.push_back({i, k_wall});
-    for (int k = chunk.first[i - chunk.begin]; k < chunk.first[i - chunk.begin + 1]; ++k) {
-      const SpherePacking::Sphere& o = spheres_.sphere[chunk.candidate[k]];
+    for (; pair != chunk.candidate.end() && pair->i == i; ++pair) {
+      const SpherePacking::Sphere& o = spheres_.sphere[pair->j];
       const SpherePacking::Vector d = minimum_image<periodic>(spheres_.box, s, o);
       const double squared = dot(d, d), touching = spheres_.scale * (s.shape + o.shape);
       if (squared >= touching * touching || squared == 0.0) continue;
       const double distance = std::sqrt(squared);
       part.contact.push_back(
-          {chunk.candidate[k], d.x / distance, d.y / distance, d.z / distance, touching / distance - 1.0});
+          {pair->j, d.x / distance, d.y / distance, d.z / distance, touching / distance - 1.0});
     }
     part.first.push_back(static_cast<int>(part.contact.size()));
   }

@@ -40,9 +40,12 @@ std::vector<std::array<int, 2>> pairs_within_reach(const std::vector<Eigen::Vect
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector3d at = points[i] - low;
     found.clear();
-    cells.visit_near<false>(at.x(), at.y(), at.z(), [&](int j) {
-      const double limit = reach[i] + reach[j];
-      if (j > i && (points[j] - points[i]).squaredNorm() <= limit * limit) found.push_back(j);
+    cells.visit_near<false>(at.x(), at.y(), at.z(), [&](int first, int last) {
+      for (int k = first; k < last; ++k) {
+        const int j = cells.members()[k];
+        const double limit = reach[i] + reach[j];
+        if (j > i && (points[j] - points[i]).squaredNorm() <= limit * limit) found.push_back(j);
+      }
     });
     std::sort(found.begin(), found.end());
     for (int j : found) pairs.push_back({i, j});

@@ -25,27 +25,33 @@ class Cells {
     sort(cell);
   }
 
-  /// Calls see(j) for each point j in the cells around a place, cell by cell; in a periodic box those beyond
-  /// a face are those at its other end, none twice.
+  /// The points, cell by cell.
+  const std::vector<int>& members() const { return member_; }
+
+  /// Calls see(first, last) for runs [first, last) of members() that together are the points in the cells
+  /// around a place, cell by cell; in a periodic box those beyond a face are those at its other end, none
+  /// twice.
   template <bool periodic, class See>
   void visit_near(double px, double py, double pz, const See& see) const {
     const auto [x0, nx] = beside(at(px, 0), 0, periodic);
     const auto [y0, ny] = beside(at(py, 1), 1, periodic);
     const auto [z0, nz] = beside(at(pz, 2), 2, periodic);
-    const auto visit = [&](int cell, int last) {
-      for (int k = first_[cell]; k < first_[last + 1]; ++k) see(member_[k]);
-    };
-    for (int x = x0; x < x0 + nx; ++x)
+    for (int x = x0; x < x0 + nx; ++x) {
+      if (!periodic && nz == count_[2]) {  // a plate's cells follow each other along y
+        see(first_[index(x, y0, 0)], first_[index(x, y0 + ny - 1, nz - 1) + 1]);
+        continue;
+      }
       for (int y = y0; y < y0 + ny; ++y) {
         if constexpr (periodic) {
           for (int z = z0; z < z0 + nz; ++z) {
             const int cell = index(wrapped(x, 0), wrapped(y, 1), wrapped(z, 2));
-            visit(cell, cell);
+            see(first_[cell], first_[cell + 1]);
           }
         } else {
-          visit(index(x, y, z0), index(x, y, z0 + nz - 1));
+          see(first_[index(x, y, z0)], first_[index(x, y, z0 + nz - 1) + 1]);
         }
       }
+    }
   }
 
  private:

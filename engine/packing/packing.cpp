@@ -163,10 +163,12 @@ void grow_roughly(SpherePacking& spheres, base::ThreadPool& pool, double scale, 
 }
 
 [[noreturn]] void refuse_coordination(const SpherePacking& spheres, double coordination) {
-  throw PackingError(fmt::format(
-      "a coordination of {:.4g} is out of reach: {:.4g} takes a mean overlap of {:.1f} % of r_i + r_j (limit "
-      "{:.0f} %)",
-      coordination, spheres.coordination(), 100.0 * spheres.mean_overlap(), 100.0 * largest_mean_overlap));
+  throw PackingError(
+      fmt::format("a coordination of {:.4g} is out of reach: at a mean overlap of {:.1f} % of r_i + r_j, of "
+                  "which {:.0f} % is the limit, it is {:.4g}",
+                  coordination, 100.0 * spheres.mean_overlap(), 100.0 * largest_mean_overlap,
+                  spheres.coordination()),
+      spheres.coordination());
 }
 
 /// dz / d(ln scale): coordination rises with the root of the overlap, from its value at jamming.

@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace rift::packing {
@@ -40,9 +42,13 @@ struct PackingStatistics {
   double mean_radius = 0;     // [m]
 };
 
-/// The coordination asked for is out of reach of a packing that is dense enough and not pressed too hard.
+/// A packing that cannot be made, or one that makes no specimen: why, in a sentence.
 struct PackingError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit PackingError(const std::string& why, std::optional<double> reached = {})
+      : std::runtime_error(why), nearest(reached) {}
+  /// Where the coordination asked for is out of reach of a packing that is dense enough and not pressed too
+  /// hard: that of the packing which came nearest.
+  std::optional<double> nearest;
 };
 
 /// Random compact packing: spheres grow from a loose random start while their overlap energy

@@ -1,29 +1,62 @@
 #include "engine/packing/sphere_packing.hpp"
 
 #include "engine/packing/neighbours.hpp"
+#include "engine/packing/pair_kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace rift::packing {
 namespace {
 
+/// The spheres in the order of their cells.
+struct Sorted {
+  Cells cells;
+  std::vector<SpherePacking::Sphere> sphere;
+};
+
+Sorted sorted(const SpherePacking& spheres) {
+  Sorted sorted{
+      Cells(spheres.box.size(), 2.0 * spheres.scale * spheres.largest_shape + spheres.skin, spheres.size(),
+            [&](int i) {
+              const SpherePacking::Sphere& s = spheres.sphere[i];
+              return Eigen::Vector3d(s.x, s.y, s.z);
+            }),
+      {}};
+  sorted.sphere.reserve(spheres.sphere.size());
+  for (const int i : sorted.cells.members()) sorted.sphere.push_back(spheres.sphere[i]);
+  return sorted;
+}
+
 template <bool periodic>
-void list_candidates_of(const SpherePacking& spheres, const Cells& cells, SpherePacking::Chunk& chunk) {
-  chunk.first.assign(1, 0);
-  chunk.candidate.clear();
+void list_candidates_of(const SpherePacking& spheres, const Sorted& sorted, SpherePacking::Chunk& chunk) {
+  std::vector<SpherePacking::Pair>& found = chunk.candidate;
+  std::size_t pairs = 0;
+  PairGroup group;
   for (int i = chunk.begin; i < chunk.end; ++i) {
-    const SpherePacking::Sphere& s = spheres.sphere[i];
-    cells.visit_near<periodic>(s.x, s.y, s.z, [&](int j) {
-      if (j <= i && (j == i || chunk.owns(j))) return;
-      const SpherePacking::Sphere& o = spheres.sphere[j];
-      const SpherePacking::Vector d = minimum_image<periodic>(spheres.box, s, o);
-      const double limit = spheres.scale * (s.shape + o.shape) + spheres.skin;
-      if (d.x * d.x + d.y * d.y + d.z * d.z <= limit * limit) chunk.candidate.push_back(j);
+    const SpherePacking::Sphere s = spheres.sphere[i];
+    const auto look_at = [&](int first, int count) {
+      for (int k = 0; k < count; ++k) {
+        const SpherePacking::Sphere& o = sorted.sphere[first + k];
+        const SpherePacking::Vector d = minimum_image<periodic>(spheres.box, s, o);
+        group.x[k] = d.x, group.y[k] = d.y, group.z[k] = d.z;
+        group.reach[k] = spheres.scale * (s.shape + o.shape) + spheres.skin;
+      }
+      find_gaps(group, count);
+      if (found.size() < pairs + count) found.resize(2 * (pairs + count));
+      for (int k = 0; k < count; ++k) {
+        const int j = sorted.cells.members()[first + k];
+        found[pairs] = {i, j};
+        pairs += (group.gap[k] <= 0.0) & ((j > i) | !chunk.owns(j));
+      }
+    };
+    sorted.cells.visit_near<periodic>(s.x, s.y, s.z, [&](int first, int last) {
+      for (; first < last; first += PairGroup::room) look_at(first, std::min(last - first, PairGroup::room));
     });
-    chunk.first.push_back(static_cast<int>(chunk.candidate.size()));
   }
+  found.resize(pairs);
 }
 
 bool candidates_are_stale(const SpherePacking& spheres) {
@@ -43,48 +76,77 @@ void list_candidates(SpherePacking& spheres, base::ThreadPool& pool) {
   spheres.rounds_listed = 0;
   const bool periodic = spheres.box.shape == Shape::periodic;
   if (periodic) wrap(spheres);
-  const Cells cells(
-      spheres.box.size(), 2.0 * spheres.scale * spheres.largest_shape + spheres.skin, spheres.size(),
-      [&](int i) { return Eigen::Vector3d(spheres.sphere[i].x, spheres.sphere[i].y, spheres.sphere[i].z); });
+  const Sorted in_cells = sorted(spheres);
   pool.run(spheres.chunks(), [&](int c) {
-    periodic ? list_candidates_of<true>(spheres, cells, spheres.chunk[c])
-             : list_candidates_of<false>(spheres, cells, spheres.chunk[c]);
+    periodic ? list_candidates_of<true>(spheres, in_cells, spheres.chunk[c])
+             : list_candidates_of<false>(spheres, in_cells, spheres.chunk[c]);
     spheres.chunk[c].sums.farthest2 = 0.0;
   });
   spheres.sphere_then = spheres.sphere;
   spheres.scale_then = spheres.scale;
 }
 
+/// Those of the pairs that touch, in their order. Answers how many.
+template <bool periodic>
+int contacts_among(std::span<const SpherePacking::Pair> pairs, const SpherePacking& spheres,
+                   ContactGroup& contacts) {
+  PairGroup group;
+  const int count = static_cast<int>(pairs.size());
+  for (int k = 0; k < count; ++k) {
+    const SpherePacking::Sphere &s = spheres.sphere[pairs[k].i], &o = spheres.sphere[pairs[k].j];
+    const SpherePacking::Vector d = minimum_image<periodic>(spheres.box, s, o);
+    group.x[k] = d.x, group.y[k] = d.y, group.z[k] = d.z;
+    group.reach[k] = spheres.scale * (s.shape + o.shape);
+  }
+  find_gaps(group, count);
+  int touching = 0;
+  for (int k = 0; k < count; ++k) {  // a third of them do: nothing that a processor could foresee
+    contacts.pair[touching] = k;
+    touching += !(group.gap[k] >= 0.0);
+  }
+  for (int n = 0; n < touching; ++n) {
+    const int k = contacts.pair[n];
+    contacts.x[n] = group.x[k], contacts.y[n] = group.y[k], contacts.z[n] = group.z[k];
+    contacts.reach[n] = group.reach[k], contacts.squared[n] = group.squared[k];
+  }
+  return touching;
+}
+
 template <bool periodic>
 void evaluate_forces_of(SpherePacking& spheres, SpherePacking::Chunk& chunk) {
   SpherePacking::Sums sums{.farthest2 = chunk.sums.farthest2};
-  for (int i = chunk.begin; i < chunk.end; ++i) {
-    const SpherePacking::Sphere& s = spheres.sphere[i];
-    const Eigen::Vector3d push = wall_push(spheres.box, {s.x, s.y, s.z}, spheres.scale * s.shape);
-    spheres.force[i] = {push.x(), push.y(), push.z()};
+  if (spheres.box.is_cuboid()) {
+    find_flat_pushes(spheres.box, spheres.scale, &spheres.sphere[chunk.begin], chunk.end - chunk.begin,
+                     &spheres.force[chunk.begin]);
+  } else {
+    for (int i = chunk.begin; i < chunk.end; ++i) {
+      const SpherePacking::Sphere& s = spheres.sphere[i];
+      const Eigen::Vector3d push = wall_push(spheres.box, {s.x, s.y, s.z}, spheres.scale * s.shape);
+      spheres.force[i] = {push.x(), push.y(), push.z()};
+    }
   }
-  for (int i = chunk.begin; i < chunk.end; ++i) {
-    const SpherePacking::Sphere s = spheres.sphere[i];
-    SpherePacking::Vector f = spheres.force[i];
-    for (int k = chunk.first[i - chunk.begin]; k < chunk.first[i - chunk.begin + 1]; ++k) {
-      const int j = chunk.candidate[k];
-      const SpherePacking::Sphere& o = spheres.sphere[j];
-      const SpherePacking::Vector d = minimum_image<periodic>(spheres.box, s, o);
-      const double squared = d.x * d.x + d.y * d.y + d.z * d.z,
-                   touching = spheres.scale * (s.shape + o.shape);
-      if (squared >= touching * touching) continue;
-      const double distance = std::sqrt(std::max(squared, std::numeric_limits<double>::min()));
-      const double overlap = touching - distance, push = overlap / distance;
-      f.x -= d.x * push, f.y -= d.y * push, f.z -= d.z * push;
+  ContactGroup contacts;
+  const std::span<const SpherePacking::Pair> candidates(chunk.candidate);
+  for (std::size_t from = 0; from < candidates.size(); from += PairGroup::room) {
+    const auto pairs =
+        candidates.subspan(from, std::min<std::size_t>(PairGroup::room, candidates.size() - from));
+    const int count = contacts_among<periodic>(pairs, spheres, contacts);
+    find_forces(contacts, count);
+    for (int n = 0; n < count; ++n) {
+      const auto [i, j] = pairs[contacts.pair[n]];
+      SpherePacking::Vector& f = spheres.force[i];
+      f.x -= contacts.x[n], f.y -= contacts.y[n], f.z -= contacts.z[n];
       if (chunk.owns(j)) {
         SpherePacking::Vector& g = spheres.force[j];
-        g.x += d.x * push, g.y += d.y * push, g.z += d.z * push;
-        sums.half_contacts += 2, sums.contact_force += 2.0 * overlap;
+        g.x += contacts.x[n], g.y += contacts.y[n], g.z += contacts.z[n];
+        sums.half_contacts += 2, sums.contact_force += 2.0 * contacts.overlap[n];
       } else {
-        sums.half_contacts += 1, sums.contact_force += overlap;
+        sums.half_contacts += 1, sums.contact_force += contacts.overlap[n];
       }
     }
-    spheres.force[i] = f;
+  }
+  for (int i = chunk.begin; i < chunk.end; ++i) {
+    const SpherePacking::Vector& f = spheres.force[i];
     sums.force2 += f.x * f.x + f.y * f.y + f.z * f.z;
   }
   chunk.sums = sums;

@@ -28,13 +28,15 @@ struct SpherePacking {
     double force2 = 0;               // of the squared net forces
     double farthest2 = 0;            // largest squared distance moved since the candidates were listed
   };
+  struct Pair {
+    int i, j;
+  };
   /// Elements [begin, end) and the pairs of them that may touch: pairs within the chunk once, pairs that
   /// leave it in both chunks. So a chunk writes to its own elements only, and every element adds up its
   /// contacts in an order that knows nothing of threads.
   struct Chunk {
     int begin = 0, end = 0;
-    std::vector<int> first;      // of each element's candidates, and the end of the last
-    std::vector<int> candidate;  // j > i or j outside the chunk
+    std::vector<Pair> candidate;  // ordered by i, which is in the chunk; j > i or j outside the chunk
     Sums sums;
     bool owns(int i) const { return i >= begin && i < end; }
   };

@@ -169,7 +169,9 @@ namespace {
 std::string technique(const LaneSummary& s) { return s.technique.empty() ? "" : s.technique + " release"; }
 
 std::string velocity(const LaneSummary& s) {
-  return std::isnan(s.crack_velocity_over_cr) ? "" : fmt::format("{:.3g} c_R", s.crack_velocity_over_cr);
+  if (!std::isnan(s.crack_velocity_over_cr)) return fmt::format("{:.3g} c_R", s.crack_velocity_over_cr);
+  if (s.crack_course == "measured") return "measured history";
+  return s.crack_course == "by itself" ? "predicted velocity" : "";
 }
 
 std::string damping(const LaneSummary& s) {

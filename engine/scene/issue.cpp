@@ -47,18 +47,36 @@ std::string listed(std::span<const std::string> names, std::string_view last) {
   return out;
 }
 
+namespace {
+
+/// The letters and digits by which names are told apart: in lower case, without underscores and dashes.
+std::string letters_of(std::string_view name) {
+  std::string letters;
+  for (const char c : name)
+    if (c != '_' && c != '-') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return letters;
+}
+
+}  // namespace
+
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
-  if (name.size() > 80) return {};  // no key is that long
+  constexpr std::size_t longest = 80, fewest_of_begin = 5;  // no key is longer; "stu" begins too much
+  if (name.size() > longest) return {};
+  const std::string letters = letters_of(name);
   std::size_t best = std::clamp<std::size_t>(name.size() / 3, 1, 3) + 1;
-  std::string found;
+  std::string found, begun;
   for (const std::string& candidate : candidates) {
-    const std::size_t d = distance(name, candidate);
-    if (d > 0 && d < best) {
+    if (candidate == name) continue;
+    const std::string other = letters_of(candidate);
+    const std::size_t d = distance(letters, other);
+    if (d < best) {
       best = d;
       found = candidate;
     }
+    const bool begins = letters.size() >= fewest_of_begin && other.starts_with(letters);
+    if (begins && (begun.empty() || candidate.size() < begun.size())) begun = candidate;
   }
-  return found;
+  return found.empty() ? begun : found;
 }
 
 bool has_decimal_comma(std::string_view text) {
@@ -97,9 +115,13 @@ std::string to_text(const Issue& issue) {
     const std::string given = issue.value.empty() ? issue.key : issue.key + "=" + issue.value;
     return fmt::format("--set {}: {}", given, issue.text);
   }
-  if (issue.key.empty()) return fmt::format("{}: {}", place(issue), issue.text);
+  return fmt::format("{}: {}", place(issue), without_place(issue));
+}
+
+std::string without_place(const Issue& issue) {
+  if (issue.key.empty()) return issue.text;
   const std::string given = issue.value.empty() ? issue.key : issue.key + " = " + issue.value;
-  return fmt::format("{}: {}: {}", place(issue), given, issue.text);
+  return fmt::format("{}: {}", given, issue.text);
 }
 
 InputError::InputError(std::vector<Issue> found)
@@ -143,6 +165,12 @@ std::string nearest_full_key(const std::string& name) {
 
 }  // namespace
 
+std::string nearest_key(const std::string& name) {
+  if (find_parameter(name) != nullptr) return name;
+  const std::string whole = nearest_full_key(name);
+  return whole.empty() ? full_key_named(name.substr(name.rfind('.') + 1)) : whole;
+}
+
 bool is_table(const std::string& name) {
   const std::vector<std::string> names = table_names();
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -161,8 +189,7 @@ std::string unknown_table(const std::string& name) {
 std::string unknown_key(const std::string& table, const std::string& name) {
   const std::vector<std::string> siblings = names_in(table);
   std::string nearest = nearest_name(name, siblings);
-  if (nearest.empty()) nearest = nearest_full_key(name);
-  if (nearest.empty()) nearest = full_key_named(name.substr(name.rfind('.') + 1));
+  if (nearest.empty()) nearest = nearest_key(name);
   if (!nearest.empty()) return fmt::format("unknown key '{}', did you mean '{}'?", printable(name), nearest);
   if (siblings.empty())
     return fmt::format("unknown key '{}': docs/parameters.md lists them all", printable(name));

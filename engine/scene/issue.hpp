@@ -17,8 +17,9 @@ std::string printable(std::string_view text, std::size_t limit = 60);
 std::string listed(std::span<const std::string> names, std::string_view last = "or");
 
 /// The candidate nearest to `name`, or empty where none is near enough to be meant.
-/// Distance: insertions, deletions, substitutions and swaps of neighbours; at most a third of the name, at
-/// most 3.
+/// Distance: insertions, deletions, substitutions and swaps of neighbours, whatever the case, underscores and
+/// dashes; at most a third of the name, at most 3. Where none is so near, the shortest that begins with the
+/// name.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
 /// Whether a comma stands between two digits, "60,5 mm", where a quantity wants a point.
@@ -40,6 +41,9 @@ struct Issue {
 /// The line which the user reads: `presets/x.toml:14: crack.velocity = "5 c_r": must lie in (0, 2] c_r`,
 /// or `--set crack.velocity=5: ...` for an override.
 std::string to_text(const Issue& issue);
+
+/// The same without the place: `crack.velocity = "5 c_r": must lie in (0, 2] c_r`.
+std::string without_place(const Issue& issue);
 
 /// More are counted, not shown: nobody reads the nine thousandth.
 inline constexpr std::size_t most_issues_shown = 20;
@@ -63,5 +67,9 @@ std::string unknown_table(const std::string& name);
 /// "unknown key 'damge_zone_ratio', did you mean 'damage_zone_ratio'?"
 /// @param table  of the preset in which the key stands; empty where `name` is meant to be a full key
 std::string unknown_key(const std::string& table, const std::string& name);
+
+/// The full key that is meant by `name`, with or without its table, or the nearest to it; empty where none is
+/// near.
+std::string nearest_key(const std::string& name);
 
 }  // namespace rift::scene

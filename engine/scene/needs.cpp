@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace rift::scene {
 
@@ -34,62 +36,101 @@ bool needs_calibration(const Scene& scene) {
 
 namespace {
 
-constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
+/// Keys that only some scenes use, and which.
+struct Use {
+  bool (*by)(const Scene&);
+  std::vector<std::string_view> keys;
+};
 
-constexpr std::array<OptionalPart, 10> part_table{{{"damping", {1.0, 2.7}},
-                                                   {"numerical_damping", {1.0, 1.7}},
-                                                   {"damage_zone", {unmeasured, unmeasured}},
-                                                   {"ramp", {unmeasured, unmeasured}},
-                                                   {"moving_grip", {unmeasured, unmeasured}},
-                                                   {"corotation", {1.7, 3.4}},
-                                                   {"contact", {unmeasured, unmeasured}},
-                                                   {"step_energies", {unmeasured, unmeasured}},
-                                                   {"frames", {unmeasured, unmeasured}},
-                                                   {"gauges", {unmeasured, unmeasured}}}};
+const std::vector<Use>& conditional_uses() {
+  static const std::vector<Use> uses{
+      {[](const Scene& s) { return s.crack.history.empty(); }, {"crack.velocity"}},
+      {[](const Scene& s) { return !s.crack.history.empty(); }, {"crack.smoothing", "crack.history_gap"}},
+      {[](const Scene& s) { return !s.crack.history.empty() || !s.crack.toughness.row.empty(); },
+       {"crack.toughness_window"}},
+      {[](const Scene& s) { return !s.crack.path.point.empty(); }, {"crack.path_shape"}},
+      {[](const Scene& s) { return needs_of(s).damage_zone; },
+       {"crack.relaxation", "crack.damage_zone_ratio"}},
+      {[](const Scene& s) { return needs_of(s).damping; }, {"damping.alpha", "damping.region"}},
+      {[](const Scene& s) { return needs_of(s).damping && s.damping.region == DampingRegion::surface; },
+       {"damping.surface_width"}},
+      {[](const Scene& s) { return needs_of(s).ramp; },
+       {"loading.ramp_steps", "loading.hold_steps", "loading.ramp_beta"}},
+      {[](const Scene& s) { return !s.loading.force && s.loading.curve.row.empty(); },
+       {"loading.displacement"}},
+      {[](const Scene& s) { return !s.specimen.solid_fraction; }, {"specimen.coordination"}},
+      {[](const Scene& s) { return s.output.frames > 0; }, {"output.fields"}},
+      {[](const Scene& s) { return needs_of(s).gauges; }, {"output.gauge_length"}}};
+  return uses;
+}
 
-/// How a part is decided and spoken of.
+}  // namespace
+
+bool is_used(const Scene& scene, std::string_view key) {
+  const std::vector<Use>& uses = conditional_uses();
+  return std::none_of(uses.begin(), uses.end(), [&](const Use& use) {
+    return std::find(use.keys.begin(), use.keys.end(), key) != use.keys.end() && !use.by(scene);
+  });
+}
+
+namespace {
+
+constexpr std::array<double, 2> unmeasured{std::numeric_limits<double>::quiet_NaN(),
+                                           std::numeric_limits<double>::quiet_NaN()};
+
+/// A part, how it is decided and how it is described.
 struct Decision {
+  OptionalPart part;
   bool (*needed)(const Needs&);
   std::string (*why)(const Scene&);  // it is left out
   const char* shared = "";           // what the step of lanes does of which only some need it
 };
 
-/// In the order of the parts.
-const std::array<Decision, part_table.size()> decisions{{
-    {[](const Needs& n) { return n.damping; },
-     [](const Scene& scene) -> std::string {
-       return scene.damping.alpha == 0 ? "alpha = 0, no damped beams are built"
-                                       : "region = none, no damped beams are built";
+const std::array<Decision, 10> decisions{{
+    {{"damping", {1.0, 2.7}},
+     [](const Needs& n) { return n.damping; },
+     [](const Scene& scene) {
+       return fmt::format("{} = {}, no damped beams are built", scene.damping.alpha == 0 ? "alpha" : "region",
+                          scene.damping.alpha == 0 ? "0" : "none");
      },
      "the lanes share a step, which evaluates the damped beams for all of them"},
-    {[](const Needs& n) { return n.numerical_damping; },
-     [](const Scene&) -> std::string { return "beta = 1"; }},
-    {[](const Needs& n) { return n.damage_zone; },
-     [](const Scene&) -> std::string { return "technique = simple"; },
+    {{"numerical_damping", {1.0, 1.7}},
+     [](const Needs& n) { return n.numerical_damping; },
+     [](const Scene&) { return std::string("beta = 1"); }},
+    {{"damage_zone", unmeasured},
+     [](const Needs& n) { return n.damage_zone; },
+     [](const Scene&) { return std::string("technique = simple"); },
      "each lane has a release law of its own, and nothing is computed for the others"},
-    {[](const Needs& n) { return n.ramp; },
-     [](const Scene&) -> std::string { return "method = static, the pre-stress is one solve"; }},
-    {[](const Needs& n) { return n.moving_grip || n.ramp; },
-     [](const Scene&) -> std::string {
-       return "no loading.curve, the grips stand still while the crack runs";
+    {{"ramp", unmeasured},
+     [](const Needs& n) { return n.ramp; },
+     [](const Scene&) { return std::string("method = static, the pre-stress is one solve"); }},
+    {{"moving_grip", unmeasured},
+     [](const Needs& n) { return n.moving_grip || n.ramp; },
+     [](const Scene&) {
+       return std::string("no loading.curve, the grips stand still while the crack runs");
      }},
-    {[](const Needs& n) { return n.corotation; },
-     [](const Scene&) -> std::string { return "kinematics = linear, the beam axes stay fixed"; }},
-    {[](const Needs& n) { return n.contact; },
-     [](const Scene&) -> std::string { return "no friction, the crack's faces do not touch"; },
+    {{"corotation", {1.7, 3.4}},
+     [](const Needs& n) { return n.corotation; },
+     [](const Scene&) { return std::string("kinematics = linear, the beam axes stay fixed"); }},
+    {{"contact", unmeasured},
+     [](const Needs& n) { return n.contact; },
+     [](const Scene&) { return std::string("no friction, the crack's faces do not touch"); },
      "the lanes share a step, which evaluates the faces of all of them"},
-    {[](const Needs& n) { return n.step_energies; },
-     [](const Scene&) -> std::string {
-       return "no dissipation and no external work, energies are computed at samples only";
+    {{"step_energies", unmeasured},
+     [](const Needs& n) { return n.step_energies; },
+     [](const Scene&) {
+       return std::string("no dissipation and no external work, energies are computed at samples only");
      },
      "the lanes share a step, which adds up the energies of all of them"},
-    {[](const Needs& n) { return n.frames; },
-     [](const Scene& scene) -> std::string {
-       return scene.output.frames == 0 ? "frames = 0, no fields are written"
-                                       : "fields = [], no fields are written";
+    {{"frames", unmeasured},
+     [](const Needs& n) { return n.frames; },
+     [](const Scene& scene) {
+       return fmt::format("{}, no fields are written",
+                          scene.output.frames == 0 ? "frames = 0" : "fields = []");
      }},
-    {[](const Needs& n) { return n.gauges; },
-     [](const Scene&) -> std::string { return "output.gauges has no points"; }},
+    {{"gauges", unmeasured},
+     [](const Needs& n) { return n.gauges; },
+     [](const Scene&) { return std::string("output.gauges has no points"); }},
 }};
 
 /// Which of the scenes leave a part out, and their reasons, each once.
@@ -129,30 +170,34 @@ std::string in_words(std::string_view name) {
 template <class Partly>
 std::vector<std::string> lines_of(std::span<const Scene> scenes, const Partly& partly) {
   std::vector<std::string> lines;
-  for (std::size_t k = 0; k < part_table.size(); ++k) {
-    const WithoutPart found = without_part(scenes, decisions[k]);
+  for (const Decision& decision : decisions) {
+    const WithoutPart found = without_part(scenes, decision);
     if (found.without.empty()) continue;
-    lines.push_back(in_words(part_table[k].name) + ": " +
-                    (found.with.empty() ? found.why : partly(found, decisions[k])));
+    lines.push_back(in_words(decision.part.name) + ": " +
+                    (found.with.empty() ? found.why : partly(found, decision)));
   }
   return lines;
 }
 
 }  // namespace
 
-std::span<const OptionalPart> optional_parts() { return part_table; }
+std::vector<OptionalPart> optional_parts() {
+  std::vector<OptionalPart> parts;
+  for (const Decision& decision : decisions) parts.push_back(decision.part);
+  return parts;
+}
 
 const OptionalPart* find_optional_part(std::string_view name) {
-  const auto* found = std::find_if(part_table.begin(), part_table.end(),
-                                   [&](const OptionalPart& part) { return part.name == name; });
-  return found == part_table.end() ? nullptr : found;
+  const auto* found = std::find_if(decisions.begin(), decisions.end(),
+                                   [&](const Decision& decision) { return decision.part.name == name; });
+  return found == decisions.end() ? nullptr : &found->part;
 }
 
 std::vector<std::string> left_out(const Scene& scene) {
   const Needs needs = needs_of(scene);
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < part_table.size(); ++k)
-    if (!decisions[k].needed(needs)) names.emplace_back(part_table[k].name);
+  for (const Decision& decision : decisions)
+    if (!decision.needed(needs)) names.emplace_back(decision.part.name);
   return names;
 }
 

@@ -30,6 +30,10 @@ Needs needs_of(const Scene& scene);
 /// Whether [calibration] says anything: of cylinders, and of beams calibrated to the material.
 bool needs_calibration(const Scene& scene);
 
+/// Whether anything that is computed of the scene depends on its value of a parameter: the velocity of a
+/// crack that follows a measured history is not used.
+bool is_used(const Scene& scene, std::string_view key);
+
 /// A thing that a scene may leave out.
 struct OptionalPart {
   std::string_view name;  // as summary.json's left_out has it: "numerical_damping"
@@ -40,7 +44,7 @@ struct OptionalPart {
 };
 
 /// All of them, in the order in which they are listed.
-std::span<const OptionalPart> optional_parts();
+std::vector<OptionalPart> optional_parts();
 
 /// The part of a name, or null.
 const OptionalPart* find_optional_part(std::string_view name);

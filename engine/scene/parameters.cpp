@@ -198,7 +198,9 @@ std::vector<Parameter> crack_rows() {
        "2.",
        none, above(0, 16)},
       {"crack.damage_zone_ratio", "1", [](Scene& s) -> Slot { return &s.crack.damage_zone_ratio; },
-       "Length of the damage zone r_l, in mean radii.", none, above(0, 1000)},
+       "Length r_l ahead of the tip over which beams are released, in mean radii: a parameter of the release "
+       "scheme, no property of the material. Below 4 results depend on the lattice (docs/limits.md).",
+       none, above(0, 1000)},
       {"crack.friction", "", [](Scene& s) -> Slot { return &s.crack.friction; },
        "Coulomb friction of the crack's faces, which are in contact where they meet; 0 for contact without "
        "friction. Without the key there is no contact, as in the paper, and the faces pass through each "
@@ -254,8 +256,8 @@ std::vector<Parameter> solver_rows() {
 std::vector<Parameter> output_rows() {
   return {
       {"output.samples", "400", [](Scene& s) -> Slot { return &s.output.samples; },
-       "Least number of samples of energies and release rate over the run; samples are a power of two of "
-       "steps apart.",
+       "Number of samples of energies and release rate over the run, evenly spaced in time; eleven more mark "
+       "the measuring window.",
        none, closed(10, 1e6)},
       {"output.frames", "40", [](Scene& s) -> Slot { return &s.output.frames; },
        "Frames of the fields over the run; 0 for none.", none, closed(0, 1e5)},

@@ -1,6 +1,7 @@
 #include "engine/scene/preset.hpp"
 
 #include "engine/scene/issue.hpp"
+#include "engine/scene/layers_note.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/rows_file.hpp"
 #include "engine/scene/scenario.hpp"
@@ -205,6 +206,7 @@ void add_notes(Reading& reading) {
   Preset& preset = reading.preset;
   if (std::string note = note_on_thickness(preset, without_overrides(reading, keys)); !note.empty())
     preset.notes.push_back(std::move(note));
+  if (std::string note = note_on_layers(preset); !note.empty()) preset.notes.push_back(std::move(note));
   for (std::string& note : notes_on_rows(preset)) preset.notes.push_back(std::move(note));
 }
 

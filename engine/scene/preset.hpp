@@ -55,7 +55,8 @@ struct Preset {
   std::vector<StudyRow> study;
   std::vector<Change> steering;            // of [[steering]], by lane and step
   std::map<std::string, RowsOrigin> rows;  // by full key, of those whose rows came from a file
-  /// A line each: keys that --set has replaced, a thickness that it changes, rows that seem to be missing.
+  /// A line each: keys that --set has replaced, a thickness that it changes, plates of fewer than two layers
+  /// of elements, rows that seem to be missing.
   std::vector<std::string> notes;
   std::vector<GridAxis> grid = {};  // the lists of [study], in the order of the file
 };

@@ -39,8 +39,12 @@ std::vector<Issue> load_issues(const Preset& preset);
 /// Points lie in the plate, and no two neighbours at one place.
 std::vector<Issue> path_issues(const Preset& preset);
 
+/// Whether the smoothed history goes through nearly all of its rows, for which nobody gives an uncertainty:
+/// noise in them is then not known.
+bool follows_every_row(const Scene& scene, const history::SmoothedHistory& course);
+
 /// What is worth a look in rows without a defect, a line each: frames that a camera seems to have missed,
-/// with their times, and a crack path that crosses itself.
+/// with their times, rows whose noise is not known, and a crack path that crosses itself.
 std::vector<std::string> notes_on_rows(const Preset& preset);
 
 }  // namespace rift::scene

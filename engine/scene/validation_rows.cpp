@@ -300,6 +300,17 @@ std::optional<SelfCrossing> self_crossing(const std::vector<Point>& point) {
   return found;
 }
 
+/// Noise that cross-validation does not find is taken for velocity.
+std::string note_on_noise(const Scene& scene) {
+  if (scene.crack.history.empty()) return {};
+  const history::SmoothedHistory course = smoothed_history(scene);
+  if (!follows_every_row(scene, course)) return {};
+  return fmt::format(
+      "crack.history: the smoothed history goes through nearly every one of the {} rows ({:.0f} degrees of "
+      "freedom), as they have no uncertainty: if they scatter, a column 'uncertainty' says by how much",
+      scene.crack.history.size(), course.degrees_of_freedom);
+}
+
 /// A tip cannot run through faces that it has parted: what it meets a second time is gone already.
 std::string note_on_path(const Scene& scene) {
   if (scene.crack.path.point.empty()) return {};
@@ -314,6 +325,15 @@ std::string note_on_path(const Scene& scene) {
 
 }  // namespace
 
+bool follows_every_row(const Scene& scene, const history::SmoothedHistory& course) {
+  constexpr double nearly = 0.8;  // of the rows
+  const std::vector<history::HistoryPoint>& rows = scene.crack.history;
+  const bool smoothed = scene.crack.smoothing != history::Smoothing::none && rows.size() > 3;
+  return smoothed && course.degrees_of_freedom > nearly * static_cast<double>(rows.size()) &&
+         std::none_of(rows.begin(), rows.end(),
+                      [](const history::HistoryPoint& row) { return row.uncertainty > 0.0; });
+}
+
 std::vector<std::string> notes_on_rows(const Preset& preset) {
   std::vector<std::string> notes;
   const auto take = [&](std::string note) {
@@ -321,6 +341,7 @@ std::vector<std::string> notes_on_rows(const Preset& preset) {
       notes.push_back(std::move(note));
   };
   take(note_on_missing_rows(preset));
+  take(note_on_noise(preset.scene));
   take(note_on_path(preset.scene));
   for (const Scene& lane : preset.lanes) take(note_on_path(lane));
   return notes;

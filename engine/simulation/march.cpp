@@ -15,10 +15,7 @@ namespace rift::simulation {
 namespace {
 
 constexpr double largest_residual_inertia = 0.01;  // of the ramp: kinetic over total energy   [model.md §4]
-/// Steps from one moment at which idle lanes may be filled to the next: lanes that begin a power of two of
-/// steps apart are looked at in the same steps, which costs one look.
-constexpr std::int64_t between_refills = 64;
-/// Steps from one look at the energies to the next where no sample is due. A look costs about two steps.
+/// Steps from one look at the energies to the next where no sample is due.
 constexpr std::int64_t between_watches = 128;
 
 /// No lattice can hold so many times the energy that was put into it. A stable step shows more than there is
@@ -142,13 +139,14 @@ RunResult Run::march(const Resumption* from) {
     begin();
   end_finished();  // a checkpoint may have been made at a lane's last step
   while (busy() || waiting()) {
-    if (waiting() && (!busy() || marched_ % between_refills == 0)) refill();
+    if (waiting()) refill();
     if (!prepared_.preset.steering.empty()) repeat_changes();
     if (scene::grip_moves(scene())) follow_load();
     step();
     end_finished();
   }
   result_.wall_fracture_s = marching_s();
+  result_.lane_room = marched_ * ensemble_.lanes();
   if (observer_.checkpoint && !stopped_)
     observer_.checkpoint([this] { return checkpoint(); }, CheckpointMoment::at_end);
   if (std::any_of(result_.lane.begin(), result_.lane.end(),

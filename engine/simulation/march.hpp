@@ -26,7 +26,7 @@ struct RunResult;
 struct RunSnapshot {
   Progress progress;
   /// The energies and the displacements of a scenario now, with velocities where they are wanted; nothing
-  /// where it does not march. Cost: a copy; of energies and velocities two looks at every beam for all lanes.
+  /// where it does not march. Cost: a copy; of energies and velocities Ensemble::balance().
   std::function<std::optional<results::Sample>(int scenario)> sample;
   std::function<std::optional<results::Frame>(int scenario, bool velocity)> frame;
 };
@@ -91,6 +91,7 @@ struct RunResult {
   Outcome outcome = Outcome::finished;  // the worst of the lanes
   std::vector<LaneResult> lane;
   std::int64_t lane_steps = 0;  // steps of all lanes that had a scenario
+  std::int64_t lane_room = 0;   // steps of all lanes of the kernel, idle ones too
   double wall_prestress_s = 0;  // marching the ramp
   double wall_fracture_s = 0;
   int lanes = 1, threads = 1;  // side by side

@@ -6,16 +6,20 @@
 #include "engine/lattice/statics.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/layers_note.hpp"
 #include "engine/simulation/steering.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace rift::simulation {
@@ -25,19 +29,16 @@ void build_specimen(Prepared& p, base::Cache& cache, const StageProgress& progre
   const scene::Scene& scene = p.preset.scene;
   const auto start = base::Clock::now();
   const packing::PackingRequest request = scene::request_of(scene);
-  const auto refuse = [&](const char* key, const packing::PackingError& error) {
-    return scene::InputError({scene::issue_at(p.preset, key, error.what())});
-  };
   packing::Packing packing;
   try {
     packing = packing::cached_packing(request, cache, p.packing_from_cache, stage(progress, "packing"));
   } catch (const packing::PackingError& error) {
-    throw refuse(scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination", error);
+    throw SpecimenRefused(scene::packing_issue(p.preset, error));
   }
   try {
     p.specimen = packing::make_plate(packing, request.box, scene.specimen.contact_tolerance);
   } catch (const packing::PackingError& error) {
-    throw refuse("specimen.elements", error);
+    throw SpecimenRefused(scene::issue_at(p.preset, "specimen.elements", error.what()));
   }
   p.wall_packing_s = base::seconds_since(start);
 }
@@ -104,41 +105,96 @@ StepRequest step_wish(const LanePlan& lane, double rayleigh_speed) {
           .critical_damped = {}};
 }
 
-/// What damping leaves of the critical step, computed once for all lanes that damp alike.
+/// The limits of the step without damping, from the cache or computed and remembered.
+lattice::StableStep cached_stable_step(const Prepared& p, base::Cache& cache,
+                                       const base::ProgressCallback& told) {
+  const std::string key = "critical step 1 of " + dynamics_key(p);
+  if (const auto numbers = base::recall(cache, "step", key); numbers && numbers->size() == 2)
+    return {.critical = (*numbers)[0], .element_bound = (*numbers)[1]};
+  const lattice::StableStep stable = lattice::stable_step(p.lattice, told);
+  base::remember(cache, "step", key, std::array{stable.critical, stable.element_bound});
+  return stable;
+}
+
+/// What damping leaves of the critical step, computed once for all lanes that damp alike, and kept in the
+/// cache.
 class DampedLimits {
  public:
-  explicit DampedLimits(const Prepared& p) : p_(p) {}
+  DampedLimits(const Prepared& p, base::Cache& cache) : p_(p), cache_(cache) {}
   double of(const LanePlan& lane, std::vector<lattice::DampedBeam> damped,
             const base::ProgressCallback& told) {
-    const std::pair kind(lane.scene.damping.region, lane.scene.damping.alpha);
-    if (const auto known = limit_.find(kind); known != limit_.end()) return known->second;
-    return limit_[kind] = damped_limit(p_, std::move(damped), {&lane, 1}, told);
+    const std::string key = key_of(lane.scene);
+    if (const auto known = limit_.find(key); known != limit_.end()) return known->second;
+    if (const auto numbers = base::recall(cache_, "step", key); numbers && numbers->size() == 1)
+      return limit_[key] = numbers->front();
+    const double limit = damped_limit(p_, std::move(damped), {&lane, 1}, told);
+    base::remember(cache_, "step", key, {&limit, 1});
+    return limit_[key] = limit;
   }
 
  private:
+  /// Names all that the limit depends on.
+  std::string key_of(const scene::Scene& scene) const {
+    const scene::Scene::Damping& damping = scene.damping;
+    const std::string where = damping.region == scene::DampingRegion::all
+                                  ? "all"
+                                  : fmt::format("{:a} of path {}{}", p_.preset.scene.damping.surface_width,
+                                                path_key(p_.preset.scene),
+                                                p_.preset.scene.crack.tips == 2 ? " from the middle" : "");
+    return fmt::format("damped critical step 1 of {} damping {:a} in {}", dynamics_key(p_), damping.alpha,
+                       where);
+  }
+
   const Prepared& p_;
-  std::map<std::pair<scene::DampingRegion, double>, double> limit_;
+  base::Cache& cache_;
+  std::map<std::string, double> limit_;
 };
 
-std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>& scenes,
+std::vector<LanePlan> planned(const Prepared& p, const std::vector<scene::Scene>& scenes, base::Cache& cache,
                               const base::ProgressCallback& told) {
   if (fracture::crossings(p.path, p.lattice).empty())
     throw scene::InputError({scene::issue_at(p.preset, "crack.path", "crosses no beam of this lattice")});
   std::vector<LanePlan> lanes;
-  DampedLimits limits(p);
-  for (const scene::Scene& scene : scenes) {
+  DampedLimits limits(p, cache);
+  const auto plan = [&](const scene::Scene& scene) {
     LanePlan lane = plan_lane(p, scene);
     StepRequest wish = step_wish(lane, p.rayleigh_speed);
     std::vector<lattice::DampedBeam> damped = damped_beams(p, {&lane, 1});
     lane.beams_damped = damped.size();
     if (!damped.empty()) wish.critical_damped = limits.of(lane, std::move(damped), told);
     lane.step = choose_step(p.preset, p.stable, wish, lane.units.time);
-    lanes.push_back(std::move(lane));
+    return lane;
+  };
+  LanesRefused::Issues refused;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    try {
+      lanes.push_back(plan(scenes[k]));
+    } catch (const scene::InputError& error) {
+      refused[k] = error.issues;
+    }
   }
+  if (!refused.empty()) throw LanesRefused(std::move(refused));
   return lanes;
 }
 
+/// The issues of all lanes, each once.
+std::vector<scene::Issue> each_once(const LanesRefused::Issues& of) {
+  std::vector<scene::Issue> all;
+  std::set<std::string> texts;
+  for (const auto& [lane, issues] : of)
+    for (const scene::Issue& issue : issues)
+      if (texts.insert(scene::to_text(issue)).second) all.push_back(issue);
+  return all;
+}
+
 }  // namespace
+
+std::string specimen_key(const scene::Scene& scene) {
+  return fmt::format("{} contacts within {:a}", packing::key_of(scene::request_of(scene)),
+                     scene.specimen.contact_tolerance);
+}
+
+LanesRefused::LanesRefused(Issues found) : InputError(each_once(found)), of(std::move(found)) {}
 
 std::vector<lattice::DampedBeam> damped_beams(const Prepared& p, std::span<const LanePlan> lanes) {
   const auto any = [&](scene::DampingRegion region) {
@@ -235,9 +291,9 @@ Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& l
     throw scene::InputError({scene::issue_at(p.preset, load_key(scene), error.what())});
   }
   p.gauge = gauges_of(p);
-  p.stable = lattice::stable_step(p.lattice, stage(progress, "critical step"));
+  p.stable = cached_stable_step(p, cache, stage(progress, "critical step"));
   refuse_out_of_range(p, critical_step_numbers(p));
-  take_lanes(p, planned(p, lanes, stage(progress, "critical step with damping")));
+  take_lanes(p, planned(p, lanes, cache, stage(progress, "critical step with damping")));
   for (int k = 0; k < static_cast<int>(p.lane.size()); ++k) check_steering(p, p.lane, k, 0);
   return p;
 }

@@ -7,13 +7,16 @@
 #include "engine/fracture/release_rate.hpp"
 #include "engine/lattice/gauge.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/issue.hpp"
 #include "engine/simulation/lane.hpp"
 #include "engine/simulation/schedule.hpp"
 
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rift::simulation {
@@ -25,6 +28,18 @@ using StageProgress = std::function<bool(std::string_view stage, double done)>;
 inline base::ProgressCallback stage(const StageProgress& progress, const char* name) {
   return [&progress, name](double done) { return !progress || progress(name, done); };
 }
+
+/// The specimen cannot be made: none of its scenarios can run.
+struct SpecimenRefused : scene::InputError {
+  explicit SpecimenRefused(scene::Issue issue) : InputError({std::move(issue)}) {}
+};
+
+/// Some of the lanes cannot run; without them the others can.
+struct LanesRefused : scene::InputError {
+  using Issues = std::map<std::size_t, std::vector<scene::Issue>>;  // by lane
+  explicit LanesRefused(Issues found);
+  Issues of;
+};
 
 /// One scenario of a run: what it releases, and when it is looked at, in the lattice's time.
 struct LanePlan {
@@ -64,9 +79,12 @@ struct Prepared {
   double wall_packing_s = 0, wall_prestress_s = 0;
 };
 
+/// The same for two scenes of one specimen, and for no others.
+std::string specimen_key(const scene::Scene& scene);
+
 /// Specimen (packing cached), lattice, pre-stress (cached), crack, step and schedule of a preset without
-/// issues. Throws InputError where the lattice cannot be what the preset asks for, Interrupted where progress
-/// says stop.
+/// issues. Throws InputError where the lattice cannot be what the preset asks for (SpecimenRefused,
+/// LanesRefused or another), Interrupted where progress says stop.
 Prepared prepare(const scene::Preset& preset, base::Cache& cache, const StageProgress& progress = {});
 
 /// The same for scenarios other than the preset's own, one lane each; they differ in what lanes may differ
@@ -86,6 +104,12 @@ void take_lanes(Prepared& prepared, std::vector<LanePlan> lanes);
 /// Asks for the specimen, the density and the path. Throws InputError where no beams fit the material,
 /// StaticsError.
 void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progress);
+
+/// Names all that the lattice's stiffnesses depend on, and that with its masses; what of a scene makes the
+/// path of its crack. Parts of the keys under which what follows from them is cached.
+std::string statics_key(const Prepared& prepared);
+std::string dynamics_key(const Prepared& prepared);
+std::string path_key(const scene::Scene& scene);
 
 /// What the clamped strip of a continuum with the preset's E and nu would show [Pa].
 double continuum_strip_modulus(const scene::Scene& scene);

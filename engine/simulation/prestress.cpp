@@ -79,7 +79,7 @@ struct Statics {
 
   std::vector<lattice::Vector6> unit(const std::vector<char>& present, const std::string& notch,
                                      const lattice::Pull& pull = {1.0}) {
-    return cached_motions("statics 2 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
+    return cached_motions("statics 3 of " + lattice_key + notch + key_of(pull), lattice.centre.size(), cache,
                           from_cache, [&] {
                             auto q = lattice::stretched_at_rest(lattice, present, pull, telling());
                             ++solved;
@@ -92,7 +92,7 @@ struct Statics {
     if (scene.solver.kinematics == lattice::Kinematics::linear)
       return scaled(unit(present, notch, {1.0, l.tilt, l.shear}), displacement);
     const lattice::Pull pull(displacement, l.tilt, l.shear);
-    const std::string key = fmt::format("corotational statics 1 of {}{} by {:a}{}", lattice_key, notch,
+    const std::string key = fmt::format("corotational statics 2 of {}{} by {:a}{}", lattice_key, notch,
                                         pull.middle, key_of(pull));
     return cached_motions(key, lattice.centre.size(), cache, from_cache, [&] {
       auto q = lattice::stretched_at_rest_corotational(lattice, present, pull, telling());
@@ -157,16 +157,29 @@ fracture::RateScale scale_against(const scene::Scene& scene, const lattice::Latt
 
 /// Which beams a notch cuts, for the key of a cached solution.
 std::string notch_key(const scene::Scene& scene) {
-  std::string path;
-  if (scene.crack.path.point.empty())
-    path = fmt::format("{:a}", scene::path_height_m(scene));
-  else
-    for (const auto& [x, y] : scene::path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
-  return fmt::format(" path {} notch {:a}{}", path, scene.crack.start,
+  return fmt::format(" path {} notch {:a}{}", path_key(scene), scene.crack.start,
                      scene.crack.tips == 2 ? " from the middle" : "");
 }
 
 }  // namespace
+
+std::string statics_key(const Prepared& p) {
+  return fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}",
+                     packing::key_of(scene::request_of(p.preset.scene)),
+                     p.preset.scene.specimen.contact_tolerance, p.micro.young_modulus, p.micro.poisson_ratio,
+                     p.micro.radius_ratio);
+}
+
+std::string dynamics_key(const Prepared& p) {
+  return fmt::format("{} density {:a}", statics_key(p), p.density);
+}
+
+std::string path_key(const scene::Scene& scene) {
+  if (scene.crack.path.point.empty()) return fmt::format("{:a}", scene::path_height_m(scene));
+  std::string path;
+  for (const auto& [x, y] : scene::path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
+  return path;
+}
 
 double continuum_strip_modulus(const scene::Scene& scene) {
   const double nu = scene.material.poisson_ratio;
@@ -181,14 +194,7 @@ void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progr
   p.statics_from_cache = true;
   p.lattice = lattice::make_lattice(p.specimen, p.micro, p.density);
   refuse_out_of_range(p, lattice_numbers(p));
-  Statics statics{p.lattice,
-                  scene,
-                  cache,
-                  p.statics_from_cache,
-                  fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}",
-                              packing::key_of(scene::request_of(scene)), scene.specimen.contact_tolerance,
-                              p.micro.young_modulus, p.micro.poisson_ratio, p.micro.radius_ratio),
-                  progress};
+  Statics statics{p.lattice, scene, cache, p.statics_from_cache, statics_key(p), progress};
   const bool own_pull = kinematics == lattice::Kinematics::corotational || scene.loading.tilt != 0.0 ||
                         scene.loading.shear != 0.0;  // the unit one does not serve
   statics.expected = 1 + (own_pull ? 1 : 0) + (scene.crack.start > 0.0 ? 1 : 0);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -21,17 +20,6 @@ void add_even(Steps& steps, std::int64_t from, std::int64_t to, int count) {
     steps.push_back(
         from + static_cast<std::int64_t>(std::llround(static_cast<double>(to - from) *
                                                       static_cast<double>(k) / static_cast<double>(most))));
-}
-
-/// At least `count` steps over [from, to] (as far as there are that many) and fewer than twice as many, a
-/// power of two apart, and the last: lanes of other velocities are then mostly looked at in the same steps,
-/// which costs one look.
-void add_regular(Steps& steps, std::int64_t from, std::int64_t to, int count) {
-  const auto most =
-      static_cast<std::uint64_t>(std::max<std::int64_t>(1, (to - from) / std::max(1, count - 1)));
-  const auto apart = static_cast<std::int64_t>(std::bit_floor(most));
-  for (std::int64_t step = from; step < to; step += apart) steps.push_back(step);
-  steps.push_back(to);
 }
 
 /// `count` steps at which the tip has come equally far from one to the next, both ends among them.
@@ -95,13 +83,13 @@ Schedule make_schedule(const scene::Scene& scene, const history::CrackHistory& h
   const double steps = steps_of_crack(history, dt, end);
   assert(steps <= most_steps);
   s.fracture = static_cast<std::int64_t>(std::ceil(steps));
-  if (s.ramp > 0) add_regular(s.samples, 0, s.crack_start(), scene.output.samples);
+  if (s.ramp > 0) add_even(s.samples, 0, s.crack_start(), scene.output.samples);
   // How long a crack that runs by itself will take is not known: it is looked at where it is, not when.
   const bool by_itself = !scene.crack.toughness.row.empty();
   if (by_itself)
     add_along(s.samples, s.crack_start(), history, dt, end, scene.output.samples);
   else
-    add_regular(s.samples, s.crack_start(), s.total(), scene.output.samples);
+    add_even(s.samples, s.crack_start(), s.total(), scene.output.samples);
   for (int k = 0; k <= fracture::sub_windows; ++k) {
     const double tip = window[0] + k * (window[1] - window[0]) / fracture::sub_windows;
     const double arrival = history::time_of_arrival(history, tip) / dt;

@@ -52,9 +52,9 @@ inline constexpr double most_steps = 1e12;
 /// brings it there.
 double steps_of_crack(const history::CrackHistory& history, double dt, double end);
 
-/// A crack that runs by itself is sampled and shown at even distances of its tip. Else samples over each
-/// phase, a power of two of steps apart, and one at each end and sub-division of the window, where the tip is
-/// nearest to it; even frames over the fracture phase, its first and last moment among them.
+/// A crack that runs by itself is sampled and shown at even distances of its tip. Else even samples over each
+/// phase, each at the step nearest to its time, and one at each end and sub-division of the window, where the
+/// tip is nearest to it; even frames over the fracture phase, its first and last moment among them.
 /// @param[in] end     tip position at which the run ends [m]
 /// Asks for at most most_steps steps.
 /// @param[in] window  tip positions [m]

@@ -4,12 +4,9 @@
 #include "engine/simulation/march.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
 #include <random>
 #include <vector>
 
@@ -69,17 +66,6 @@ using Eigen::VectorXd;
 
 constexpr double far = 1e6;  // grown or shrunk
 
-/// M^-1/2 of each degree of freedom, 0 where gripped.
-VectorXd root_mobility(const lattice::Lattice& lattice) {
-  VectorXd root = VectorXd::Zero(6 * static_cast<long>(lattice.mass.size()));
-  for (long i = 0; i < static_cast<long>(lattice.mass.size()); ++i) {
-    if (lattice.grip[i] != packing::Grip::none) continue;
-    root.segment<3>(6 * i).setConstant(1.0 / std::sqrt(lattice.mass[i]));
-    root.segment<3>(6 * i + 3).setConstant(1.0 / std::sqrt(lattice.inertia[i]));
-  }
-  return root;
-}
-
 std::vector<lattice::Vector6> by_element(const VectorXd& q) {
   std::vector<lattice::Vector6> motion(static_cast<std::size_t>(q.size() / 6));
   for (std::size_t i = 0; i < motion.size(); ++i) motion[i] = q.segment<6>(6 * static_cast<long>(i));
@@ -100,7 +86,7 @@ double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 /// Position (times omega) and speed of a mode, from those of all elements.
 struct ModalState {
   const lattice::Lattice& lattice;
-  const HighestMode& mode;
+  const lattice::HighestMode& mode;
 
   Eigen::Vector2d of(ensemble::Ensemble& s) const {
     Eigen::Vector2d state = Eigen::Vector2d::Zero();
@@ -113,15 +99,7 @@ struct ModalState {
   }
 };
 
-double log_spectral_radius(const Eigen::Matrix2d& a) {
-  return std::log(a.eigenvalues().cwiseAbs().maxCoeff());
-}
-
-double largest_turn(const Eigen::Matrix2d& a) {
-  return a.eigenvalues().unaryExpr([](std::complex<double> x) { return std::abs(std::arg(x)); }).maxCoeff();
-}
-
-Observed vibrate_in(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
+Observed vibrate_in(const lattice::Lattice& lattice, const lattice::HighestMode& mode, double dt, double beta,
                     std::int64_t steps, ensemble::Precision precision) {
   ensemble::Ensemble s =
       released(lattice, mode.shape * (1e-6 / mode.shape.cwiseAbs().maxCoeff()), dt, beta, precision);
@@ -140,45 +118,18 @@ Observed vibrate_in(const lattice::Lattice& lattice, const HighestMode& mode, do
     if (seen.steps % 16 == 0) seen.residual = larger(seen.residual, std::abs(s.balance(0).error));
   }
   const Eigen::Matrix2d step = products * squares.inverse();
-  seen.growth = log_spectral_radius(step);
+  const lattice::ModeStep measured{0.5 * step.trace(), step.determinant()};
+  seen.growth = measured.growth();
   const bool single = precision == ensemble::Precision::single_precision;
-  seen.claims.push_back(claim_near("turn of the mode in a step [rad]", largest_turn(step),
-                                   turn_of_mode(mode.omega * dt, beta), single ? 1e-3 : 1e-6));
+  seen.claims.push_back(claim_near("turn of the mode in a step [rad]", measured.turn(),
+                                   lattice::step_of_mode(mode.omega * dt, beta).turn(),
+                                   single ? 1e-3 : 1e-6));
   return seen;
 }
 
 }  // namespace
 
-HighestMode highest_mode(const lattice::Lattice& lattice) {
-  const VectorXd root = root_mobility(lattice);
-  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(root.size(), root.size());
-  for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
-    const lattice::Matrix12 part = lattice::stiffness_of(lattice.beam[b]);
-    const auto& e = lattice.ends[b];
-    for (int r : {0, 1})
-      for (int c : {0, 1}) k.block<6, 6>(6 * e[r], 6 * e[c]) += part.block<6, 6>(6 * r, 6 * c);
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * k * root.asDiagonal());
-  const long last = root.size() - 1;
-  return {std::sqrt(solver.eigenvalues()[last]), root.cwiseProduct(solver.eigenvectors().col(last))};
-}
-
-double growth_of_mode(double omega_dt, double beta) {
-  const double h = omega_dt * omega_dt;
-  const double determinant = 1.0 + (beta - 1.0) * h / 2.0, half_trace = 1.0 - (1.0 + beta) * h / 4.0;
-  const double discriminant = half_trace * half_trace - determinant;
-  if (discriminant <= 0.0) return 0.5 * std::log(determinant);
-  return std::log(std::abs(half_trace) + std::sqrt(discriminant));
-}
-
-double turn_of_mode(double omega_dt, double beta) {
-  const double h = omega_dt * omega_dt;
-  const double determinant = 1.0 + (beta - 1.0) * h / 2.0, half_trace = 1.0 - (1.0 + beta) * h / 4.0;
-  if (half_trace * half_trace < determinant) return std::acos(half_trace / std::sqrt(determinant));
-  return half_trace < 0.0 ? std::numbers::pi : 0.0;
-}
-
-Observed vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
+Observed vibrate(const lattice::Lattice& lattice, const lattice::HighestMode& mode, double dt, double beta,
                  std::int64_t steps, ensemble::Precision precision) {
   Observed seen = vibrate_in(lattice, mode, dt, beta, steps, precision);
   seen.limit = simulation::ledger_limit(lattice::Kinematics::linear, precision);
@@ -195,7 +146,7 @@ Observed vibrate(const lattice::Lattice& lattice, const HighestMode& mode, doubl
 Observed vibrate_freely(const lattice::Lattice& lattice, double dt, std::int64_t steps,
                         ensemble::Precision precision) {
   std::mt19937_64 random(7);
-  VectorXd q = root_mobility(lattice);
+  VectorXd q = lattice::root_mobility(lattice);
   for (double& x : q) x *= static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5;
   q *= 1e-6 / q.cwiseAbs().maxCoeff();
   Observed seen;

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "engine/lattice/lattice.hpp"
+#include "engine/lattice/modes.hpp"
 #include "engine/stability/suite.hpp"
-
-#include <Eigen/Core>
 
 namespace rift::stability {
 
@@ -18,27 +16,11 @@ lattice::Lattice small_chain(int elements);
 /// in y
 lattice::Lattice small_block(int nx, int ny, int nz, bool cut = false);
 
-/// A lattice's highest mode of vibration, by dense algebra: for lattices of some hundred elements.
-struct HighestMode {
-  double omega = 0;       // [1/s]
-  Eigen::VectorXd shape;  // 6 N, mass-normalised, zero where gripped
-};
-HighestMode highest_mode(const lattice::Lattice& lattice);
-
-/// ln of what one step of velocity Verlet does to the amplitude of a mode, at best 0 for beta = 1: the
-/// spectral radius of the matrix with determinant 1 + (beta - 1) h / 2 and trace 2 - (1 + beta) h / 2, h =
-/// (omega dt)^2 [model.md §3; paper eqs. (1), (2)]
-double growth_of_mode(double omega_dt, double beta);
-
-/// By what angle one step turns the mode in the plane of its position and its speed [rad]: that of the same
-/// matrix's complex roots, 0 or pi where they are real.
-double turn_of_mode(double omega_dt, double beta);
-
 /// Marches the lattice from rest in its highest mode, nothing cracked, and measures what a step does to it:
 /// the spectral radius of the matrix that fits all steps best. It diverges where that is above 1; where it is
-/// not the energy balance must close, and the mode must turn as turn_of_mode() says.
+/// not the energy balance must close, and the mode must turn as lattice::ModeStep::turn() says.
 /// @param[in] steps  at most; it ends earlier where the amplitude has grown or shrunk 1e6-fold
-Observed vibrate(const lattice::Lattice& lattice, const HighestMode& mode, double dt, double beta,
+Observed vibrate(const lattice::Lattice& lattice, const lattice::HighestMode& mode, double dt, double beta,
                  std::int64_t steps, ensemble::Precision precision);
 
 /// Marches the lattice from rest in a mixture of all motions and looks at the energies a hundred times: half

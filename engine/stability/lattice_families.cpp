@@ -18,7 +18,7 @@ namespace {
 
 struct Vibrating {
   lattice::Lattice lattice = small_block(5, 5, 3);
-  HighestMode mode = highest_mode(lattice);
+  lattice::HighestMode mode = lattice::highest_mode(lattice);
   lattice::StableStep stable = lattice::stable_step(lattice);
 };
 
@@ -102,7 +102,7 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
   const auto block = std::make_shared<Vibrating>();
   for (const double fraction : {0.1, 0.5, 0.9, 0.99, 1.0, 1.01, 1.1, 2.0}) {
     const double dt = fraction * block->stable.critical;
-    const double growth = growth_of_mode(block->mode.omega * dt, 1.0);
+    const double growth = lattice::step_of_mode(block->mode.omega * dt, 1.0).growth();
     cases.push_back({"time step", fmt::format("{:g} of critical", fraction),
                      growth > 0.0 ? CaseEnd::diverges : CaseEnd::closes, growth, "",
                      [block, dt](ensemble::Precision p) {
@@ -113,7 +113,7 @@ void add_free_vibration(Cases& cases, const SuiteOptions& options) {
   cases[4].expected_in_single = CaseEnd::open;
   for (const double beta : {0.9, 0.99, 1.0, 1.01, 1.1, 1.5}) {
     const double dt = 0.5 * block->stable.critical;
-    const double growth = growth_of_mode(block->mode.omega * dt, beta);
+    const double growth = lattice::step_of_mode(block->mode.omega * dt, beta).growth();
     cases.push_back({"beta", fmt::format("{:g} at half the critical step", beta),
                      growth > 0.0 ? CaseEnd::diverges : CaseEnd::closes, growth, "",
                      [block, dt, beta](ensemble::Precision p) {
@@ -164,7 +164,7 @@ GrowthCurve growth_around_the_limit() {
   for (const double x : {0.5,    0.6,    0.7,   0.8,   0.85,  0.9,  0.95, 0.98, 0.99, 0.995, 0.999, 0.9999,
                          1.0001, 1.0003, 1.001, 1.002, 1.005, 1.01, 1.02, 1.03, 1.05, 1.07,  1.1}) {
     curve.step.push_back(x);
-    curve.expected.push_back(growth_of_mode(2.0 * x, 1.0));
+    curve.expected.push_back(lattice::step_of_mode(2.0 * x, 1.0).growth());
     curve.seen.push_back(
         vibrate(v.lattice, v.mode, x * truth, 1.0, growing_steps, ensemble::Precision::double_precision)
             .growth);

@@ -4,6 +4,7 @@
 #include "engine/simulation/prepare.hpp"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,10 @@ std::string study_hash(const scene::Preset& preset);
 struct StudyItem {
   int row = 0;  // of preset.study
   scene::Scene scene;
-  std::string key;  // of its result
-  int group = 0;    // those of one group share specimen, lattice and pre-stress
-  double cost = 0;  // its share of the pass that it marches in
+  std::string key;   // of its result
+  int group = 0;     // those of one group share specimen, lattice and pre-stress
+  int specimen = 0;  // those of one packing share its number
+  double cost = 0;   // its share of the pass that it marches in
 };
 
 /// Scenarios, group by group in the order of first appearance.
@@ -56,7 +58,7 @@ struct Queue {
 /// One long scenario beside many short ones wants few lanes, as the last steps are its own; many of a length
 /// fill a register.
 /// @param[in] steps  of each scenario
-Queue soonest(const std::vector<std::int64_t>& steps, ensemble::Precision precision);
+Queue soonest(std::vector<std::int64_t> steps, ensemble::Precision precision);
 
 /// Lanes side by side where there is no end of scenarios.
 int lanes_of_many(ensemble::Precision precision);
@@ -82,6 +84,16 @@ double estimated_preparation(const scene::Scene& scene);
 
 /// Packing's part of it; the rest is one static solution.
 inline constexpr double packing_share = 0.7;
+
+/// The cost of preparing items one after the other: each specimen is packed once, each group solved once.
+class PreparationCost {
+ public:
+  /// What this item adds to those before it.
+  double next(const StudyItem& item);
+
+ private:
+  std::set<int> packed_, solved_;
+};
 
 /// What estimates take a machine to do in a second, in the unit of a step's cost.
 inline constexpr double assumed_beam_steps_per_s = 1e8;

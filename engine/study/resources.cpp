@@ -1,5 +1,7 @@
 #include "engine/study/resources.hpp"
 
+#include "engine/fracture/release_rate.hpp"
+
 #include <string>
 #include <vector>
 
@@ -12,7 +14,9 @@ LatticeSize expected_size(const scene::Scene& scene) {
 }
 
 Moments expected_moments(const scene::Scene& scene) {
-  return {.frames = static_cast<double>(scene.output.frames), .samples = 2.0 * scene.output.samples};
+  const int phases = scene.loading.method == scene::LoadingMethod::ramp ? 2 : 1;
+  return {.frames = static_cast<double>(scene.output.frames),
+          .samples = static_cast<double>(phases * scene.output.samples + fracture::sub_windows + 1)};
 }
 
 namespace {

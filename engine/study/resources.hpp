@@ -21,7 +21,7 @@ struct Moments {
   double frames = 0, samples = 0;
 };
 
-/// As the scene asks for; samples stand a power of two of steps apart, so that there may be twice as many.
+/// As the scene asks for: samples of the ramp, of the crack, and those that mark the window.
 Moments expected_moments(const scene::Scene& scene);
 
 /// Bytes that the folder of a run holds at its end, at most: journal and archive each hold frames and samples

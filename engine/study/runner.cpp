@@ -44,7 +44,9 @@ struct Study {
   int there = 0;                   // scenarios computed or found
   double cost = 0, cost_done = 0;  // of what is to be computed
   bool stopped = false;
-  std::vector<scene::Issue> issues = {};
+  double preparation = 0;  // cost, of the group under way
+  std::map<std::string, std::vector<scene::Issue>> impossible =
+      {};  // specimens by simulation::specimen_key(), and why
 
   bool is_there(const StudyItem& item) const { return result.rows[item.row].has_value(); }
 
@@ -162,25 +164,60 @@ void march_pass(Study& study, const simulation::Prepared& prepared, std::span<co
   for (const simulation::LanePlan& lane : prepared.lane) steps.push_back(lane.schedule.total());
   const bool ramp = prepared.lane.front().schedule.ramp > 0;
   const int lanes = ramp ? 0 : soonest(steps, prepared.preset.scene.solver.precision).lanes;
-  simulation::march_and_keep(
+  const simulation::RunResult marched = simulation::march_and_keep(
       prepared, observer,
       {.threads = study.options.threads, .lanes = lanes, .checkpoint_s = study.options.checkpoint_s}, keeping,
       from ? &*from : nullptr, note);
+  study.result.lane_steps += marched.lane_steps, study.result.lane_room += marched.lane_room;
   if (!note.empty()) study.cache.notes.push_back(note + ": the pass starts from the beginning");
   study.cost_done += cost;
   if (!study.stopped) simulation::forget_march(keeping.folder);
 }
 
-/// The group's lattice under its pre-stress, with a lane for each of these scenarios.
+/// How much of the preparation is done when so much of a stage is.
+double share_of_preparation(std::string_view stage, double done) {
+  constexpr double pre_stressed = 0.9, undamped = 0.95;
+  if (stage == "packing") return packing_share * done;
+  if (stage == "pre-stress") return packing_share + (pre_stressed - packing_share) * done;
+  if (stage == "critical step") return pre_stressed + (undamped - pre_stressed) * done;
+  if (stage == "critical step with damping") return undamped + (1.0 - undamped) * done;
+  return packing_share;  // a calibration, which comes between the first two
+}
+
+/// Some scenarios of a group cannot run, by their rows.
+struct ScenariosRefused {
+  std::map<int, std::vector<scene::Issue>> of;
+};
+
+/// What is wrong with lanes that were prepared together, each with the values of its own scenario.
+ScenariosRefused refused_scenarios(const Study& study, std::span<const StudyItem> items,
+                                   const simulation::LanesRefused& lanes) {
+  ScenariosRefused refused;
+  for (const auto& [lane, issues] : lanes.of) {
+    const int row = items[lane].row;
+    for (scene::Issue issue : issues) {
+      for (const auto& [name, text] : study.preset.study[row].axes)
+        if (scene::find_axis(name)->key == issue.key) issue.value = text;
+      refused.of[row].push_back(std::move(issue));
+    }
+  }
+  return refused;
+}
+
+/// The group's lattice under its pre-stress, with a lane for each of these scenarios. Throws
+/// ScenariosRefused.
 simulation::Prepared prepare_lanes(Study& study, std::span<const StudyItem> items) {
   std::vector<scene::Scene> scenes;
   for (const StudyItem& item : items) scenes.push_back(item.scene);
-  const double preparation = estimated_preparation(scenes.front());
-  return simulation::prepare(preset_of(study, items.front()), scenes, study.cache,
-                             [&](std::string_view stage, double done) {
-                               const bool packing = stage == "packing";
-                               return study.tell(stage, packing_share * (packing ? done : 1.0), preparation);
-                             });
+  const double preparation = study.preparation;
+  try {
+    return simulation::prepare(preset_of(study, items.front()), scenes, study.cache,
+                               [&](std::string_view stage, double done) {
+                                 return study.tell(stage, share_of_preparation(stage, done), preparation);
+                               });
+  } catch (const simulation::LanesRefused& lanes) {
+    throw refused_scenarios(study, items, lanes);
+  }
 }
 
 /// A pass that an earlier call has left under way.
@@ -230,7 +267,7 @@ void compute_group(Study& study, std::vector<StudyItem> items) {
   std::erase_if(items, [&](const StudyItem& item) { return study.is_there(item); });
   if (items.empty()) return;
   simulation::Prepared prepared = prepare_lanes(study, items);
-  study.cost_done += estimated_preparation(items.front().scene);
+  study.cost_done += study.preparation;
   const std::vector<simulation::LanePlan> plans = prepared.lane;
   for (const std::vector<std::size_t>& pass : passes_of(plans)) {
     if (study.stopped) return;
@@ -253,21 +290,54 @@ std::vector<std::vector<StudyItem>> missing(const Study& study, const std::vecto
   return groups;
 }
 
-void compute(Study& study, const std::vector<std::vector<StudyItem>>& groups) {
-  for (const auto& group : groups) {
-    study.cost += estimated_preparation(group.front().scene);
-    for (const StudyItem& item : group) study.cost += item.cost;
+/// Computes what can be of a group; what cannot is kept with its reason, and each specimen that cannot be
+/// made is tried once.
+void compute_what_can_be(Study& study, std::vector<StudyItem> items) {
+  const std::string specimen = simulation::specimen_key(items.front().scene);
+  if (const auto known = study.impossible.find(specimen); known != study.impossible.end())
+    return add_not_made(study.result.not_made, items, known->second);
+  try {
+    compute_group(study, items);
+  } catch (const ScenariosRefused& refused) {
+    for (const StudyItem& item : items)
+      if (const auto found = refused.of.find(item.row); found != refused.of.end())
+        add_not_made(study.result.not_made, {item}, found->second);
+    std::erase_if(items, [&](const StudyItem& item) { return refused.of.contains(item.row); });
+    if (!items.empty()) compute_what_can_be(study, std::move(items));
+  } catch (const simulation::SpecimenRefused& error) {
+    study.impossible[specimen] = error.issues;
+    add_not_made(study.result.not_made, items, error.issues);
+  } catch (const scene::InputError& error) {
+    add_not_made(study.result.not_made, items, error.issues);
   }
+}
+
+void compute(Study& study, const std::vector<std::vector<StudyItem>>& groups) {
+  PreparationCost preparation;
+  std::vector<double> preparing, ends;  // of each group
   for (const auto& group : groups) {
+    preparing.push_back(preparation.next(group.front()));
+    study.cost += preparing.back();
+    for (const StudyItem& item : group) study.cost += item.cost;
+    ends.push_back(study.cost);
+  }
+  for (std::size_t k = 0; k < groups.size() && !study.stopped; ++k) {
+    study.preparation = preparing[k];
     try {
-      compute_group(study, group);
-    } catch (const scene::InputError& error) {
-      study.issues.insert(study.issues.end(), error.issues.begin(), error.issues.end());
+      compute_what_can_be(study, groups[k]);
     } catch (const base::Interrupted&) {
       study.stopped = true;
     }
-    if (study.stopped) return;
+    study.cost_done = ends[k];
   }
+}
+
+/// Throws InputError where there is nothing but scenarios that cannot be made.
+void refuse_if_nothing_is_there(const Study& study) {
+  std::vector<scene::Issue> issues;
+  for (const NotMade& one : study.result.not_made)
+    issues.insert(issues.end(), one.issues.begin(), one.issues.end());
+  if (study.there == 0 && !study.stopped && !issues.empty()) throw scene::InputError(issues);
 }
 
 }  // namespace
@@ -308,7 +378,7 @@ StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, 
   base::check_target(options.folder / "table.csv");
   gather(study, items);
   compute(study, missing(study, part_of(items, options.shard, options.shards)));
-  if (!study.issues.empty()) throw scene::InputError(study.issues);
+  refuse_if_nothing_is_there(study);
   if (options.shards > 1) gather(study, items);
   if (study.stopped)
     study.result.outcome = simulation::Outcome::stopped;

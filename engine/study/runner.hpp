@@ -5,6 +5,7 @@
 #include "engine/scene/preset.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/record.hpp"
+#include "engine/study/not_made.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -56,9 +57,11 @@ struct StudyObserver {
 
 struct StudyResult {
   StudyRows rows;
+  std::vector<NotMade> not_made;
   simulation::Outcome outcome = simulation::Outcome::finished;
   int computed = 0, found = 0;
   double wall_s = 0;
+  std::int64_t lane_steps = 0, lane_room = 0;  // of the scenarios computed, as of RunResult
 };
 
 /// Computes the scenarios of a preset's study that the folder does not hold yet. Each result is bit for bit
@@ -66,8 +69,8 @@ struct StudyResult {
 /// the scenario ends. Of a pass under way a checkpoint is kept in passes/ now and then and at a stop, with
 /// which the next call goes on. Scenarios that differ only in what lanes may differ in share specimen,
 /// lattice and pre-stress, and march side by side where their steps are equal. Damaged files are noted in
-/// cache.notes and computed again. Throws FolderExists (open_study), InputError with all scenarios that
-/// cannot be run, after the others, and WorldError.
+/// cache.notes and computed again. Scenarios that cannot be run stand in `not_made`, and the others are
+/// computed all the same. Throws FolderExists (open_study), InputError where none can be run, and WorldError.
 StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, base::Cache& cache,
                       const simulation::BuildInfo& build, const StudyObserver& observer);
 

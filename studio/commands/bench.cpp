@@ -1,6 +1,8 @@
+#include "engine/base/files.hpp"
 #include "engine/base/process_limits.hpp"
 #include "engine/base/text.hpp"
 #include "engine/ensemble/benchmark.hpp"
+#include "engine/results/json_input.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/simulation/summary.hpp"
 #include "studio/commands/commands.hpp"
@@ -12,6 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <memory>
 
 namespace rift::studio {
@@ -24,6 +28,8 @@ struct BenchOptions : SessionOptions {
   int runs = 7;
   double seconds = 0.15;
   bool needs = false;
+  std::string guard;  // file of recorded ratios
+  bool record = false;
 };
 
 using Cases = std::vector<ensemble::BenchCase>;
@@ -53,6 +59,14 @@ void add_kernels(Cases& cases, int elements, int threads) {
     add(name, kinematics, single_precision, 1);
     for (const int lanes : {4, 8}) add(name, kinematics, double_precision, lanes);
     for (const int lanes : {8, 16}) add(name, kinematics, single_precision, lanes);
+  }
+  const std::string linear = scene::word_of("solver.kinematics", lattice::Kinematics::linear);
+  for (const int lanes : {1, 8, 16}) {
+    const ensemble::Precision precision = lanes == 1 ? double_precision : single_precision;
+    add(linear + ", all beams damped", lattice::Kinematics::linear, precision, lanes);
+    cases.back().damped = 1.0;
+    add(linear + ", energies every step", lattice::Kinematics::linear, precision, lanes);
+    cases.back().balanced = true;
   }
 }
 
@@ -210,7 +224,53 @@ void print_precision(const PrecisionError& e) {
       e.residual_double);
 }
 
+/// The kernels of one thread, the readable step first, counted in processor time.
+Cases guarded_cases(const BenchOptions& options) {
+  Cases cases{base_case(options.elements.front(), 1)};
+  cases.front().name = "plain", cases.front().plain = true;
+  add_kernels(cases, options.elements.front(), 1);
+  for (ensemble::BenchCase& c : cases) c.processor_time = true;
+  return cases;
+}
+
+std::string name_of(const ensemble::BenchCase& c) {
+  return fmt::format("{}, {}, {}", c.name, scene::word_of("solver.precision", c.precision),
+                     base::counted(c.scenarios, "lane"));
+}
+
+/// Compares each kernel's ratio to the readable step, both timed by turns in this process, with the recorded
+/// one of this instruction set; or records the ratios. Exit 1 where one has lost more than a fifth.
+ExitCode guard(const BenchOptions& options) {
+  constexpr double least = 0.8;
+  const Cases cases = guarded_cases(options);
+  const std::vector<std::vector<double>> ratios =
+      ensemble::ratios_to_first(cases, options.runs, options.seconds);
+  const std::string set(ensemble::name_of(ensemble::instruction_set()));
+  Json file = options.record && !std::filesystem::exists(options.guard)
+                  ? Json::object()
+                  : results::read_json(base::read_whole_file(options.guard), options.guard);
+  Table table{{"kernel", "ratio to plain", "recorded", "of it"}, {}};
+  bool slower = false;
+  for (std::size_t k = 1; k < cases.size(); ++k) {
+    const std::string name = name_of(cases[k]);
+    const double ratio = ratios[k][ratios[k].size() / 2];
+    if (options.record) file[set][name] = std::round(100 * ratio) / 100;
+    const double recorded = file.contains(set) ? file[set].value(name, 0.0) : 0.0;
+    const double share = recorded > 0.0 ? ratio / recorded : 1.0;
+    slower = slower || share < least;
+    table.rows.push_back({name, fmt::format("{:.2f}", ratio), fmt::format("{:.2f}", recorded),
+                          fmt::format("{:.2f}{}", share, share < least ? " slower" : "")});
+  }
+  if (options.record) base::write_whole_file(options.guard, file.dump(2) + "\n");
+  base::print_text(heading(version_text(), false) + "\n" + plain_table(table, false));
+  base::print("  {}, one thread, {} elements; medians of {}\n", set, cases.front().elements,
+              base::counted(options.runs, "round"));
+  if (slower) base::message("rift bench: a kernel has lost more than a fifth of its speed against plain\n");
+  return slower ? ExitCode::world_failed : ExitCode::done;
+}
+
 ExitCode bench(const BenchOptions& options) {
+  if (!options.guard.empty()) return guard(options);
   const int threads = base::threads_or_all_cpus(options.threads);
   Session session("rift bench", options);
   const ensemble::MachinePeaks alone = ensemble::machine_peaks(ensemble::instruction_set(), 1),
@@ -275,6 +335,11 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
       ->check(CLI::Range(0.001, 100.0));
   command.add_flag("--needs", options->needs,
                    "Cost of each part that a scene may leave out (damping, corotational beams, ...)");
+  CLI::Option* guard = command.add_option("--guard", options->guard,
+                                          "Compares each kernel's ratio to plain with those recorded in this "
+                                          "file: exit 1 where one has lost a fifth");
+  command.add_flag("--record", options->record, "Records the ratios of this instruction set in that file")
+      ->needs(guard);
   command.add_flag("-j,--json", options->json, "The result as JSON on stdout");
   add_quiet(command, *options);
   add_color_option(command, options->color);

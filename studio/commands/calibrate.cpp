@@ -1,6 +1,7 @@
 #include "engine/calibration/calibrate.hpp"
 
 #include "engine/lattice/statics.hpp"
+#include "engine/scene/layers_note.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
 #include "studio/reports/calibration_report.hpp"
@@ -81,7 +82,7 @@ ExitCode calibrate_material(const CalibrateOptions& options) {
   } catch (const calibration::OutOfReach& error) {
     refuse(scene::issue_at(preset, "material.poisson_ratio", error.what()));
   } catch (const packing::PackingError& error) {
-    refuse(scene::issue_at(preset, "specimen.coordination", error.what()));
+    refuse(scene::packing_issue(preset, error));
   }
 }
 

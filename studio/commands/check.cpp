@@ -1,4 +1,5 @@
 #include "engine/base/console.hpp"
+#include "engine/experiment/plan.hpp"
 #include "engine/measurement/specimen_properties.hpp"
 #include "studio/commands/chosen_claims.hpp"
 #include "studio/commands/commands.hpp"
@@ -90,8 +91,16 @@ ExitCode check_run(const CheckOptions& options, const scene::Preset& preset, boo
           prepared, prepared.lane.front().window, session.progress_of("quasi-static"));
     }
     if (const std::string error = step_error_text(options, preset); !error.empty()) j["step_error"] = error;
+    if (is_experiment && experiment::planned_points(preset.scene).empty())
+      base::message(
+          "note: the history is shorter than crack.toughness_window, over which the release rate is "
+          "averaged: 'rift experiment' needs a shorter window, or smaller elements\n");
     if (is_experiment)
-      j["experiment"] = planned_json(planned_experiment(preset, options.preset, options.parts), preset);
+      j["experiment"] = planned_json(
+          planned_experiment(
+              preset, command_with_preset("rift experiment", options), options.parts,
+              {.steps = j.at("steps").get<double>(), .seconds = j.at("wall_estimate_s").get<double>()}),
+          preset);
     session.line.clear();
     session.print_notes();
     session.print_result(j, [&] {
@@ -116,9 +125,16 @@ ExitCode check(const CheckOptions& options) {
   const scene::Preset preset = read_scene(options);
   if (prints_config(options, preset)) return ExitCode::done;
   const std::string taker = command_for(preset);
-  if (taker == "study") return say_plan(options, planned_study(preset, options.preset), preset);
+  if (taker == "study")
+    return say_plan(
+        options,
+        planned_study(preset, command_with_preset("rift study", options), study_folder(options.preset)),
+        preset);
   if (taker == "calibrate")
-    return say_plan(options, planned_calibration(preset.scene, options.preset, options.threads), preset);
+    return say_plan(
+        options,
+        planned_calibration(preset.scene, command_with_preset("rift calibrate", options), options.threads),
+        preset);
   return check_run(options, preset, taker == "experiment");
 }
 

@@ -16,7 +16,14 @@
 namespace rift::studio {
 
 /// What the process returns.   [interface.md "Exit codes"]
-enum class ExitCode { done = 0, world_failed = 1, bad_input = 2, diverged = 3, budget_ran_out = 4 };
+enum class ExitCode {
+  done = 0,
+  world_failed = 1,
+  bad_input = 2,
+  diverged = 3,
+  budget_ran_out = 4,
+  not_whole = 6
+};
 
 /// Where the presets are: $RIFT_PRESETS if set, else those installed beside the program
 /// (../share/rift/presets), else those of the source tree. The folder need not exist.

@@ -63,6 +63,16 @@ std::string keep_parts(const fs::path& folder) {
   return "; nothing was stored: the same command starts from the beginning";
 }
 
+/// Of an interrupted experiment that this command cannot continue it says why.
+void refuse_other_options(const fs::path& folder, const std::string& identity) {
+  const std::vector<std::string> differences = experiment::differences_from(folder, identity);
+  if (differences.empty()) return;
+  refuse(folder.string(),
+         fmt::format("holds an interrupted experiment with other options: {}; with the options it had it is "
+                     "continued, --force starts it again with these",
+                     fmt::join(differences, "; ")));
+}
+
 ExitCode experiment(ExperimentOptions& options) {
   const std::optional<double> budget = read_budget("rift experiment", options.budget);
   const scene::Preset preset = read_scene(options);
@@ -72,8 +82,9 @@ ExitCode experiment(ExperimentOptions& options) {
   const fs::path folder = options.out.empty()
                               ? fs::path(fs::path(options.preset).stem().string() + "_experiment")
                               : fs::path(options.out);
-  const bool going_on =
-      experiment::is_under_way(folder, experiment::experiment_identity(preset, options.parts, build_info()));
+  const std::string identity = experiment::experiment_identity(preset, options.parts, build_info());
+  const bool going_on = experiment::is_under_way(folder, identity);
+  if (!options.force && !going_on) refuse_other_options(folder, identity);
   if (const std::string trouble = options.film->trouble_with(preset, true); !trouble.empty())
     refuse("rift experiment", trouble);
   ReportFolder owned(folder, options.force || going_on, {.own = "toughness_velocity.csv", .has_run = true});
@@ -111,7 +122,8 @@ ExitCode experiment(ExperimentOptions& options) {
   });
   session.print_result(experiment_json(report), [&] {
     base::print_text(experiment_text(report, session.color()));
-    base::print("{}/  report.html, table.csv, toughness_*.csv, charts, run/\n", folder.string());
+    base::print("{}/  report.html, table.csv, toughness_*.csv, charts, run/\n{}\n", folder.string(),
+                publish_text(report));
   });
   if (!film.trouble.empty()) session.message("no film: " + film.trouble);
   if (code == ExitCode::done && report.experiment.outcome == simulation::Outcome::diverged)

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <utility>
 
 namespace rift::studio {
@@ -17,12 +18,13 @@ namespace {
 
 constexpr std::size_t page_width = 80, options_width = 26;
 
-constexpr std::array<Explained, 6> code_table{
+constexpr std::array<Explained, 7> code_table{
     {{"0", "The command has done what was asked for."},
      {"1", "The disk, the network, a library or another program has failed."},
      {"2", "The input is wrong: a preset, an option, a file."},
      {"3", "A computation has diverged."},
      {"4", "The time of --budget is over; the same command goes on."},
+     {"6", "Some scenarios of a study could not be made; it says which and why. The others are there."},
      {"128+n", "Signal n has stopped the command."}}};
 
 constexpr std::array<Explained, 5> variable_table{
@@ -34,39 +36,54 @@ constexpr std::array<Explained, 5> variable_table{
      {"XDG_DATA_HOME",
       "Presets of your own are kept in its folder rift/presets (~/.local/share/rift/presets)."}}};
 
-struct Example {
-  std::string_view command;
-  const char* first;
-  const char* second;
-};
-constexpr std::array example_table{
-    Example{"studio", "rift studio quickstart", "rift studio --lesson node-release"},
-    Example{"run", "rift run quickstart", "rift run plate_pnrt --print-config > mine.toml"},
-    Example{"resume", "rift resume runs/plate_pnrt", "rift resume runs/plate_pnrt --budget '2 h'"},
-    Example{"render", "rift render runs/quickstart",
-            "rift render runs/quickstart --at 0.6 --picture crack.png"},
-    Example{"watch", "rift watch runs/plate_pnrt", "rift watch runs/plate_pnrt --color never"},
-    Example{"study", "rift study study_release", "rift study study_release --shard 1/4 --quiet"},
-    Example{"reproduce", "rift reproduce fig07 fig13 --quick", "rift reproduce beyond -o beyond"},
-    Example{"experiment", "rift experiment experiment_polymer",
-            "rift experiment experiment_polymer --resamples 4 --specimens 1"},
-    Example{"accuracy", "rift accuracy quickstart --quick", "rift accuracy plate_pnrt --goal 0.005 --yes"},
-    Example{"stability", "rift stability --quick", "rift stability --only density -o stability"},
-    Example{"calibrate", "rift calibrate --young '3.2 GPa' --poisson 0.31",
-            "rift calibrate fig17_calibration -o calibration"},
-    Example{"pack", "rift pack --set specimen.elements=5000", "rift pack quickstart -o packing"},
-    Example{"check", "rift check plate_pnrt --set specimen.elements=80000", "rift check study_release -j"},
-    Example{"compare", "rift compare runs/plate_snrt runs/plate_pnrt",
-            "rift compare studies/study_release --csv > table.csv"},
-    Example{"list", "rift list", "rift list --names"},
-    Example{"theory", "rift theory --v 0.3 --v 0.5", "rift theory --steps 50 --csv > theory.csv"},
-    Example{"measure", "rift measure runs/plate_pnrt", "rift measure runs/plate_pnrt --against camera.csv"},
-    Example{"export", "rift export runs/quickstart --to csv", "rift export runs/quickstart --to pvd"},
-    Example{"verify", "rift verify runs/quickstart", "rift verify runs/quickstart --check-only -j"},
-    Example{"bench", "rift bench --elements 20000", "rift bench --needs -j > needs.json"},
-    Example{"manual", "rift manual run | man -l -", "rift manual --into share"},
-    Example{"completion", "source <(rift completion bash)", "rift completion zsh > _rift"},
-    Example{"help", "rift help study", "rift help"}};
+// A line each, of the command that stands in it.
+constexpr std::string_view examples = R"(rift studio quickstart
+rift studio --lesson node-release
+rift run quickstart
+rift run plate_pnrt --print-config > mine.toml
+rift resume runs/plate_pnrt
+rift resume runs/plate_pnrt --budget '2 h'
+rift render runs/quickstart
+rift render runs/quickstart --at 0.6 --picture crack.png
+rift watch runs/plate_pnrt
+rift watch runs/plate_pnrt --color never
+rift study study_release
+rift study study_release --shard 1/4 --quiet
+rift reproduce fig07 fig13 --quick
+rift reproduce beyond -o beyond
+rift experiment experiment_polymer
+rift experiment experiment_polymer --resamples 4 --specimens 1
+rift accuracy quickstart --quick
+rift accuracy plate_pnrt --goal 0.005 --yes
+rift stability --quick
+rift stability --only density -o stability
+rift calibrate --young '3.2 GPa' --poisson 0.31
+rift calibrate fig17_calibration -o calibration
+rift pack --set specimen.elements=5000
+rift pack quickstart -o packing
+rift check plate_pnrt --set specimen.elements=80000
+rift check study_release -j
+rift compare runs/plate_snrt runs/plate_pnrt
+rift compare studies/study_release --csv > table.csv
+rift list
+rift list --names
+rift theory --v 0.3 --v 0.5
+rift theory --steps 50 --csv > theory.csv
+rift measure runs/plate_pnrt
+rift measure runs/plate_pnrt --against camera.csv
+rift export runs/quickstart --to csv
+rift export runs/quickstart --to pvd
+rift verify runs/quickstart
+rift verify runs/quickstart --check-only -j
+rift bench --elements 20000
+rift bench --needs -j > needs.json
+rift manual run | man -l -
+rift manual --into share
+source <(rift completion bash)
+rift completion zsh > _rift
+rift help study
+rift help
+)";
 
 /// A text beside what it explains, in the columns of a page.
 std::string beside(const std::string& left, const std::string& text) {
@@ -123,9 +140,14 @@ std::span<const Explained> exit_codes() { return code_table; }
 std::span<const Explained> environment_variables() { return variable_table; }
 
 std::vector<std::string> examples_of(std::string_view command) {
-  for (const Example& example : example_table)
-    if (example.command == command) return {example.first, example.second};
-  return {};
+  const std::string call = fmt::format("rift {}", command);
+  std::vector<std::string> found;
+  std::istringstream lines{std::string(examples)};
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find(call), end = at + call.size();
+    if (at != std::string::npos && (end == line.size() || line[end] == ' ')) found.push_back(line);
+  }
+  return found;
 }
 
 std::shared_ptr<CLI::FormatterBase> help_layout() { return std::make_shared<HelpLayout>(); }
@@ -160,12 +182,57 @@ std::string help_of(const CLI::App& app, const std::string& command) {
                            CLI::AppFormatMode::Normal);
 }
 
-std::string nearest_argument(const CLI::App& chosen, const std::string& argument) {
-  if (!argument.starts_with('-')) return scene::nearest_name(argument, names_of_commands(chosen));
+std::string nearest_option(const CLI::App& command, const std::string& name) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : chosen.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  return scene::nearest_name(argument, names);
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& known : option->get_lnames()) names.push_back(known);
+  const bool known = std::find(names.begin(), names.end(), name) != names.end();
+  const std::string nearest = known ? name : scene::nearest_name(name, names);
+  return nearest.empty() ? nearest : "--" + nearest;
+}
+
+namespace {
+
+/// "--elements=3" as its name and its value.
+std::pair<std::string, std::string> parted(const std::string& option) {
+  const std::size_t name = option.find_first_not_of('-'), equals = option.find('=');
+  if (name == std::string::npos) return {};
+  return {option.substr(name, equals - name), equals == std::string::npos ? "" : option.substr(equals + 1)};
+}
+
+/// An option that the command has not: its nearest one, or the parameter that --set sets.
+std::string unknown_option(const CLI::App& chosen, const std::string& option) {
+  const auto [name, value] = parted(option);
+  const std::string text = fmt::format("there is no option '{}'", scene::printable(option)),
+                    near = nearest_option(chosen, name), key = scene::nearest_key(name);
+  if (!near.empty()) return fmt::format("{}, did you mean '{}'?", text, near);
+  if (key.empty() || chosen.get_option_no_throw("--set") == nullptr) return text;
+  return fmt::format("{}: --set {}={} sets this parameter", text, key,
+                     value.empty() ? "VALUE" : scene::printable(value));
+}
+
+}  // namespace
+
+std::vector<std::string> unexpected_arguments(const CLI::App& chosen,
+                                              const std::vector<std::string>& arguments) {
+  std::vector<std::string> texts;
+  bool may_be_value = false;  // of the unknown option before it
+  for (const std::string& argument : arguments) {
+    const bool option = argument.size() > 1 && argument.starts_with('-');
+    const bool assignment = !option && argument.find('=') != std::string::npos;
+    if (option) {
+      texts.push_back(unknown_option(chosen, argument));
+    } else if (assignment && chosen.get_option_no_throw("--set") != nullptr) {
+      texts.push_back(
+          fmt::format("'{0}' is not expected, did you mean '--set {0}'?", scene::printable(argument)));
+    } else if (!may_be_value) {
+      const std::string near = scene::nearest_name(argument, names_of_commands(chosen));
+      texts.push_back(fmt::format("'{}' is not expected{}", scene::printable(argument),
+                                  near.empty() ? "" : fmt::format(", did you mean '{}'?", near)));
+    }
+    may_be_value = option && argument.find('=') == std::string::npos;
+  }
+  return texts;
 }
 
 void add_help(CLI::App& app, ExitCode& exit_code) {

@@ -42,9 +42,13 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app);
 /// @param[in] who  says so: "rift help"
 const CLI::App& command_named(const CLI::App& app, const std::string& name, const std::string& who);
 
-/// What the user may have meant by an argument that was not expected: a command, an option of `chosen`; empty
-/// where nothing is near.
-std::string nearest_argument(const CLI::App& chosen, const std::string& argument);
+/// What is wrong with arguments that were not expected, a text each, with what may have been meant: a
+/// command, an option of `chosen`, a parameter for its --set.
+std::vector<std::string> unexpected_arguments(const CLI::App& chosen,
+                                              const std::vector<std::string>& arguments);
+
+/// The option of a command that may be meant by a name ("budgt"), with its dashes; empty where none is near.
+std::string nearest_option(const CLI::App& command, const std::string& name);
 
 /// What an option's value is: its type's word ("FOLDER"), its allowed words, its range ("[1 - 1024]").
 struct OptionType {

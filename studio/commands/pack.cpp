@@ -1,6 +1,7 @@
 #include "engine/packing/packing.hpp"
 #include "engine/packing/specimen.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/layers_note.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
 #include "studio/reports/packing_report.hpp"
@@ -36,9 +37,7 @@ PackedSpecimen packed(const ReportOptions& options, const scene::Preset& preset,
     specimen.rattlers = whole.rattlers;
     specimen.beams = whole.beam.size();
   } catch (const packing::PackingError& error) {
-    refuse(scene::issue_at(
-        preset, scene.specimen.solid_fraction ? "specimen.solid_fraction" : "specimen.coordination",
-        error.what()));
+    refuse(scene::packing_issue(preset, error));
   }
   return specimen;
 }

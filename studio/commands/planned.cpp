@@ -63,14 +63,14 @@ double preparing_seconds(const scene::Scene& scene) {
 
 /// What is common to all that march: specimens, memory, disk.
 void add_resources(PlannedWork& work, const std::vector<study::StudyItem>& items) {
-  std::set<int> groups;
+  std::set<int> specimens;
   for (const study::StudyItem& item : items) {
-    groups.insert(item.group);
+    specimens.insert(item.specimen);
     work.memory_bytes = std::max(work.memory_bytes, study::expected_memory_bytes(item.scene));
     work.disk_bytes += study::disk_bytes_of_scenario(item.scene);
     work.scenes.push_back(item.scene);
   }
-  work.specimens = static_cast<int>(groups.size());
+  work.specimens = static_cast<int>(specimens.size());
 }
 
 /// Those of a study that its folder does not hold yet, and what they take.
@@ -108,41 +108,47 @@ void add_calibration(PlannedWork& work, const scene::Scene& scene, bool study, i
 
 }  // namespace
 
-PlannedWork planned_study(const scene::Preset& preset, const std::string& named) {
+PlannedWork planned_study(const scene::Preset& preset, const std::string& command, const fs::path& folder) {
   check_holds_study(preset);
   const std::vector<study::StudyItem> items = study::plan_study(preset, RIFT_VERSION);
-  PlannedWork work{.command = "rift study " + named, .count = static_cast<int>(items.size())};
+  PlannedWork work{.command = command, .count = static_cast<int>(items.size())};
   add_resources(work, items);
-  add_missing(work, items, study_folder(named));
+  add_missing(work, items, folder);
   if (work.seconds > long_work_s) work.to_start = "--yes, or --budget TIME which does what fits";
   return work;
 }
 
-PlannedWork planned_experiment(const scene::Preset& preset, const std::string& named,
-                               const experiment::ExperimentOptions& options) {
+PlannedWork planned_experiment(const scene::Preset& preset, const std::string& command,
+                               const experiment::ExperimentOptions& options, const MeasuredCrack& crack) {
   check_one_history(preset);
-  PlannedWork work{.command = fmt::format("rift experiment {} --resamples {} --specimens {}", named,
-                                          options.resamples, options.specimens)};
+  PlannedWork work{.command = fmt::format("{} --resamples {} --specimens {}", command, options.resamples,
+                                          options.specimens)};
+  const std::vector<study::StudyItem> alone = study::plan_scenes({preset.scene}, RIFT_VERSION);
+  const double pace = crack.seconds / marching_seconds(alone);  // over that of the estimates
+  work.steps_factor = crack.steps / static_cast<double>(study::estimated_steps(preset.scene).steps);
   std::vector<scene::Scene> scenes;
-  const double preparing = preparing_seconds(preset.scene);
+  const double preparing = preparing_seconds(preset.scene),
+               solving = (1.0 - study::packing_share) * preparing;
   for (const experiment::PlannedPart& part : experiment::planned_parts(preset, options)) {
+    const bool solved = part.scenes.empty();
     PlannedPart& told = work.parts.emplace_back(
-        PlannedPart{part.name, static_cast<int>(part.scenes.size()) + part.solutions, 0.0});
-    told.seconds = marching_seconds(study::plan_scenes(part.scenes, RIFT_VERSION)) +
-                   part.solutions * (1.0 - study::packing_share) * preparing;
+        PlannedPart{.name = part.name,
+                    .count = solved ? part.solutions : static_cast<int>(part.scenes.size()),
+                    .counted = solved ? "static solutions" : ""});
+    told.seconds =
+        pace * marching_seconds(study::plan_scenes(part.scenes, RIFT_VERSION)) + part.solutions * solving;
     scenes.insert(scenes.end(), part.scenes.begin(), part.scenes.end());
     work.seconds += told.seconds;
   }
   work.count = work.missing = static_cast<int>(scenes.size());
   add_resources(work, study::plan_scenes(scenes, RIFT_VERSION));
-  work.specimens = options.specimens;
   work.seconds += options.specimens * preparing;
   work.disk_bytes += study::expected_disk_bytes({&preset.scene, 1});
   return work;
 }
 
-PlannedWork planned_calibration(const scene::Scene& scene, const std::string& named, int threads) {
-  PlannedWork work{.command = fmt::format("rift calibrate {} --out FOLDER", named), .counted = "pressings"};
+PlannedWork planned_calibration(const scene::Scene& scene, const std::string& command, int threads) {
+  PlannedWork work{.command = command + " --out FOLDER", .counted = "pressings"};
   add_calibration(work, scene, true, threads);
   for (const PlannedPart& part : work.parts) work.count += part.count;
   work.missing = work.count;

@@ -30,12 +30,21 @@ void check_one_history(const scene::Preset& preset);
 /// --resamples and --specimens.
 void add_experiment_parts(CLI::App& command, experiment::ExperimentOptions& parts);
 
-/// @param[in] named  the preset as the user named it
-PlannedWork planned_study(const scene::Preset& preset, const std::string& named);
-PlannedWork planned_experiment(const scene::Preset& preset, const std::string& named,
-                               const experiment::ExperimentOptions& options);
+/// @param[in] command  without its options: "rift study study_release --set 'specimen.seed=3'"
+/// @param[in] folder  of the study, which may hold a part of it
+PlannedWork planned_study(const scene::Preset& preset, const std::string& command,
+                          const std::filesystem::path& folder);
+
+/// What a dry run knows of the measured crack, on this machine and now.
+struct MeasuredCrack {
+  double steps = 0, seconds = 0;
+};
+
+/// Its cracks at the pace of the measured one.
+PlannedWork planned_experiment(const scene::Preset& preset, const std::string& command,
+                               const experiment::ExperimentOptions& options, const MeasuredCrack& crack);
 /// With the report that `--out` asks for.
-PlannedWork planned_calibration(const scene::Scene& scene, const std::string& named, int threads);
+PlannedWork planned_calibration(const scene::Scene& scene, const std::string& command, int threads);
 PlannedWork planned_reproduction(const std::vector<std::string>& names, claims::Effort effort, int threads);
 
 }  // namespace rift::studio

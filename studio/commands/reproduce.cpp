@@ -153,6 +153,7 @@ study::StudyResult compute(const ReproduceOptions& options, const claims::PaperS
       build_info(), {.progress = session.progress_of_stages(), .finished = {}});
   session.line.clear();
   session.print_notes();
+  if (!result.not_made.empty()) throw scene::InputError(result.not_made.front().issues);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/base/interrupted.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
+#include "studio/commands/help.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -39,6 +40,7 @@ void add_no_cache(CLI::App& command, SessionOptions& options) {
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
+  options.command = &command;
   command.add_option("preset", options.preset, "A preset file, or the name of one that 'rift list' shows")
       ->type_name("NAME|FILE")
       ->required();
@@ -68,9 +70,23 @@ scene::Preset without_mistakes(scene::Preset preset) {
   return preset;
 }
 
+namespace {
+
+/// A --set of a key that no parameter is near to may mean an option.
+void suggest_options(const CLI::App& command, std::vector<scene::Issue>& issues) {
+  for (scene::Issue& issue : issues) {
+    if (issue.file != "--set" || !scene::nearest_key(issue.key).empty()) continue;
+    const std::string option = nearest_option(command, issue.key);
+    if (!option.empty()) issue.text += fmt::format("; '{}' is an option of {}", option, command.get_name());
+  }
+}
+
+}  // namespace
+
 scene::Preset read_scene(const SceneOptions& options) {
-  scene::Preset preset =
-      without_mistakes(scene::read_preset(resolve_preset(options.preset), options.overrides));
+  scene::Preset preset = scene::read_preset(resolve_preset(options.preset), options.overrides);
+  suggest_options(*options.command, preset.issues);
+  preset = without_mistakes(std::move(preset));
   for (const std::string& note : preset.notes) base::message("note: {}\n", note);
   return preset;
 }

@@ -38,6 +38,7 @@ struct SceneOptions : SessionOptions {
   std::string preset;
   std::vector<std::string> overrides;
   bool print_config = false;
+  const CLI::App* command = nullptr;  // that takes them
 };
 
 void add_scene_options(CLI::App& command, SceneOptions& options);

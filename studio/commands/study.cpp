@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <filesystem>
@@ -60,6 +61,18 @@ double estimated_seconds(const scene::Preset& preset, const study::StudyOptions&
   return study::estimated_seconds(missing);
 }
 
+std::size_t scenarios_not_made(const study::StudyResult& result) {
+  std::size_t count = 0;
+  for (const study::NotMade& one : result.not_made) count += one.rows.size();
+  return count;
+}
+
+/// "0.700 ± 0.161 along the window"
+std::string scatter_text(const study::SummaryRow& row) {
+  const std::string cell = scatter_cell(row.ratio, row.ratio_scatter);
+  return cell.find("±") == std::string::npos ? cell : cell + " along the window";
+}
+
 std::string finished_text(const study::SummaryRow& row, int done, int of) {
   const Table table = scenario_table({row});
   std::string text = fmt::format("[{}/{}]", done, of);
@@ -67,7 +80,7 @@ std::string finished_text(const study::SummaryRow& row, int done, int of) {
   for (std::size_t k = 0; k < axes; ++k)
     if (table.rows[0][k] != "-")
       text += fmt::format(" {} {}", table.head[k], table.rows[0][k]) + (k + 1 < axes ? "," : ":");
-  text += fmt::format("  ratio {}  {:.2f} s", table.rows[0][axes], study::marching_time(row));
+  text += fmt::format("  ratio {}  {:.2f} s", scatter_text(row), study::marching_time(row));
   const Json where = row.outcome_where.empty() ? Json(nullptr) : Json(row.outcome_where);
   return row.outcome == "finished" ? text : text + "  " + row.outcome + ": " + base::json_text(where);
 }
@@ -87,18 +100,31 @@ std::string files_in(const fs::path& folder) {
   return names;
 }
 
-void print_tables(const StudyCommand& command, const study::StudyResult& result, const fs::path& folder,
-                  bool color) {
+void print_not_made(const study::StudyResult& result, const scene::Preset& preset, bool color) {
+  const Table table = not_made_table(result, preset);
+  if (table.rows.empty()) return;
+  const std::size_t width = base::terminal_width(STDOUT_FILENO);
+  base::print_text(heading("could not be made", color) + "\n" + plain_table(table, color, width) + "\n");
+}
+
+void print_tables(const StudyCommand& command, const scene::Preset& preset, const study::StudyResult& result,
+                  const fs::path& folder, bool color) {
   const Table table = scenario_table(result.rows), seeds = seed_table(result.rows);
   if (!table.rows.empty()) base::print_text(plain_table(table, color) + "\n");
   if (!seeds.rows.empty())
     base::print_text("mean ± scatter between specimens\n" + plain_table(seeds, color) + "\n");
   if (!table.rows.empty()) base::print("left out: {}\n", left_out_text(result.rows));
-  if (table.rows.size() < result.rows.size())
-    base::print("{} of {} scenarios are not computed yet\n", result.rows.size() - table.rows.size(),
-                result.rows.size());
-  base::print("{} computed, {} reused, {} in total; {}/  {}\n", result.computed, result.found,
-              duration_text(result.wall_s), folder.string(), files_in(folder));
+  print_not_made(result, preset, color);
+  if (const std::size_t missing = result.rows.size() - table.rows.size() - scenarios_not_made(result);
+      missing > 0)
+    base::print("{} of {} scenarios are not computed yet\n", missing, result.rows.size());
+  const std::string lanes = result.lane_room > 0
+                                ? fmt::format(", {:.0f} % of the lanes' steps used",
+                                              100.0 * static_cast<double>(result.lane_steps) /
+                                                  static_cast<double>(result.lane_room))
+                                : "";
+  base::print("{} computed, {} reused, {} in total{}; {}/  {}\n", result.computed, result.found,
+              duration_text(result.wall_s), lanes, folder.string(), files_in(folder));
   if (!command.shard.empty())
     base::print(
         "when all parts have ended, the same command without --shard writes the table, charts and report\n");
@@ -136,14 +162,20 @@ ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const
   session.line.clear();
   for (const std::string& note : session.cache.notes) base::message("note: {}\n", note);
   const ExitCode files = write_files(command, preset, result, options.folder, session);
-  session.print_result(Json{{"preset", preset.name}, {"scenarios", to_json(result.rows)}},
-                       [&] { print_tables(command, result, options.folder, session.color()); });
+  session.print_result(Json{{"preset", preset.name},
+                            {"scenarios", to_json(result.rows)},
+                            {"not_made", study::to_json(result.not_made, preset)}},
+                       [&] { print_tables(command, preset, result, options.folder, session.color()); });
   if (result.outcome == simulation::Outcome::stopped) {
     session.message(fmt::format("{}; the same command continues from here",
                                 session.ran_out_of_budget() ? "the budget ran out" : "stopped"));
     return session.stopped();
   }
-  return files != ExitCode::done ? files : session.ended(result.outcome);
+  if (files != ExitCode::done) return files;
+  if (result.not_made.empty()) return session.ended(result.outcome);
+  session.message(
+      fmt::format("{} of {} scenarios could not be made", scenarios_not_made(result), result.rows.size()));
+  return ExitCode::not_whole;
 }
 
 ExitCode study(const StudyCommand& command) {

@@ -1,6 +1,6 @@
 #include "engine/base/numbers.hpp"
 #include "engine/claims/lattice_efficiency.hpp"
-#include "studio/charts/curves.hpp"
+#include "studio/reports/claim_curves.hpp"
 #include "studio/reports/reproduction.hpp"
 
 #include <fmt/format.h>

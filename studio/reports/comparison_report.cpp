@@ -2,10 +2,11 @@
 
 #include "engine/base/text.hpp"
 #include "engine/study/store.hpp"
-#include "studio/charts/curves.hpp"
 #include "studio/charts/label.hpp"
+#include "studio/reports/claim_curves.hpp"
 #include "studio/reports/report.hpp"
 #include "studio/reports/study_report.hpp"
+#include "studio/text/html.hpp"
 
 #include <fmt/format.h>
 

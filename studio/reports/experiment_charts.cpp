@@ -129,13 +129,13 @@ std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x
   const Along corrected = [](const Point& p) { return p.corrected; };
   const bool lines = style == Style::line;
   if (lines) {
-    add(band_label, Style::band, 0, paper, [](const Point& p) { return p.uncertainty; });
-    all.back().name = "G_{IDc}, as in the paper, ± two standard uncertainties";
     add(band_label, Style::band, 1, corrected, [](const Point& p) { return p.corrected_uncertainty; });
     all.back().name = "G_{IDc}, corrected, ± two standard uncertainties";
+    add(band_label, Style::band, 0, paper, [](const Point& p) { return p.uncertainty; });
+    all.back().name = "G_{IDc}, uncorrected, ± two standard uncertainties";
   }
-  add("G_{IDc}, as in the paper", style, 0, paper);
   add("G_{IDc}, corrected", style, 1, corrected);
+  add("G_{IDc}, uncorrected", style, 0, paper);
   add("quasi-static G_{I0}", lines ? Style::dashed : style, 2, [](const Point& p) { return p.quasi_static; });
   if (!lines)
     for (ChartSeries& of_law : law_series(e)) all.push_back(std::move(of_law));
@@ -165,13 +165,14 @@ NamedChart rate_chart(const ExperimentReport& report, const char* name, const ch
                       const char* x_label, const Along& x, Style style) {
   return {
       name,
-      std::string("Energy dissipated in the damage zone (as in the paper), the same divided by the lattice "
-                  "efficiency at that velocity, and the quasi-static release rate under the same grips.") +
+      std::string("Corrected: the energy dissipated in the damage zone, divided by the lattice efficiency at "
+                  "that velocity; uncorrected: that energy itself, as in the paper; and the quasi-static "
+                  "release rate of the same lattice under the same grips.") +
           (style == Style::line
                ? " Bands: two standard uncertainties of noise, packing and window."
                : " Band: two standard uncertainties of noise, packing and window around the monotone fit of "
-                 "G_IDc as in the paper; beyond the measured velocities the fit continues with its mean "
-                 "slope, "
+                 "the "
+                 "uncorrected G_IDc; beyond the measured velocities the fit continues with its mean slope, "
                  "which nothing measured.") +
           quasi_static_text,
       Chart{.title = title,
@@ -183,17 +184,19 @@ NamedChart rate_chart(const ExperimentReport& report, const char* name, const ch
 }
 
 NamedChart efficiency_chart(const experiment::Experiment& e) {
-  return {"efficiency",
-          "Fraction of the energy flux into the tip that the damage zone dissipates, from a steady crack in "
-          "a strip of the same lattice, where all the energy stored ahead arrives at the tip (Nilsson 1972).",
-          Chart{.title = "Lattice efficiency",
-                .x_label = "velocity [c_R]",
-                .y_label = "efficiency [-]",
-                .y_range = {0.0, 1.1},
-                .series = {series_of("steady strip", Style::line_points, 0, e.efficiency,
-                                     [](const experiment::EfficiencyPoint& p) {
-                                       return ChartPoint{p.over_cr, p.efficiency, p.scatter};
-                                     })}}};
+  return {
+      "efficiency",
+      "Fraction of the energy flux into the tip that the damage zone dissipates, from a steady crack in "
+      "a strip of the same lattice, where all the energy stored ahead arrives at the tip (Nilsson 1972). "
+      "Bars: scatter along the measuring window of each strip, the standard deviation over its ten parts.",
+      Chart{.title = "Lattice efficiency",
+            .x_label = "velocity [c_R]",
+            .y_label = "efficiency [-]",
+            .y_range = {0.0, 1.1},
+            .series = {series_of("steady strip", Style::line_points, 0, e.efficiency,
+                                 [](const experiment::EfficiencyPoint& p) {
+                                   return ChartPoint{p.over_cr, p.efficiency, p.scatter};
+                                 })}}};
 }
 
 NamedChart application_chart(const experiment::Experiment& e) {

@@ -2,6 +2,7 @@
 
 #include "engine/experiment/experiment.hpp"
 #include "engine/simulation/record.hpp"
+#include "studio/text/table.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +24,20 @@ struct ExperimentReport {
   std::string truth_name;
   double wall_s = 0;
 };
+
+/// One sentence with the number to publish: G_IDc over the whole crack, corrected for the lattice efficiency,
+/// with its band, what that is, and the uncorrected one.
+std::string publish_text(const ExperimentReport& report);
+
+/// The results, a label and a text a row.
+Table conclusions(const ExperimentReport& report);
+
+/// A dozen of the points; the note says what its columns are.
+Table experiment_table(const ExperimentReport& report);
+inline constexpr const char* experiment_table_note =
+    "Release rates in kJ/m²; corrected: divided by the lattice efficiency η; uncorrected: what the damage "
+    "zone "
+    "dissipates, as in the paper; quasi-static: of an infinitely slow crack in the same lattice.";
 
 /// Table, what stands behind the band, and what a crack did that was given what was found.
 std::string experiment_text(const ExperimentReport& report, bool color);

@@ -105,7 +105,7 @@ NamedChart field_rate_chart(const InstrumentsReport& report) {
   return {
       "release_rate",
       "G from the stress intensities of the camera's field, G_ID from the energy balance, and the static "
-      "G_I0.",
+      "reference G_I0.",
       Chart{.title = "Release rate by the field and by the energy balance",
             .x_label = "tip position [mm]",
             .y_label = "release rate [kJ/m²]",

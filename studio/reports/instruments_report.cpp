@@ -117,9 +117,8 @@ Table conclusions(const InstrumentsReport& report) {
     say("", "the ring fits at no moment: raise specimen.elements, or lower --inner and --outer");
   if (seen.grip_moves) say("G_I0", "refers to the displacement when the crack starts; the grip moves later");
   if (against.moments > 0)
-    say("G from K",
-        fmt::format("{:.3f} times G_I0; G_ID (energy balance) is {:.3f} of it (means over {} moments)",
-                    against.over_g_i0, against.taken, against.moments));
+    say("G from K", fmt::format("{:.3f} times G_I0; G_ID (energy balance) is {:.3f} of it (means over {})",
+                                against.over_g_i0, against.taken, base::counted(against.moments, "moment")));
   const auto closed =
       std::count_if(seen.intensity.begin(), seen.intensity.end(),
                     [](const measurement::IntensityPoint& p) { return p.k && p.k->opening < 0.0; });

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "engine/measurement/traces.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/simulation/record.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -17,7 +17,7 @@ namespace rift::studio {
 
 namespace {
 
-constexpr std::size_t longest_value = 60;  // of a parameter; a history has more
+constexpr std::size_t longest_value = 60;  // of a parameter
 
 std::string now_text() {
   const std::time_t now = std::time(nullptr);
@@ -28,17 +28,24 @@ std::string now_text() {
   return text.data();
 }
 
-/// The parameters of a preset but those of pictures, in the order of presets.
+/// A value as it is shown: of rows, which may be many, how many there are and the first and the last.
+std::string shown_value(const std::string& value) {
+  if (value.size() <= longest_value) return value;
+  const std::size_t first = value.find(']'), last = value.rfind('[');
+  if (!value.starts_with("[[") || last <= first) return value.substr(0, longest_value) + " ...";
+  return fmt::format("{} rows, {} to {}", std::count(value.begin(), value.end(), ']') - 1,
+                     value.substr(1, first), value.substr(last, value.size() - last - 1));
+}
+
+/// The parameters of a preset that its scene uses, but those of pictures, in the order of presets.
 std::vector<std::pair<std::string, std::string>> parameters_of(const scene::Scene& scene, bool marched) {
   std::vector<std::pair<std::string, std::string>> values;
   for (const scene::Parameter& row : scene::parameters()) {
     const std::string table = scene::table_of(row);
     if (!marched && table != "specimen" && table != "material" && table != "calibration") continue;
     if (table == "film" || (table == "calibration" && !scene::needs_calibration(scene))) continue;
-    std::string value = scene::toml_value(scene, row);
-    if (value.empty()) continue;
-    if (value.size() > longest_value) value = value.substr(0, longest_value) + " ...";
-    values.emplace_back(row.key, value);
+    const std::string value = scene::toml_value(scene, row);
+    if (!value.empty() && scene::is_used(scene, row.key)) values.emplace_back(row.key, shown_value(value));
   }
   return values;
 }

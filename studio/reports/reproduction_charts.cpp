@@ -1,6 +1,6 @@
 #include "engine/fracture/release.hpp"
 #include "studio/charts/chart_layout.hpp"
-#include "studio/charts/curves.hpp"
+#include "studio/reports/claim_curves.hpp"
 #include "studio/reports/reproduction.hpp"
 
 #include <fmt/format.h>

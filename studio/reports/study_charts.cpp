@@ -3,7 +3,7 @@
 #include "engine/base/numbers.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/study/store.hpp"
-#include "studio/charts/curves.hpp"
+#include "studio/reports/claim_curves.hpp"
 
 #include <fmt/format.h>
 

@@ -106,6 +106,22 @@ Table seed_table(const study::StudyRows& rows) {
   return table;
 }
 
+Table not_made_table(const study::StudyResult& result, const scene::Preset& preset) {
+  Table table;
+  for (const Json& one : study::to_json(result.not_made, preset)) {
+    std::vector<std::string>& cells = table.rows.emplace_back();
+    table.head.clear();
+    for (const auto& [name, texts] : one.at("axes").items()) {
+      table.head.push_back(name);
+      cells.push_back(fmt::format("{}", fmt::join(texts.get<std::vector<std::string>>(), "; ")));
+    }
+    cells.push_back(std::to_string(one.at("rows").size()));
+    cells.push_back(fmt::format("{}", fmt::join(one.at("why").get<std::vector<std::string>>(), "; ")));
+    for (const char* name : {"scenarios", "why"}) table.head.emplace_back(name);
+  }
+  return table;
+}
+
 std::string left_out_text(const study::StudyRows& rows) {
   std::vector<std::string> parts;
   const auto there = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
@@ -227,6 +243,7 @@ void write_study_report(const scene::Preset& preset, const StudyCall& call, cons
   report.sections.push_back({"Schemes", work_precision_table(work)});
   report.sections.push_back({"Release rates", std::move(charts)});
   report.sections.push_back({"Scenarios", in_words(scenario_table(result.rows), result.rows)});
+  report.sections.push_back({"Scenarios that could not be made", not_made_table(result, preset)});
   write_report(report, folder);
 }
 

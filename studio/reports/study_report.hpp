@@ -20,6 +20,10 @@ Table scenario_table(const study::StudyRows& rows);
 /// The same over the seeds; no rows where no two scenarios differ by seed only.
 Table seed_table(const study::StudyRows& rows);
 
+/// The scenarios that could not be made, a row for each reason: the values of their axes, how many they are,
+/// why; no rows where all could.
+Table not_made_table(const study::StudyResult& result, const scene::Preset& preset);
+
 /// What the computed scenarios leave out, in a line: "damping (24 of 30 scenarios), ramp, gauges"; a part
 /// that all of them leave out has no count.
 std::string left_out_text(const study::StudyRows& rows);

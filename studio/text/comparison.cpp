@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rift::studio {
 namespace fs = std::filesystem;
@@ -20,21 +21,21 @@ using Json = nlohmann::ordered_json;
 
 constexpr ComparedQuantity quantities[] = {
     {"G_ID / G_I0", &LaneSummary::ratio, "{:.4f}"},
-    {"scatter in window", &LaneSummary::ratio_scatter, "{:.4f}"},
-    {"released beams", &LaneSummary::ratio_fracture, "{:.4f}"},
-    {"Broberg", &LaneSummary::broberg, "{:.4f}"},
-    {"to Broberg", &LaneSummary::error_broberg, "{:+.4f}"},
-    {"v / c_R", &LaneSummary::crack_velocity_over_cr, "{:.3g}"},
-    {"r_l", &LaneSummary::damage_zone_ratio, "{:.3g}"},
-    {"relaxation p", &LaneSummary::relaxation, "{:.3g}"},
-    {"alpha", &LaneSummary::damping_alpha, "{:.3g}"},
+    {"± along the window", &LaneSummary::ratio_scatter, "{:.4f}"},
+    {"of released beams", &LaneSummary::ratio_fracture, "{:.4f}"},
+    {"Broberg's factor", &LaneSummary::broberg, "{:.4f}"},
+    {"difference to Broberg", &LaneSummary::error_broberg, "{:+.4f}"},
+    {"velocity [c_R]", &LaneSummary::crack_velocity_over_cr, "{:.3g}"},
+    {"damage zone r_l [R]", &LaneSummary::damage_zone_ratio, "{:.3g}"},
+    {"relaxation exponent", &LaneSummary::relaxation, "{:.3g}"},
+    {"damping α", &LaneSummary::damping_alpha, "{:.3g}"},
     {"elements", &LaneSummary::elements, "{:.0f}"},
-    {"fracture J", &LaneSummary::energy_fracture_j, "{:.4g}"},
-    {"damping J", &LaneSummary::energy_damping_j, "{:.4g}"},
-    {"elastic J", &LaneSummary::energy_elastic_j, "{:.4g}"},
+    {"fracture energy [J]", &LaneSummary::energy_fracture_j, "{:.4g}"},
+    {"damping energy [J]", &LaneSummary::energy_damping_j, "{:.4g}"},
+    {"elastic energy [J]", &LaneSummary::energy_elastic_j, "{:.4g}"},
     {"balance error", &LaneSummary::ledger_residual, "{:.0e}"},
     {"steps", &LaneSummary::steps, "{:.0f}"},
-    {"wall s", &LaneSummary::wall_fracture_s, "{:.2f}"},
+    {"crack took [s]", &LaneSummary::wall_fracture_s, "{:.2f}"},
 };
 
 std::string name_of(const fs::path& folder) {
@@ -80,6 +81,22 @@ void add_study(std::vector<ComparedScenario>& scenarios, const fs::path& folder)
   }
 }
 
+/// Where the damage zones differ each title names its own.
+void name_zones(std::vector<ComparedScenario>& scenarios) {
+  const auto zone = [](const ComparedScenario& scenario) {
+    const double r_l = scenario.summary.damage_zone_ratio;
+    return std::isfinite(r_l) ? fmt::format("r_l = {:g}", r_l) : std::string();
+  };
+  const bool one = std::all_of(scenarios.begin(), scenarios.end(), [&](const ComparedScenario& scenario) {
+    return zone(scenario) == zone(scenarios.front());
+  });
+  for (ComparedScenario& scenario : scenarios) {
+    const bool named = scenario.title.find("r_l = ") != std::string::npos ||
+                       scenario.title.find("damage_zone_ratio ") != std::string::npos;
+    if (!one && !named && !zone(scenario).empty()) scenario.title += ", " + zone(scenario);
+  }
+}
+
 }  // namespace
 
 std::span<const ComparedQuantity> compared_quantities() { return quantities; }
@@ -91,11 +108,12 @@ std::vector<ComparedScenario> compared_scenarios(const std::vector<fs::path>& fo
       add_study(scenarios, folder);
     else
       add_run(scenarios, folder);
+  name_zones(scenarios);
   return scenarios;
 }
 
 std::string comparison_text(const std::vector<ComparedScenario>& scenarios, std::size_t width, bool color) {
-  constexpr std::size_t names = 13, number = 10;
+  constexpr std::size_t names = 21, number = 10;
   std::string text;
   for (std::size_t k = 0; k < scenarios.size(); ++k)
     text += label_line(std::to_string(k + 1), heading(scenarios[k].title, color), 5);

@@ -4,6 +4,7 @@
 #include "engine/base/text.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/needs.hpp"
+#include "engine/scene/parameters.hpp"
 #include "engine/simulation/march.hpp"
 #include "engine/simulation/summary.hpp"
 #include "engine/study/resources.hpp"
@@ -86,6 +87,7 @@ Json derived(const simulation::Prepared& p, double seconds_per_step) {
   j["micro_young_modulus_pa"] = p.micro.young_modulus * lane.units.energy;
   j["tips"] = scene.crack.tips;
   j["g_i0_j_m2"] = fracture::mean_g_i0(simulation::scale_of(p, lane), lane.window[0], lane.window[1]);
+  j["g_i0_reference"] = scene::word_of("output.g_i0_reference", scene.output.g_i0_reference);
   j["displacement_m"] = p.pulled;
   j["grip_force_n"] = p.grip_force * lane.units.energy;
   j["strain"] = p.pulled / p.lattice.box.height;
@@ -150,8 +152,10 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
   row("load",
       fmt::format("top grip displaced by {:.4g} mm, {:.3g} % of the height; grip force {:.4g} kN",
                   1e3 * number("displacement_m"), 100 * number("strain"), 1e-3 * number("grip_force_n")));
-  row("pre-stress", fmt::format("{:.4g} J stored, G_I0 = {:.5g} kJ/m²", number("energy_stored_j"),
-                                1e-3 * number("g_i0_j_m2")));
+  row("pre-stress",
+      fmt::format(
+          "{:.4g} J stored, G_I0 = {:.5g} kJ/m² {}", number("energy_stored_j"), 1e-3 * number("g_i0_j_m2"),
+          j.at("g_i0_reference") == "griffith" ? "(griffith, mean over the window)" : "of the strip"));
   row("crack", fmt::format("{}{:.0f} m/s to {:.4g} mm in {:.4g} ms, damage zone {:.4g} mm",
                            number("tips") == 2 ? "two tips, half length at " : "", number("crack_speed_m_s"),
                            1e3 * number("crack_end_m"), 1e3 * number("fracture_time_s"),

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -94,14 +95,19 @@ Json planned_json(const PlannedWork& work, const scene::Preset& preset) {
   }
   Json parts = Json::array();
   for (const PlannedPart& part : work.parts)
-    parts.push_back({{"name", part.name}, {"count", part.count}, {"wall_estimate_s", part.seconds}});
+    parts.push_back({{"name", part.name},
+                     {"count", part.count},
+                     {"counted", part.counted.empty() ? work.counted : part.counted},
+                     {"wall_estimate_s", part.seconds}});
   j["parts"] = std::move(parts);
   if (!work.scenes.empty()) {
     const StepRange steps = steps_of(work.scenes);
     std::set<int> elements;
     for (const scene::Scene& scene : work.scenes) elements.insert(scene.specimen.elements);
     j["elements"] = elements;
-    j["steps_least"] = steps.least, j["steps_most"] = steps.most, j["steps"] = steps.all;
+    const auto expected = [&](double count) { return std::round(work.steps_factor * count); };
+    j["steps_least"] = expected(steps.least), j["steps_most"] = expected(steps.most),
+    j["steps"] = expected(steps.all);
     j["left_out"] = scene::left_out_by_scenarios(work.scenes);
   }
   j["wall_estimate_s"] = work.seconds;
@@ -153,9 +159,11 @@ void add_scenarios(Rows& rows, const Json& j) {
   if (j.contains("merged")) add_merged(rows, j.at("merged"));
   const char* label = "parts";
   for (const Json& part : j.at("parts")) {
-    rows.emplace_back(label, fmt::format("{:<24}{:>5}   about {}", part.at("name").get<std::string>(),
-                                         part.at("count").get<int>(),
-                                         duration_text(part.at("wall_estimate_s").get<double>())));
+    const auto of_part = part.at("counted").get<std::string>();
+    rows.emplace_back(
+        label, fmt::format("{:<24}{:>5}{}   about {}", part.at("name").get<std::string>(),
+                           part.at("count").get<int>(), of_part == counted ? std::string() : " " + of_part,
+                           duration_text(part.at("wall_estimate_s").get<double>())));
     label = "";
   }
 }

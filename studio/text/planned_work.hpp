@@ -13,8 +13,9 @@ namespace rift::studio {
 /// A part of the work that is reported separately: a claim, a stage of an experiment or of a calibration.
 struct PlannedPart {
   std::string name;
-  int count = 0;       // of scenarios or specimens
-  double seconds = 0;  // that it takes from nothing
+  int count = 0;             // of scenarios or specimens
+  double seconds = 0;        // that it takes from nothing
+  std::string counted = {};  // what `count` counts, where that is not the same as of the whole
 };
 
 /// What a command would do, known before it does it and without a lattice.
@@ -22,9 +23,10 @@ struct PlannedWork {
   std::string command;                // "rift study study_release"
   std::string counted = "scenarios";  // what `count` counts
   int count = 0, missing = 0;         // in all; still to be computed
-  int specimens = 0;                  // packings with their pre-stress
+  int specimens = 0;                  // packings
   std::vector<PlannedPart> parts = {};
   std::vector<scene::Scene> scenes = {};  // that march
+  double steps_factor = 1;                // steps over those that are expected without a lattice
   double seconds = 0;                     // that what is missing takes, roughly
   double disk_bytes = 0, memory_bytes = 0;
   std::string to_start = {};  // what the command asks for before it begins: "--yes or --budget TIME"

@@ -1,7 +1,6 @@
 #include "studio/text/run_table.hpp"
 
 #include "engine/base/text.hpp"
-#include "engine/scene/issue.hpp"
 #include "engine/scene/needs.hpp"
 #include "studio/text/progress.hpp"
 #include "studio/text/table.hpp"
@@ -70,10 +69,10 @@ std::string theory(const LaneSummary& s) {
   if (!std::isnan(s.echo_free_over_length))
     out += label_line("", fmt::format("first boundary reflection reaches the tip at {:.3f} of the length",
                                       s.echo_free_over_length));
-  const char* reference = s.g_i0_reference == "griffith" ? " (griffith, mean)" : "";
+  const char* reference = s.g_i0_reference == "griffith" ? "(griffith, mean)" : "of the strip";
   const std::string g_id =
       std::isnan(s.g_id_j_m2) ? std::string() : fmt::format("   G_ID {:.5g} kJ/m²", 1e-3 * s.g_id_j_m2);
-  return out + label_line("G_I0", fmt::format("{:.5g} kJ/m²{}{}", 1e-3 * s.g_i0_j_m2, reference, g_id));
+  return out + label_line("G_I0", fmt::format("{:.5g} kJ/m² {}{}", 1e-3 * s.g_i0_j_m2, reference, g_id));
 }
 
 /// To two decimals, and no "-0.00".
@@ -140,22 +139,21 @@ std::string costs(const LaneSummary& s) {
                                 magnitude_text(s.beam_steps_per_s)));
 }
 
-/// What the scenario leaves out; and how many times as long a step would take with it where that is measured,
-/// with one scenario in double to eight in single precision.
+/// What the scenario leaves out; and how many times as long a step would take with each part of which that is
+/// measured, with one scenario in double to eight in single precision.
 std::string left_out(const LaneSummary& s) {
-  std::vector<std::string> names, factors;
+  std::vector<std::string> names, with;
   for (const std::string& name : s.left_out) {
     std::string& words = names.emplace_back(name);
     std::replace(words.begin(), words.end(), '_', ' ');
     const scene::OptionalPart* part = scene::find_optional_part(name);
     if (part != nullptr && std::isfinite(part->step_factor[1]))
-      factors.push_back(fmt::format("{:g} to {:g} ({})", part->step_factor[0], part->step_factor[1], words));
+      with.push_back(fmt::format("with {} a step would take {:g} to {:g} times as long", words,
+                                 part->step_factor[0], part->step_factor[1]));
   }
   if (names.empty()) return {};
   std::string out = label_line("left out", fmt::format("{}", fmt::join(names, ", ")));
-  if (!factors.empty())
-    out += label_line(
-        "", fmt::format("a step would take {} times as long with it", scene::listed(factors, "or")));
+  for (const std::string& line : with) out += label_line("", line);
   return out;
 }
 

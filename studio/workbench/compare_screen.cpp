@@ -64,7 +64,7 @@ void CompareScreen::draw(Canvas& canvas, Glyphs glyphs) {
 }
 
 void CompareScreen::draw_table(Canvas& canvas, const Area& area) const {
-  constexpr int names = 18, numbers = 10;
+  constexpr int names = 22, numbers = 9;
   for (int k = 0; k < static_cast<int>(columns_.size()); ++k)
     canvas.text(area.x + names + numbers * k, area.y, fmt::format("{:>{}}", k + 1, numbers - 1),
                 {inks[k], true}, area.width - names - numbers * k);

@@ -12,21 +12,18 @@
 namespace rift::studio {
 namespace {
 
-constexpr double assumed_beam_steps_per_s = 1e8;  // of the lanes side by side, as of rift study
-
 /// What a study costs, estimated without any lattice: its scenarios in the passes in which they march.
 DryRunThread::Rows cost_of_study(const scene::Preset& preset) {
-  double beam_steps = 0;
+  const std::vector<study::StudyItem> items = study::plan_study(preset, {});
   std::int64_t steps = 0;
-  std::set<int> groups;
-  for (const study::StudyItem& item : study::plan_study(preset, {})) {
-    beam_steps += item.cost;
+  std::set<int> specimens;
+  for (const study::StudyItem& item : items) {
     steps += study::estimated_steps(item.scene).steps;
-    if (groups.insert(item.group).second) beam_steps += study::estimated_preparation(item.scene);
+    specimens.insert(item.specimen);
   }
-  return {{"cost", fmt::format("about {} at 100 M beams/s, lanes side by side; with {} pre-stress{}",
-                               duration_text(beam_steps / assumed_beam_steps_per_s), groups.size(),
-                               groups.size() == 1 ? "" : "es")},
+  return {{"cost", fmt::format("about {} at 100 M beams/s, lanes side by side; {}",
+                               duration_text(study::estimated_seconds(items)),
+                               base::counted(static_cast<std::int64_t>(specimens.size()), "specimen"))},
           {"steps", fmt::format("about {} in all", steps)}};
 }
 

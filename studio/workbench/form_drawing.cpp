@@ -1,6 +1,8 @@
 #include "engine/base/text.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/layers_note.hpp"
 #include "engine/scene/needs.hpp"
+#include "engine/scene/scenarios.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/layouts.hpp"
 #include "studio/workbench/form_screen.hpp"
@@ -238,8 +240,9 @@ int FormScreen::draw_all_derived(Canvas& canvas, const Area& area) const {
   };
   for (const scene::Issue& issue : preset_.issues)
     row(y == area.y ? "mistakes" : "",
-        issue.key.empty() ? scene::to_text(issue) : issue.key + ": " + issue.text, {Ink::bad});
+        issue.key.empty() ? scene::to_text(issue) : scene::without_place(issue), {Ink::bad});
   if (!preset_.issues.empty()) return y - area.y;
+  if (const std::string note = scene::note_on_layers(preset_); !note.empty()) row("note", note);
   const DryRunThread::Found found = dry_run_.found();
   const bool study = !preset_.study.empty();
   const auto rows = [&](const DryRunThread::Rows& all) {

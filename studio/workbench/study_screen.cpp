@@ -93,9 +93,11 @@ void StudyScreen::work() {
     if (result.outcome != simulation::Outcome::stopped)
       write_study_report(preset_, {"rift studio " + preset_.name, context_.build, result.wall_s}, result,
                          folder_);
-    message = result.outcome == simulation::Outcome::stopped
-                  ? "stopped; press u to resume it"
-                  : fmt::format("done: {}/report.html", folder_.string());
+    message =
+        result.outcome == simulation::Outcome::stopped ? "stopped; press u to resume it"
+        : result.not_made.empty()
+            ? fmt::format("done: {}/report.html", folder_.string())
+            : fmt::format("some scenarios could not be made: {}/report.html says why", folder_.string());
   } catch (const std::exception& error) {
     message = error.what();
   }

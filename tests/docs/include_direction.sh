@@ -27,7 +27,7 @@ engine/accuracy:     base scene study
 viz:                 base results
 viz/draw:            base results viz
 studio/text:         base theory results scene simulation study
-studio/charts:       base theory claims studio/text
+studio/charts:       base studio/text
 studio/reports:      base history theory results packing lattice fracture ensemble scene calibration simulation measurement stability experiment study claims accuracy studio/text studio/charts
 studio/screen:       base theory results fracture scene simulation studio/text
 studio/workbench:    base history theory results scene simulation study studio/text studio/charts studio/reports studio/screen

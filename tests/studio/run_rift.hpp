@@ -63,4 +63,9 @@ inline Ran run_rift(const std::string& arguments, const std::string& environment
   return run_shell("env " + shared_cache_environment() + " " + environment + " '" RIFT_EXE "' " + arguments);
 }
 
+/// The assignment that has run_rift() find its presets in `folder`.
+inline std::string presets_at(const std::filesystem::path& folder) {
+  return "RIFT_PRESETS='" + folder.string() + "'";
+}
+
 }  // namespace rift::studio

@@ -10,6 +10,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <set>
 #include <string>
@@ -120,6 +122,35 @@ TEST(ThreadPool, OfMoreThreadsThanCpusDoesEveryTaskOnce) {
     for (int k = 0; k < 50; ++k) pool.run(100, [&](int task) { ++done[task]; });
     EXPECT_EQ(std::set<int>(done.begin(), done.end()), std::set<int>{50});
   }
+}
+
+// Of the helper's two tasks the first waits for the second: the caller, who has done its own, must take that.
+TEST(ThreadPool, TheCallerDoesWhatAHelperHasNotBegun) {
+  if (available_cpus() < 2) return;  // no helper then
+  using Clock = std::chrono::steady_clock;
+  ThreadPool pool(2, 4);
+  for (int k = 0; k < 20; ++k) {
+    std::atomic<bool> last_done = false;
+    std::atomic<int> waited_in_vain = 0;
+    pool.run(4, [&](int task) {
+      const auto start = Clock::now();
+      while (task == 2 && !last_done && Clock::now() - start < std::chrono::seconds(5)) {
+      }
+      if (task == 2 && !last_done) ++waited_in_vain;
+      if (task == 3) last_done = true;
+    });
+    ASSERT_EQ(waited_in_vain, 0);
+  }
+}
+
+TEST(ThreadPool, DoesEveryTaskOnceWhateverTheirNumber) {
+  ThreadPool pool(4, 100);
+  for (const int tasks : {0, 1, 2, 3, 5, 31, 33, 1000})
+    for (int k = 0; k < 200; ++k) {
+      std::vector<int> done(tasks);
+      pool.run(tasks, [&](int task) { ++done[task]; });
+      ASSERT_EQ(std::count(done.begin(), done.end(), 1), tasks);
+    }
 }
 
 /// Processor time of the process so far [s].

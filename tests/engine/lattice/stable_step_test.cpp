@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace rift::lattice {
@@ -143,6 +144,55 @@ TEST(DampedCriticalStep, WithoutDampingIsTheCriticalOne) {
   EXPECT_EQ(damped_critical_step(lattice, ViscousDamping(), undamped), undamped);
   EXPECT_NEAR(damped_critical_step(lattice, damped_everywhere(lattice, 0.0), undamped) / undamped, 1.0,
               margin);
+}
+
+/// The rates' part of the forces, 6 N x 6 N, for alpha = 1 everywhere.
+Eigen::MatrixXd dense_damping(const Lattice& lattice) {
+  const long n = 6 * static_cast<long>(lattice.centre.size());
+  Eigen::MatrixXd c(n, n);
+  for (long k = 0; k < n; ++k) {
+    ViscousDamping damping = damped_everywhere(lattice, 1.0);
+    const Eigen::VectorXd rate = Eigen::VectorXd::Unit(n, k);
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(n);
+    double work = 0.0;
+    add_damping_forces(damping, rate.data(), nullptr, 1.0, f.data(), work);
+    c.col(k) = -f;
+  }
+  return c;
+}
+
+/// dt of dt^2 lambda_max(M^-1 (K + (2/dt) C)) = 4 by dense algebra and bisection.
+double dense_limit(const Lattice& lattice, double alpha) {
+  const Eigen::MatrixXd k = hand_made::dense_stiffness(lattice), c = alpha * dense_damping(lattice);
+  const Eigen::MatrixXd mass = hand_made::mobility(lattice).cwiseInverse().asDiagonal();
+  double low = 0.0, high = 10.0;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double dt = 0.5 * (low + high);
+    const double lambda = hand_made::modes_of(k + 2.0 / dt * c, mass).value.maxCoeff();
+    (dt * dt * lambda < 4.0 ? low : high) = dt;
+  }
+  return low;
+}
+
+TEST(DampedCriticalStep, OfARandomLatticeIsThatOfDenseAlgebra) {
+  for (const double alpha : {2e-4, 0.03, 0.7}) {
+    const Lattice lattice = jumble(2, 83, false);
+    const double given =
+        damped_critical_step(lattice, damped_everywhere(lattice, alpha), stable_step(lattice).critical);
+    EXPECT_NEAR(given / dense_limit(lattice, alpha), 1.0, margin) << alpha;
+  }
+}
+
+TEST(CriticalStep, HasTheSameBitsForAnyNumberOfThreads) {
+  const Lattice lattice = jumble(14, 84, true);
+  const auto limits = [&](int threads) {
+    const double undamped = stable_step(lattice, {}, threads).critical;
+    return std::array{undamped,
+                      damped_critical_step(lattice, damped_everywhere(lattice, 0.01), undamped, {}, threads)};
+  };
+  const auto alone = limits(1);
+  EXPECT_LT(alone[1], 0.995 * alone[0]);
+  for (const int threads : {2, 3}) EXPECT_EQ(limits(threads), alone) << threads;
 }
 
 TEST(DampedCriticalStep, HoldsAndNoLongerTwoPercentAboveIt) {

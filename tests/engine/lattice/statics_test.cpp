@@ -62,7 +62,7 @@ TEST(Statics, StopsBetweenTwoRoundsOfASolutionWhenToldTo) {
   const Lattice& plate = packed_plate();
   for (const auto solve : {stretched_at_rest, stretched_at_rest_corotational}) {
     Patience patience{10};
-    EXPECT_THROW(solve(plate, all_of(plate), 1e-4, std::ref(patience)), base::Interrupted);
+    EXPECT_THROW(solve(plate, all_of(plate), 1e-4, std::ref(patience), 0), base::Interrupted);
     EXPECT_EQ(patience.told.size(), 11u);
   }
 }
@@ -108,6 +108,15 @@ TEST(Statics, AgreesWithDenseElimination) {
   const Eigen::VectorXd given = stacked(stretched_at_rest(lattice, all_of(lattice), 0.7));
   // The iteration stops at a residual of 1e-12; the condition of this block is some hundreds.
   EXPECT_NEAR((given - expected).cwiseAbs().maxCoeff(), 0.0, 1e-10);
+}
+
+TEST(Statics, HasTheSameBitsForAnyNumberOfThreads) {
+  const Lattice block = jumble(14, 92, true);
+  for (const auto solve : {stretched_at_rest, stretched_at_rest_corotational}) {
+    const Eigen::VectorXd alone = stacked(solve(block, all_of(block), 0.01, {}, 1));
+    for (const int threads : {2, 3})
+      EXPECT_EQ(stacked(solve(block, all_of(block), 0.01, {}, threads)), alone) << threads;
+  }
 }
 
 TEST(Statics, LeavesNoForceOnAFreeElement) {

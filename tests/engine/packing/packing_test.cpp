@@ -168,9 +168,12 @@ TEST(Packing, RefusesACoordinationOutOfReach) {
     FAIL() << "packed";
   } catch (const PackingError& error) {
     const std::string message = error.what();
-    EXPECT_EQ(message.find("a coordination of 9 is out of reach: "), 0u) << message;
-    EXPECT_NE(message.find(" takes a mean overlap of 4."), std::string::npos) << message;
-    EXPECT_NE(message.find(" % of r_i + r_j (limit 4 %)"), std::string::npos) << message;
+    EXPECT_EQ(message.find("a coordination of 9 is out of reach: at a mean overlap of 4."), 0u) << message;
+    EXPECT_NE(message.find(" % of r_i + r_j, of which 4 % is the limit, it is "), std::string::npos)
+        << message;
+    ASSERT_TRUE(error.nearest);
+    EXPECT_GT(*error.nearest, 5.0);
+    EXPECT_LT(*error.nearest, 9.0);
   }
 }
 

@@ -26,6 +26,26 @@ TEST(IssueText, WritesAnOverrideAsItWasTyped) {
             "--set solver.beta: expected key=value");
 }
 
+TEST(IssueText, WithoutItsPlaceNamesKeyAndValue) {
+  EXPECT_EQ(without_place({"x.toml", 3, "crack.tips", "must be 1 or 2", "3"}),
+            "crack.tips = 3: must be 1 or 2");
+  EXPECT_EQ(without_place({"x.toml", 3, "crack.tips", "is needed"}), "crack.tips: is needed");
+  EXPECT_EQ(without_place({"x.toml", 3, "", "is empty"}), "is empty");
+}
+
+TEST(NearestName, DoesNotCountCaseUnderscoresAndDashes) {
+  const std::vector<std::string> names{"damage_zone_ratio", "damping_alpha", "resamples"};
+  EXPECT_EQ(nearest_name("DamageZone-Ratio", names), "damage_zone_ratio");
+  EXPECT_EQ(nearest_name("damping-alfa", names), "damping_alpha");
+}
+
+TEST(NearestName, IsTheShortestThatBeginsSoWhereNoneIsNear) {
+  const std::vector<std::string> names{"damage_zone_ratio", "damage_zone", "velocity"};
+  EXPECT_EQ(nearest_name("damagezo", names), "damage_zone");
+  EXPECT_EQ(nearest_name("velo", names), "") << "too few letters";
+  EXPECT_EQ(nearest_name("nothing", names), "");
+}
+
 TEST(InputErrorText, HasOneLinePerIssue) {
   const InputError error({{"x.toml", 1, "", "one"}, {"x.toml", 2, "", "two"}});
   EXPECT_STREQ(error.what(), "x.toml:1: one\nx.toml:2: two");

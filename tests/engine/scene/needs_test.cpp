@@ -34,6 +34,34 @@ Scene scene_with_everything() {
   return scene;
 }
 
+TEST(UsedParameters, AreThoseThatTheSceneDependsOn) {
+  Scene scene = default_scene();
+  for (const char* key : {"crack.velocity", "crack.damage_zone_ratio", "loading.displacement",
+                          "output.fields", "specimen.coordination", "solver.beta"})
+    EXPECT_TRUE(is_used(scene, key)) << key;
+  for (const char* key :
+       {"crack.smoothing", "crack.toughness_window", "damping.alpha", "damping.surface_width",
+        "loading.ramp_steps", "output.gauge_length", "crack.path_shape"})
+    EXPECT_FALSE(is_used(scene, key)) << key;
+  scene.crack.history = {{0, 0.01, 0}, {1e-5, 0.02, 0}};
+  scene.crack.technique = fracture::Technique::simple;
+  scene.loading.force = 100.0;
+  scene.specimen.solid_fraction = 0.64;
+  for (const char* key :
+       {"crack.velocity", "crack.damage_zone_ratio", "loading.displacement", "specimen.coordination"})
+    EXPECT_FALSE(is_used(scene, key)) << key;
+  for (const char* key : {"crack.smoothing", "crack.toughness_window"})
+    EXPECT_TRUE(is_used(scene, key)) << key;
+}
+
+// A rule about a key that is not there would be about nothing.
+TEST(UsedParameters, ThatDependOnTheSceneAreParameters) {
+  Scene scene = scene_with_everything();
+  int unused = 0;
+  for (const Parameter& row : parameters()) unused += is_used(scene, row.key) ? 0 : 1;
+  EXPECT_EQ(unused, 4) << "smoothing, gap, window of a measured history, shape of a path of points";
+}
+
 TEST(Needs, FollowTheScene) {
   const Needs needs = needs_of(scene_with_everything());
   EXPECT_TRUE(needs.damping);

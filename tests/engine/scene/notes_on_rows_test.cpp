@@ -33,6 +33,29 @@ TEST(MissingRows, AreNotedWithTheirTimes) {
               std::string::npos);
 }
 
+/// The notes on a smoothed history of rows that scatter by 0.2 mm around 0.3 mm/us.
+std::vector<std::string> notes_on_scatter(const std::string& uncertainty) {
+  constexpr double position[] = {30.02, 33.45, 36.15, 39.62, 42.39, 45.35, 48.68, 51.17,
+                                 53.91, 56.79, 59.53, 61.89, 64.56, 66.73, 69.27, 71.61};
+  std::string text = "[crack]\nhistory = [";
+  int k = 0;
+  for (const double mm : position)
+    text += fmt::format("[\"{} us\", \"{} mm\"{}],\n", 10 * k++, mm, uncertainty);
+  const Preset preset = read_preset_text(text + "]\n", "x.toml");
+  EXPECT_TRUE(preset.issues.empty()) << to_text(preset.issues.front());
+  return preset.notes;
+}
+
+TEST(RowsWithoutUncertainty, AreNotedWhereTheHistoryFollowsEachOfThem) {
+  const std::vector<std::string> notes = notes_on_scatter("");
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(
+      notes[0].starts_with("crack.history: the smoothed history goes through nearly every one of the 16 "
+                           "rows ("))
+      << notes[0];
+  EXPECT_TRUE(notes_on_scatter(", \"0.2 mm\"").empty());
+}
+
 TEST(MissingRows, AreNotSeenInAHistoryOfUnevenTimes) {
   const Preset preset = read_preset_text(
       "[crack]\nhistory = [[0, 0.01], [1e-6, 0.0101], [4e-6, 0.0102], [5e-6, 0.0103], [9e-6, 0.011]]\n",

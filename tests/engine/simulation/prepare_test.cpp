@@ -272,10 +272,10 @@ TEST(Prepare, GivesTheSameBitsFromTheCacheAndRebuildsADamagedOne) {
     write_text(entry.path(), bytes);
     ++damaged;
   }
-  EXPECT_EQ(damaged, 3);  // packing, whole plate, notched plate
+  EXPECT_EQ(damaged, 4);  // packing, whole plate, notched plate, critical step
   const Prepared third = prepare(preset, cache);
   EXPECT_FALSE(third.packing_from_cache || third.statics_from_cache);
-  EXPECT_EQ(cache.notes.size(), 3U);
+  EXPECT_EQ(cache.notes.size(), 4U);
   EXPECT_EQ(first.displacement, third.displacement);
   cache.notes.clear();
   EXPECT_TRUE(prepare(preset, cache).packing_from_cache);
@@ -312,26 +312,69 @@ TEST(Prepare, RefusesWhatFollowsFromTheLatticeAndIsOutOfItsRange) {
   EXPECT_EQ(refusal({"crack.velocity=1e-6 c_r"}), "not refused");
 }
 
+/// How often the stage of the damped critical step is told of while these lanes are prepared.
+int rounds_of_the_damped_limit(const std::vector<scene::Scene>& lanes, base::Cache& cache) {
+  int told = 0;
+  prepare(small_preset(), lanes, cache, [&](std::string_view stage, double) {
+    told += stage == "critical step with damping";
+    return true;
+  });
+  return told;
+}
+
+scene::Scene damped_by(double alpha) {
+  scene::Scene scene = small_preset({"damping.region=all", "damping.alpha=0.01"}).scene;
+  scene.damping.alpha = alpha;
+  return scene;
+}
+
 // It depends on what is damped and how much, and on nothing else of a lane.
 TEST(Prepare, ComputesTheDampedLimitOnceForLanesThatDampAlike) {
+  base::Cache none;
+  const scene::Scene damped = damped_by(0.01), harder = damped_by(0.02);
+  scene::Scene faster = damped;
+  faster.crack.velocity = {{{0.7, true}, {}}};
+  const int once = rounds_of_the_damped_limit({damped}, none);
+  EXPECT_GT(once, 50);
+  EXPECT_EQ(rounds_of_the_damped_limit({damped, faster, faster}, none), once);
+  EXPECT_GT(rounds_of_the_damped_limit({damped, faster, harder}, none), once);
+}
+
+TEST(Prepare, TakesTheLimitsOfTheStepFromTheCache) {
   const TemporaryFolder folder;
   base::Cache cache{folder.path(), {}};
-  const scene::Preset preset = small_preset({"damping.alpha=0.01", "damping.region=all"});
-  const auto rounds = [&](const std::vector<scene::Scene>& lanes) {
-    int told = 0;
-    prepare(preset, lanes, cache, [&](std::string_view stage, double) {
-      told += stage == "critical step with damping";
-      return true;
-    });
-    return told;
-  };
-  scene::Scene faster = preset.scene, harder = preset.scene;
-  faster.crack.velocity = {{{0.7, true}, {}}};
-  harder.damping.alpha = 0.02;
-  const int once = rounds({preset.scene});
-  EXPECT_GT(once, 100);
-  EXPECT_EQ(rounds({preset.scene, faster, faster}), once);
-  EXPECT_GT(rounds({preset.scene, faster, harder}), once);
+  const scene::Scene damped = damped_by(0.01);
+  EXPECT_GT(rounds_of_the_damped_limit({damped}, cache), 50);
+  EXPECT_EQ(rounds_of_the_damped_limit({damped}, cache), 0);
+  EXPECT_GT(rounds_of_the_damped_limit({damped_by(0.02)}, cache), 50);
+  scene::Scene surface = damped;
+  surface.damping.region = scene::DampingRegion::surface;
+  EXPECT_GT(rounds_of_the_damped_limit({surface}, cache), 50);
+  int told = 0;
+  const Prepared p = prepare(small_preset(), {damped, surface}, cache, [&](std::string_view stage, double) {
+    told += stage.starts_with("critical step");
+    return true;
+  });
+  EXPECT_EQ(told, 0);
+  base::Cache none;
+  const Prepared fresh = prepare(small_preset(), {damped, surface}, none);
+  EXPECT_EQ(p.stable.critical, fresh.stable.critical);
+  EXPECT_EQ(p.stable.element_bound, fresh.stable.element_bound);
+  for (const int lane : {0, 1})
+    EXPECT_EQ(p.lane[lane].step.critical_damped, fresh.lane[lane].step.critical_damped);
+  EXPECT_LT(p.lane[0].step.critical_damped, p.lane[1].step.critical_damped);
+}
+
+TEST(Prepare, ForgetsTheLimitsOfAStepOfOtherMassesOrBeams) {
+  const TemporaryFolder folder;
+  base::Cache cache{folder.path(), {}};
+  const double usual = prepare(small_preset(), cache).stable.critical,
+               heavier = prepare(small_preset({"material.density=1000"}), cache).stable.critical,
+               softer = prepare(small_preset({"material.young_modulus=5 GPa"}), cache).stable.critical;
+  EXPECT_GT(heavier, 1.05 * usual);
+  EXPECT_NEAR(softer, usual, 1e-9 * usual);  // the density follows from the same Rayleigh speed
+  base::Cache none;
+  EXPECT_EQ(softer, prepare(small_preset({"material.young_modulus=5 GPa"}), none).stable.critical);
 }
 
 TEST(Prepare, StopsWhileTheCriticalStepIsComputed) {

@@ -40,18 +40,11 @@ TEST(StiffAndExtremeCases, OfPreStrainComeToWhatTheyMust) { expect_family("pre-s
 TEST(StiffAndExtremeCases, OfPathsComeToWhatTheyMust) { expect_family("crack path"); }
 TEST(StiffAndExtremeCases, OfSmallLatticesComeToWhatTheyMust) { expect_family("small lattices"); }
 
-// The suite's own expectation, against two cases that are known otherwise.
-TEST(GrowthOfAMode, IsThatOfTheRootsOfTheRecurrence) {
-  EXPECT_NEAR(growth_of_mode(1.0, 1.0), 0.0, 1e-15);
-  // x_{n+1} - 2 x_n + x_{n-1} = -9 x_n: roots of r^2 + 7 r + 1.
-  EXPECT_NEAR(growth_of_mode(3.0, 1.0), std::log((7.0 + std::sqrt(45.0)) / 2.0), 1e-14);
-  EXPECT_NEAR(growth_of_mode(1.0, 1.1), 0.5 * std::log(1.05), 1e-15);
-}
-
+// The suite's own expectation, against what is known otherwise.
 TEST(HighestMode, IsWhatLanczosFindsAndNothingTheElementBoundForbids) {
   const lattice::Lattice block = small_block(4, 4, 2);
   const lattice::StableStep stable = lattice::stable_step(block);
-  const double exact = 2.0 / highest_mode(block).omega;
+  const double exact = 2.0 / lattice::highest_mode(block).omega;
   EXPECT_NEAR(stable.critical / exact, 1.0, 2e-5);
   EXPECT_LT(stable.critical, exact);
   EXPECT_LT(stable.element_bound, exact);

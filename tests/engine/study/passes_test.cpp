@@ -25,6 +25,16 @@ TEST(Queue, OfALongScenarioAndShortOnesHasFewLanes) {
   EXPECT_LT(queue.time, even.time);
 }
 
+// One more of a length than there are lanes needs a second round.
+TEST(Queue, CountsTheLanesThatStandIdleInTheLastRound) {
+  const auto time = [](std::size_t scenarios) {
+    return soonest(Steps(scenarios, 1000), ensemble::Precision::single_precision).time;
+  };
+  const auto lanes = static_cast<std::size_t>(lanes_of_many(ensemble::Precision::single_precision));
+  EXPECT_EQ(time(2 * lanes), 2.0 * time(lanes));
+  EXPECT_GT(time(4 * lanes + 1), 1.1 * time(4 * lanes));
+}
+
 TEST(Queue, OfManyFillsAsManyLanesAsAreFastest) {
   for (const ensemble::Precision precision :
        {ensemble::Precision::double_precision, ensemble::Precision::single_precision}) {

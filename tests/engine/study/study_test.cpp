@@ -415,22 +415,86 @@ TEST(StoredStudy, WithoutAPresetOrDamagedSaysHowToGoOn) {
   EXPECT_TRUE(contains(complaint("{"), "study.json: is damaged"));
 }
 
-// The unsound scenario is said, and the sound ones are kept all the same.
-TEST(Study, TellsScenariosThatCannotRunAfterTheOthers) {
+std::string undamped_with(const std::string& axes) {
+  std::string text = undamped_text();
+  return text.replace(text.find("[study]"), std::string::npos, "[study]\n" + axes);
+}
+
+std::vector<int> rows_there(const StudyResult& result) {
+  std::vector<int> rows;
+  for (const auto& row : result.rows)
+    if (row) rows.push_back(row->row);
+  return rows;
+}
+
+std::string why(const NotMade& one) {
+  EXPECT_EQ(one.issues.size(), 1U);
+  return scene::to_text(one.issues.at(0));
+}
+
+TEST(StudyNotMade, ScenariosOfAStepThatIsTooLongAreNamedAndTheOthersComputed) {
   std::string text = study_text;
   text.erase(text.find("damping_alpha"));
   text += "damping_alpha = [0.1]\ndt_fraction = [0.99, 0.5]\n";
   const TemporaryFolder folder;
-  try {
-    run_study(preset_from(text), into(folder.path()), shared_cache(), build, {});
-    ADD_FAILURE() << "nothing was said";
-  } catch (const scene::InputError& error) {
-    ASSERT_EQ(error.issues.size(), 1U);
-    EXPECT_TRUE(
-        contains(scene::to_text(error.issues[0]), "tiny.toml: solver.dt_fraction = 0.99: makes a step"));
-  }
-  // Six scenarios of the other step, two files each.
+  const StudyResult result = run_study(preset_from(text), into(folder.path()), shared_cache(), build, {});
+  ASSERT_EQ(result.not_made.size(), 1U);
+  EXPECT_EQ(result.not_made[0].rows.size(), 6U);
+  EXPECT_TRUE(contains(why(result.not_made[0]), "tiny.toml: solver.dt_fraction = 0.99: makes a step"));
+  EXPECT_EQ(rows_there(result).size(), 6U);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "runs"), fs::directory_iterator()), 12);
+}
+
+// The lanes of a group: what damping makes of the step counts for those that are damped.
+TEST(StudyNotMade, OfOneGroupOnlyTheScenariosThatCannotRunAreMissing) {
+  const std::string grid = "damping_alpha = [0, 0.1]\ncrack_velocity = [\"0.5 c_r\", \"0.9 c_r\"]\n";
+  std::string text = undamped_with(grid);
+  text.insert(text.find("[study]"), "[damping]\nregion = \"surface\"\n[solver]\ndt_fraction = 0.99\n");
+  const TemporaryFolder folder;
+  const StudyResult result = run_study(preset_from(text), into(folder.path()), shared_cache(), build, {});
+  EXPECT_EQ(rows_there(result), (std::vector<int>{0, 1}));
+  ASSERT_EQ(result.not_made.size(), 1U);
+  EXPECT_EQ(result.not_made[0].rows, (std::vector<int>{2, 3}));
+}
+
+TEST(StudyNotMade, ASpecimenOutOfReachIsTriedOnceForAllItsScenarios) {
+  const TemporaryFolder folder;
+  int packings = 0;
+  double last = 1.0;
+  StudyObserver observer;
+  observer.progress = [&](std::string_view stage, double done) {
+    packings += stage == "packing" && done == 0.0 && last > 0.0;
+    last = done;
+    return true;
+  };
+  const scene::Preset preset = preset_from(
+      undamped_with("layers = [1, 2]\ndt_fraction = [0.4, 0.5]\ncrack_velocity = [\"0.5 c_r\"]\n"));
+  const StudyResult result = run_study(preset, into(folder.path()), shared_cache(), build, observer);
+  EXPECT_EQ(rows_there(result), (std::vector<int>{2, 3}));
+  ASSERT_EQ(result.not_made.size(), 1U);
+  EXPECT_EQ(result.not_made[0].rows, (std::vector<int>{0, 1}));
+  EXPECT_TRUE(contains(why(result.not_made[0]), "a coordination of 5.6 is out of reach"));
+  EXPECT_TRUE(contains(why(result.not_made[0]), "layers of elements"));
+  EXPECT_TRUE(contains(why(result.not_made[0]), "or less is within reach"));
+  EXPECT_EQ(to_json(result.not_made, preset)[0].at("axes").at("layers"), Json({"1"}));
+  EXPECT_EQ(packings, 1) << "the specimen that cannot be made was tried again";
+}
+
+TEST(StudyNotMade, WhereNoneCanBeMadeTheInputIsWrong) {
+  const TemporaryFolder folder;
+  const scene::Preset preset = preset_from(undamped_with("layers = [1]\ncrack_velocity = [\"0.5 c_r\"]\n"));
+  EXPECT_THROW(run_study(preset, into(folder.path()), shared_cache(), build, {}), scene::InputError);
+}
+
+TEST(StudyNotMade, DoesNotHideThatTheStudyWasStopped) {
+  const TemporaryFolder folder;
+  StudyObserver observer;
+  observer.progress = [](std::string_view stage, double) { return stage != "crack"; };
+  const scene::Preset preset =
+      preset_from(undamped_with("layers = [1, 2]\ncrack_velocity = [\"0.002 c_r\"]\n"));
+  const StudyResult result = run_study(preset, into(folder.path()), shared_cache(), build, observer);
+  EXPECT_EQ(result.not_made.size(), 1U);
+  EXPECT_EQ(result.outcome, simulation::Outcome::stopped);
 }
 
 }  // namespace

@@ -118,7 +118,8 @@ TEST(AccuracyBadInputOfThePreset, IsAStudy) {
   write_text(plate.preset(), read_text(plate.preset()) + "[study]\nseed = [1, 2]\n");
   const Ran ran = accuracy(plate);
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_TRUE(contains(ran.err, "holds a study: 'rift accuracy' varies one scene and takes a preset without"));
+  EXPECT_TRUE(
+      contains(ran.err, "holds a study: 'rift accuracy' varies one scene and takes a preset without"));
 }
 
 TEST(AccuracyOut, OfAnotherSceneOrSomethingElseIsRefused) {

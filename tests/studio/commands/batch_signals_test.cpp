@@ -21,21 +21,21 @@ Ran run_and_signal(const TinyPlate& plate, const std::string& before, const std:
                    signals + "; do kill -$s $p; done; wait $p; exit $?)");
 }
 
-const std::string slow = "--set 'crack.velocity=0.002 c_r' --checkpoint '3600 s'";
+const std::string slow_crack = "--set 'crack.velocity=0.002 c_r' --checkpoint '3600 s'";
 
 TEST(BatchSignals, SaveACheckpointAndEndWith128PlusTheirNumber) {
   for (const auto& [name, number] :
        {std::pair("USR1", SIGUSR1), std::pair("USR2", SIGUSR2), std::pair("XCPU", SIGXCPU),
         std::pair("XFSZ", SIGXFSZ), std::pair("TERM", SIGTERM), std::pair("HUP", SIGHUP)}) {
     const TinyPlate plate;
-    EXPECT_EQ(run_and_signal(plate, "", slow, name).exit_code, 128 + number) << name;
+    EXPECT_EQ(run_and_signal(plate, "", slow_crack, name).exit_code, 128 + number) << name;
     EXPECT_TRUE(fs::exists(plate.out() / "checkpoint.h5")) << name;
   }
 }
 
 TEST(BatchSignals, AHangUpThatWasIgnoredAtTheStartStaysIgnored) {
   const TinyPlate plate;  // as nohup starts it
-  EXPECT_EQ(run_and_signal(plate, "trap '' HUP;", slow, "HUP USR1").exit_code, 128 + SIGUSR1);
+  EXPECT_EQ(run_and_signal(plate, "trap '' HUP;", slow_crack, "HUP USR1").exit_code, 128 + SIGUSR1);
 }
 
 TEST(BatchSignals, AFileBeyondTheLargestSizeIsAnErrorOfTheDiskInAPlainSentence) {

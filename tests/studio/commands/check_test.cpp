@@ -88,6 +88,46 @@ TEST(Check, OfAStudyCountsScenariosAndSaysWhatWasMerged) {
   EXPECT_FALSE(fs::exists("studies"));
 }
 
+TEST(Check, OfAStudyCountsPackingsNotTimeStepsAsSpecimens) {
+  const TinyPlate plate;
+  write_text(plate.preset(), read_text(plate.preset()) +
+                                 "[study]\ndt_fraction = [0.3, 0.4, 0.5]\nseed = [1, 2]\nplane = "
+                                 "[\"stress\", \"strain\"]\n");
+  const Ran ran = plate.check();
+  EXPECT_TRUE(contains(ran.out, "12 scenarios, 2 specimens")) << ran.out;
+}
+
+TEST(Check, SaysOfThinPlatesWhatTheyAreBeforeTheyArePacked) {
+  const TinyPlate plate;
+  const Ran one = plate.check("--set specimen.layers=1.9 --set specimen.coordination=5.5");
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_TRUE(contains(one.err, "note: the plate has 1.95 layers of elements (")) << one.err;
+  EXPECT_TRUE(contains(one.err, " mm thick, elements ")) << one.err;
+  EXPECT_FALSE(contains(one.err, "hardly be made")) << one.err;
+  write_text(plate.preset(), read_text(plate.preset()) + "[study]\nlayers = [1, 1.3, 2]\n");
+  const Ran study = plate.check();
+  EXPECT_TRUE(contains(study.err,
+                       "note: 2 of 3 scenarios have fewer than two layers of elements (layers 1 and "
+                       "1.3): the thinnest plate has 1.03 layers"))
+      << study.err;
+  EXPECT_TRUE(contains(study.err, "reach a coordination of about 4.9, 5.7 is asked for")) << study.err;
+}
+
+TEST(Check, OfAnExperimentCostsTheMeasuredCrackAsTheDryRunDoes) {
+  const TinyPlate plate;
+  const std::string set =
+      "--set 'crack.history=[[0, 0.006], [4e-6, 0.01], [8e-6, 0.014], [12e-6, 0.018], [16e-6, 0.022], "
+      "[20e-6, "
+      "0.026], [24e-6, 0.03]]' --set crack.end=28e-3 --json";
+  const Ran ran = plate.check(set);
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const Json plan = Json::parse(ran.out);
+  const Json& crack = plan.at("experiment").at("parts").at(0);
+  EXPECT_EQ(crack.at("name"), "measured crack");
+  EXPECT_NEAR(crack.at("wall_estimate_s").get<double>(), plan.at("wall_estimate_s").get<double>(),
+              1e-6 * plan.at("wall_estimate_s").get<double>());
+}
+
 TEST(Check, OfAStudyForeseesWhatIsOnTheDisk) {
   const TinyStudy plate;
   const Json plan = Json::parse(plate.check("--json").out);
@@ -110,7 +150,7 @@ TEST(Check, OfAMeasuredCrackTellsTheExperimentToo) {
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* part :
        {"of the critical", "rift experiment ", "--resamples 5 --specimens 2", "measured crack",
-        "resampled histories         5", "other packings              1", "quasi-static"})
+        "resampled histories         5", "other specimens             1", "9 static solutions"})
     EXPECT_TRUE(contains(ran.out, part)) << part << "\n" << ran.out;
 }
 

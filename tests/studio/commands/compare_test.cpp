@@ -34,6 +34,16 @@ TEST(Compare, PutsTheLanesOfRunsSideBySide) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
 }
 
+TEST(Compare, TitlesNameDamageZonesThatDiffer) {
+  const TinyPlate one, four;
+  ASSERT_EQ(one.run().exit_code, 0);
+  ASSERT_EQ(four.run("--set crack.damage_zone_ratio=4").exit_code, 0);
+  const Ran ran = compare({one.out(), four.out()});
+  for (const char* part : {", r_l = 1\n", ", r_l = 4\n", "± along the window", "difference to Broberg"})
+    EXPECT_TRUE(contains(ran.out, part)) << part << ran.out;
+  EXPECT_FALSE(contains(compare({one.out(), one.out()}).out, "r_l = "));
+}
+
 TEST(Compare, LeavesAPageWithChartsWhereItIsTold) {
   const TinyPlate plate;
   ASSERT_EQ(plate.run("--set crack.technique=simple").exit_code, 0);

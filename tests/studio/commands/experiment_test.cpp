@@ -108,6 +108,48 @@ TEST(ExperimentCommand, StoppedByItsBudgetGoesOnByTheSameCommandToTheSameBytes) 
     EXPECT_FALSE(std::filesystem::exists(plate.path() / "out" / kept)) << kept;
 }
 
+TEST(ExperimentCommand, EndsWithTheNumberToPublish) {
+  const MeasuredPlate plate;
+  const Ran ran = plate.experiment("--resamples 2 --specimens 2 --quiet");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const std::string last = ran.out.substr(ran.out.rfind('\n', ran.out.size() - 2) + 1);
+  EXPECT_TRUE(last.starts_with("Publish: G_IDc = ")) << last;
+  for (const char* part :
+       {" ± ", " kJ/m² (mean over the tip from ", "± is two standard uncertainties: noise ",
+        "corrected for the lattice efficiency η = ", ", uncorrected "})
+    EXPECT_TRUE(contains(last, part)) << part << last;
+  const auto json = nlohmann::json::parse(read_text(plate.path() / "out" / "summary.json"));
+  double sum = 0.0;
+  for (const auto& point : json.at("along")) sum += point.at("g_idc_corrected_j_m2").get<double>();
+  const auto count = static_cast<double>(json.at("along").size());
+  const auto& publish = json.at("publish");
+  EXPECT_NEAR(publish.at("g_idc_corrected_j_m2").get<double>(), sum / count, 1e-9 * sum);
+  EXPECT_NEAR(publish.at("g_idc_j_m2").get<double>() / publish.at("efficiency").get<double>(), sum / count,
+              1e-9 * sum);
+  EXPECT_GT(publish.at("u_packing_j_m2").get<double>(), 0.0);
+  const std::string page = read_text(plate.path() / "out" / "report.html");
+  EXPECT_TRUE(contains(page, "Publish: G"));
+  EXPECT_TRUE(contains(page, "<span>crack.history</span>"));
+  EXPECT_FALSE(contains(page, "<span>crack.velocity</span>")) << "the history has replaced it";
+  EXPECT_FALSE(contains(page, "<span>loading.ramp_steps</span>"));
+}
+
+TEST(ExperimentCommand, InterruptedSaysWhichOptionsDiffer) {
+  const MeasuredPlate plate;
+  double budget = 0.5;
+  Ran stopped;
+  while ((stopped = plate.experiment("--resamples 2 --quiet --budget '" + std::to_string(budget) + " s'"))
+                 .exit_code == 4 &&
+         !std::filesystem::exists(plate.path() / "out"))
+    budget *= 2.0;
+  ASSERT_EQ(stopped.exit_code, 4) << stopped.err;
+  const Ran other = plate.experiment("--resamples 3 --set specimen.seed=7 --quiet");
+  EXPECT_EQ(other.exit_code, 2);
+  for (const char* part : {"holds an interrupted experiment with other options: ",
+                           "resamples was 2, is now 3", "specimen.seed was 1, is now 7", "--force starts it"})
+    EXPECT_TRUE(contains(other.err, part)) << part << other.err;
+}
+
 TEST(ExperimentCommand, SaysWhatItNeeds) {
   const Ran none = run_rift("experiment quickstart");
   EXPECT_EQ(none.exit_code, 2);

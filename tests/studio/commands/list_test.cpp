@@ -13,10 +13,6 @@
 namespace rift::studio {
 namespace {
 
-std::string presets_at(const std::filesystem::path& folder) {
-  return "RIFT_PRESETS='" + folder.string() + "'";
-}
-
 TEST(List, ShowsNameCommandCostAndLineInAlignedColumns) {
   const TemporaryFolder folder;
   write_text(folder.path() / "small.toml", "# A small plate\n# Cost: 10 s\n\n# Not this line\n[specimen]\n");

@@ -7,10 +7,6 @@
 namespace rift::studio {
 namespace {
 
-std::string presets_at(const std::filesystem::path& folder) {
-  return "RIFT_PRESETS='" + folder.string() + "'";
-}
-
 TEST(Preset, MissingOneIsBadInputAndNamesTheNearest) {
   const TemporaryFolder folder;
   write_text(folder.path() / "quickstart.toml", "# A plate\n# Cost: 10 s\n");

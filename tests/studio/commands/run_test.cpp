@@ -54,7 +54,8 @@ TEST(Run, SummaryHoldsEveryNameOfTheInterface) {
       "beam_steps_per_s memory_peak_bytes tips g_i0_reference echo_free_over_length left_out");
   for (std::string name; names >> name;) EXPECT_TRUE(scenario.contains(name)) << name;
   for (const auto& [name, value] : not_empty(scenario).items())
-    EXPECT_EQ(value.is_null(), name == "error_converged" || name == "outcome_where" || name == "cost_s") << name;
+    EXPECT_EQ(value.is_null(), name == "error_converged" || name == "outcome_where" || name == "cost_s")
+        << name;
 }
 
 TEST(Run, EndsItsTableWithWhatIsLeftOut) {
@@ -63,9 +64,10 @@ TEST(Run, EndsItsTableWithWhatIsLeftOut) {
   EXPECT_TRUE(contains(out,
                        "  left out              damping, numerical damping, ramp, moving grip, corotation, "
                        "contact, step energies, gauges\n"));
-  EXPECT_TRUE(contains(out,
-                       "a step would take 1 to 2.7 (damping), 1 to 1.7 (numerical damping) or 1.7 to 3.4 "
-                       "(corotation) times as long with it"));
+  for (const char* line : {"with damping a step would take 1 to 2.7 times as long\n",
+                           "with numerical damping a step would take 1 to 1.7 times as long\n",
+                           "with corotation a step would take 1.7 to 3.4 times as long\n"})
+    EXPECT_TRUE(contains(out, line)) << line;
 }
 
 TEST(Run, SummaryIsConsistentWithItself) {
@@ -164,12 +166,12 @@ TEST(RunOut, ThatExistsIsRefusedAndLeftAsItWas) {
   EXPECT_EQ(read_text(plate.out() / "summary.json"), summary);
 }
 
-const std::string slow = "--quiet --checkpoint '0.1 s' --set solver.dt_fraction=0.002 --threads 1 ";
+const std::string many_steps = "--quiet --checkpoint '0.1 s' --set solver.dt_fraction=0.002 --threads 1 ";
 
 TEST(RunOut, OfAKilledRunOffersToGoOn) {
   const TinyPlate plate;
-  plate.run_and_kill("checkpoint.h5", slow);
-  const Ran ran = plate.run(slow);
+  plate.run_and_kill("checkpoint.h5", many_steps);
+  const Ran ran = plate.run(many_steps);
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.err, "rift: " + plate.out().string() + " holds an unfinished run: 'rift resume " +
                          plate.out().string() + "' continues it, --force replaces it\n");
@@ -180,7 +182,7 @@ TEST(RunOut, OfARunThatGoesOnIsNotReplaced) {
   const std::string run = "env " + plate.environment() + " '" RIFT_EXE "' run '" + plate.preset().string() +
                           "' --out '" + plate.out().string() + "' ";
   const Ran ran =
-      run_shell("((" + run + slow + ">/dev/null; echo first $?) & for k in $(seq 600); do [ -e '" +
+      run_shell("((" + run + many_steps + ">/dev/null; echo first $?) & for k in $(seq 600); do [ -e '" +
                 (plate.out() / "series.csv").string() + "' ] && break; sleep 0.02; done; " + run +
                 "--quiet --force --set crack.technique=simple >/dev/null; echo second $?; wait)");
   EXPECT_EQ(ran.out, "second 1\nfirst 0\n");

@@ -93,6 +93,27 @@ TEST(StudyCommand, CommandsOfRunsSayOfAStudyWhatItIs) {
   EXPECT_FALSE(fs::exists(plate.out() / "measure"));
 }
 
+TEST(StudyCommand, ReportsWhatCouldNotBeMadeAndAllTheRest) {
+  const TinyStudy plate;
+  std::string text = read_text(plate.preset());
+  text.replace(text.find("seed = [1, 2]"), 13, "layers = [1, 2]");
+  write_text(plate.preset(), text);
+  const Ran stopped = plate.study("--quiet --budget '0.001 s'");
+  EXPECT_EQ(stopped.exit_code, 4) << "a stop is a stop, whatever could not be made: " << stopped.err;
+  const Ran ran = plate.study("--quiet");
+  EXPECT_EQ(ran.exit_code, 6);
+  EXPECT_TRUE(contains(ran.err, "rift study: 4 of 8 scenarios could not be made\n")) << ran.err;
+  for (const char* part :
+       {"could not be made\n", "a coordination of 5.7 is out of reach", "4 computed",
+        "specimen.coordination = 4.8 or less is within reach, and so is 5.7 from two layers on",
+        "table.csv, report.html, charts, runs"})
+    EXPECT_TRUE(contains(ran.out, part)) << part << ran.out;
+  EXPECT_EQ(table_in(plate.out()).size(), 4U);
+  EXPECT_TRUE(contains(read_text(plate.out() / "report.html"), "Scenarios that could not be made"));
+  const auto json = nlohmann::json::parse(plate.study("--quiet --json").out);
+  EXPECT_EQ(json.at("not_made")[0].at("rows").size(), 4U);
+}
+
 TEST(StudyCommand, GathersShards) {
   const TinyStudy plate;
   const Ran first = plate.study("--shard 2/2");
@@ -163,16 +184,17 @@ TEST_P(StudyBadInput, IsRefusedWithAMessageAndNothingIsWritten) {
 
 INSTANTIATE_TEST_SUITE_P(
     OfTheIssue, StudyBadInput,
-    testing::Values(
-        StudyMistake{"--shard 3/2", "rift study: --shard 3/2: the index must lie in 1 to 2\n"},
-        StudyMistake{"--shard 0/2", "rift study: --shard 0/2: the index must lie in 1 to 2\n"},
-        StudyMistake{"--shard 1/0", "rift study: --shard 1/0: there must be at least 1 part\n"},
-        StudyMistake{"--shard half", "rift study: --shard half: expected i/n, such as 2/8\n"},
-        StudyMistake{"--shard 1/2x", "rift study: --shard 1/2x: expected i/n, such as 2/8\n"},
-        StudyMistake{"--budget 10", "rift study: --budget 10: expected a time with its unit"},
-        StudyMistake{"--budget '-1 s'", "rift study: --budget -1 s: expected a time with its unit"},
-        StudyMistake{"--set solver.dt_fraction=1e-5", "--yes starts them, --budget TIME computes what fits\n"},
-        StudyMistake{"--set specimen.seed=3", "varied by the study"}),
+    testing::Values(StudyMistake{"--shard 3/2", "rift study: --shard 3/2: the index must lie in 1 to 2\n"},
+                    StudyMistake{"--shard 0/2", "rift study: --shard 0/2: the index must lie in 1 to 2\n"},
+                    StudyMistake{"--shard 1/0", "rift study: --shard 1/0: there must be at least 1 part\n"},
+                    StudyMistake{"--shard half", "rift study: --shard half: expected i/n, such as 2/8\n"},
+                    StudyMistake{"--shard 1/2x", "rift study: --shard 1/2x: expected i/n, such as 2/8\n"},
+                    StudyMistake{"--budget 10", "rift study: --budget 10: expected a time with its unit"},
+                    StudyMistake{"--budget '-1 s'",
+                                 "rift study: --budget -1 s: expected a time with its unit"},
+                    StudyMistake{"--set solver.dt_fraction=1e-5",
+                                 "--yes starts them, --budget TIME computes what fits\n"},
+                    StudyMistake{"--set specimen.seed=3", "varied by the study"}),
     [](const auto& mistake) { return "Case" + std::to_string(mistake.index); });
 
 TEST(StudyBadInputOfThePreset, WithoutAStudySaysHowToWriteOne) {

@@ -52,13 +52,13 @@ TEST(VerifyCommand, OfNoRunSaysSo) {
 }
 
 /// Some seconds of marching.
-const std::string slow = "--quiet --threads 1 --set crack.velocity='0.01 c_r' ";
+const std::string crawling_crack = "--quiet --threads 1 --set crack.velocity='0.01 c_r' ";
 
 // The journal is damaged before what the checkpoint needs: it begins anew, to the same bytes.
 TEST(Resume, WithADamagedJournalStartsWhereItIsWhole) {
   const TinyPlate plate, other;
-  ASSERT_EQ(other.run(slow).exit_code, 0);
-  plate.run_and_kill("checkpoint.h5", slow + "--checkpoint '0.05 s'");
+  ASSERT_EQ(other.run(crawling_crack).exit_code, 0);
+  plate.run_and_kill("checkpoint.h5", crawling_crack + "--checkpoint '0.05 s'");
   ASSERT_TRUE(fs::exists(plate.out() / "checkpoint.h5"));
   std::string journal = read_text(plate.out() / "journal.rift");
   journal.resize(journal.size() / 3);

@@ -41,7 +41,7 @@ results::LaneSummary stopped() {
 TEST(RunTable, SaysWhatTheScatterIsAndGivesBothRatesInOneUnit) {
   const std::string text = run_table(finished(), false);
   EXPECT_TRUE(contains(text, "0.566 ± 0.088 along the window, tip at 0.2 to 0.4 of the length\n")) << text;
-  EXPECT_TRUE(contains(text, "274.73 kJ/m²   G_ID 155.36 kJ/m²\n"));
+  EXPECT_TRUE(contains(text, "274.73 kJ/m² of the strip   G_ID 155.36 kJ/m²\n"));
   EXPECT_TRUE(contains(text, "  balance error         4.0e-14 of the largest energy, limit 1e-10\n"));
   EXPECT_TRUE(contains(text, "0.5 c_R, progressive release"));
   EXPECT_TRUE(contains(text, "6.3 steps per beam release"));

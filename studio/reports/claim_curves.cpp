@@ -1,4 +1,4 @@
-#include "studio/charts/curves.hpp"
+#include "studio/reports/claim_curves.hpp"
 
 #include "engine/base/numbers.hpp"
 #include "engine/theory/references.hpp"
