@@ -28,6 +28,9 @@ viz_packages=(  # --no-viz leaves them out
   'libosmesa6-dev|OpenGL without a display'
   'libegl-dev|the same where OSMesa is gone'
   'libpng-dev|pictures'
+  'libchafa-dev|pictures in the terminal'
+  'libglib2.0-dev|needed by it'
+  'pkg-config|finds it'
   'ffmpeg|films'
 )
 
@@ -58,6 +61,10 @@ obtainable() { # MISSING...
     case "$package" in
       chromium)
         say "this system has no chromium: the tests of the reports' pages will be skipped"
+        continue
+        ;;
+      libchafa-dev)
+        say "this system has no libchafa-dev: terminals get no pictures, and rift view shows cells"
         continue
         ;;
       libosmesa6-dev) other=libegl-dev ;;
@@ -121,7 +128,8 @@ done
 [ -n "$what" ] || { usage >&2; exit 2; }
 [ $viz = OFF ] || packages+=("${viz_packages[@]}")
 [ "$what" = demo ] || packages+=('tmux|tests of the panels' 'doxygen|reference of the engine' 'python3-h5py|tests of the Python examples'
-  "chromium|tests of the reports' pages")
+  "chromium|tests of the reports' pages" 'xterm|tests of pictures in a terminal' 'xvfb|the same' 'xfonts-base|the same'
+  'imagemagick|the same')
 
 install_missing
 if [ "$what" = demo ]; then

@@ -9,7 +9,8 @@
 
 namespace rift::viz {
 
-NLOHMANN_JSON_SERIALIZE_ENUM(Camera, {{Camera::plate, "plate"}, {Camera::tip, "tip"}, {Camera::side, "side"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(
+    Camera, {{Camera::plate, "plate"}, {Camera::tip, "tip"}, {Camera::side, "side"}, {Camera::free, "free"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Beams,
                              {{Beams::none, "none"}, {Beams::crossing, "crossing"}, {Beams::all, "all"}})
 
@@ -26,8 +27,10 @@ static void from_json(const nlohmann::json& json, Pane& pane) {
   pane = {std::string(path.begin(), path.end()), json.at("lane"), json.at("title")};
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Look, field, range, colours, camera, beams, spheres, magnification,
-                                   close_up_m, chart, boundaries, large_text, title, scheme)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(View, x, y, height, turn, tilt)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Look, field, range, range_of_moment, colours, camera, view, beams, spheres,
+                                   magnification, close_up_m, chart, boundaries, texts, large_text, title,
+                                   scheme)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, panes, look, width, height)
 
 namespace {
@@ -44,6 +47,8 @@ Enum named(const std::string& word) {
 
 Camera camera_named(const std::string& word) { return named<Camera>(word); }
 Beams beams_named(const std::string& word) { return named<Beams>(word); }
+std::string word_of(Camera camera) { return nlohmann::json(camera).get<std::string>(); }
+std::string word_of(Beams beams) { return nlohmann::json(beams).get<std::string>(); }
 
 std::string to_json(const Job& job) { return base::json_text(nlohmann::json(job)); }
 

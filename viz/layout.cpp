@@ -50,6 +50,10 @@ int columns_for(int panes, double width, double height, double text, double aspe
 
 }  // namespace
 
+bool holds(const Box& box, const std::array<double, 2>& p) {
+  return p[0] >= box.x0 && p[0] <= box.x1 && p[1] >= box.y0 && p[1] <= box.y1;
+}
+
 Layout layout_of(const Job& job, const Extent& plate) {
   const double w = job.width, h = job.height;
   const int panes = static_cast<int>(job.panes.size());
@@ -57,13 +61,15 @@ Layout layout_of(const Job& job, const Extent& plate) {
   layout.text_px = static_cast<int>(std::lround(std::min(h / 42, w / 60) * (!job.look.large_text ? 1.0
                                                                             : panes > 2          ? 1.25
                                                                                                  : 1.5)));
-  const double text = layout.text_px, margin = text, bar = 3.9 * text;
+  const double margin = layout.text_px, chart_text = layout.text_px;
+  // Without texts nothing is left for them.
+  const double text = job.look.texts ? layout.text_px : 0, bar = 3.9 * text;
   layout.title = {margin, h - 2.6 * text, w - margin, h - 0.5 * text};
 
   const bool whole = job.look.camera != Camera::tip;
   const double aspect =
       whole ? beside(job.look) * plate.length / (above(job.look) * seen_height(job.look, plate)) : 1.6;
-  double chart = job.look.chart ? std::max(0.24 * h, 8.5 * text) : 0;
+  double chart = job.look.chart ? std::max(0.24 * h, 8.5 * chart_text) : 0;
   const double top = layout.title.y0 - 0.3 * text;
   const double inner = w - 2 * margin;
   const int columns = columns_for(panes, inner, top - bar - chart, text, aspect);
@@ -84,10 +90,10 @@ Layout layout_of(const Job& job, const Extent& plate) {
   layout.colour_bar = {0.24 * w, chart + 0.3 * text, 0.76 * w, chart + bar - 0.2 * text};
   layout.scale_bar = {margin, layout.colour_bar.y0, 0.2 * w, layout.colour_bar.y1};
   layout.beam_bar = {0.82 * w, layout.colour_bar.y0, w - 2 * margin, layout.colour_bar.y1};
-  layout.key = {margin, chart - 1.5 * text, w - margin, chart};
+  layout.key = {margin, chart - 1.5 * chart_text, w - margin, chart};
   for (int k = 0; job.look.chart && k < panes; ++k) {
     const double width = (inner - (panes - 1) * margin) / panes, x0 = margin + k * (width + margin);
-    layout.chart.push_back({x0, 0.3 * text, x0 + width, layout.key.y0});
+    layout.chart.push_back({x0, 0.3 * chart_text, x0 + width, layout.key.y0});
   }
   return layout;
 }
@@ -95,18 +101,42 @@ Layout layout_of(const Job& job, const Extent& plate) {
 Window window_of(const Look& look, const Box& picture, const Extent& plate,
                  const std::array<double, 2>& tip) {
   const double aspect = picture.width() / picture.height();
+  if (look.camera == Camera::free)
+    return {look.view.x, look.view.y, look.view.height * aspect, look.view.height};
   if (look.camera == Camera::tip) return {tip[0], tip[1], look.close_up_m * aspect, look.close_up_m};
   const double height =
       std::max(above(look) * seen_height(look, plate), beside(look) * plate.length / aspect);
   return {0.5 * plate.length, plate.middle, height * aspect, height};
 }
 
-std::array<double, 2> to_pixels(const Look& look, const Window& shown, const Box& picture,
-                                const Extent& plate, const std::array<double, 2>& point) {
-  const double y =
-      plate.middle + (point[1] - plate.middle) * (look.camera == Camera::side ? std::cos(side_tilt) : 1.0);
-  return {picture.x0 + picture.width() * (0.5 + (point[0] - shown.x) / shown.width),
-          picture.y0 + picture.height() * (0.5 + (y - shown.y) / shown.height)};
+namespace {
+
+/// The angles of a camera [rad].
+std::array<double, 2> turn_and_tilt(const Look& look) {
+  if (look.camera == Camera::side) return {0, side_tilt};
+  if (look.camera == Camera::free) return {look.view.turn, look.view.tilt};
+  return {0, 0};
+}
+
+double product(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+}  // namespace
+
+Axes axes_of(const Look& look) {
+  const auto [turn, tilt] = turn_and_tilt(look);
+  const double ct = std::cos(turn), st = std::sin(turn), ci = std::cos(tilt), si = std::sin(tilt);
+  return {{ct, 0, -st}, {si * st, ci, si * ct}, {ci * st, -si, ci * ct}};
+}
+
+bool seen_from_front(const Look& look) { return turn_and_tilt(look) == std::array<double, 2>{0, 0}; }
+
+std::array<double, 2> to_pixels(const Axes& axes, const Window& shown, const Box& picture,
+                                const std::array<double, 3>& point) {
+  const std::array<double, 3> from_middle{point[0] - shown.x, point[1] - shown.y, point[2]};
+  return {picture.x0 + picture.width() * (0.5 + product(from_middle, axes.right) / shown.width),
+          picture.y0 + picture.height() * (0.5 + product(from_middle, axes.up) / shown.height)};
 }
 
 }  // namespace rift::viz

@@ -15,10 +15,11 @@ struct Box {
   [[nodiscard]] double height() const { return y1 - y0; }
 };
 
-/// What a camera shows, in the plane of the picture [m]: the plate's x-y plane, which the side camera sees
-/// foreshortened about the plate's middle.
+[[nodiscard]] bool holds(const Box& box, const std::array<double, 2>& point);
+
+/// What a camera shows [m].
 struct Window {
-  double x = 0, y = 0;           // its middle
+  double x = 0, y = 0;           // the point of the plate's plane in its middle
   double width = 0, height = 0;  // of the picture's box
 };
 
@@ -47,9 +48,18 @@ struct Extent {
 /// The side camera looks from below the plate's front, this much out of its normal.
 constexpr double side_tilt = 1.15;  // rad
 
-/// Where a point of the plate's front is in a picture's box, in pixels.
-[[nodiscard]] std::array<double, 2> to_pixels(const Look& look, const Window& shown, const Box& picture,
-                                              const Extent& plate, const std::array<double, 2>& point);
+/// The directions of a camera, as unit vectors: what is right and up in the picture, and out of it.
+struct Axes {
+  std::array<double, 3> right, up, out;
+};
+[[nodiscard]] Axes axes_of(const Look& look);
+
+/// Whether the plate's front hides what lies behind it.
+[[nodiscard]] bool seen_from_front(const Look& look);
+
+/// Where a point is in a picture's box, in pixels: the projection along `out`.
+[[nodiscard]] std::array<double, 2> to_pixels(const Axes& axes, const Window& shown, const Box& picture,
+                                              const std::array<double, 3>& point);
 
 /// The layout of a frame: the columns of panes are chosen so that the plates are as large as can be.
 [[nodiscard]] Layout layout_of(const Job& job, const Extent& plate);

@@ -3,6 +3,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/lane_summary.hpp"
 #include "viz/field.hpp"
+#include "viz/order.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,8 +19,6 @@ namespace {
 using Header = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_panes = 4;
-
 std::shared_ptr<results::JournalIndex> open(const fs::path& run, std::vector<std::string>& notes) {
   const fs::path path = run / results::journal_name;
   if (!fs::exists(run)) throw BadRequest(fmt::format("{}: no such run", run.string()));
@@ -30,31 +29,6 @@ std::shared_ptr<results::JournalIndex> open(const fs::path& run, std::vector<std
     notes.push_back(fmt::format("{} is damaged ({}): only the frames before the damage are shown",
                                 path.string(), journal->reason()));
   return journal;
-}
-
-/// The lanes of the runs in their order.
-std::vector<Shown> lanes_shown(const Request& request, std::vector<std::string>& notes) {
-  std::vector<Shown> shown;
-  for (const fs::path& run : request.runs) {
-    const auto journal = open(run, notes);
-    const Header header = Header::parse(journal->header_json());
-    if (!header.contains("path"))
-      throw BadRequest(fmt::format(
-          "{} was written by an older version, which does not store the crack's path: run it again",
-          run.string()));
-    std::vector<int> lanes = request.lanes;
-    for (int k = 0; request.lanes.empty() && k < journal->lanes(); ++k) lanes.push_back(k);
-    for (const int lane : lanes) {
-      if (lane < 0 || lane >= journal->lanes())
-        throw BadRequest(fmt::format("{} has no lane {}: its lanes are 0 to {}", run.string(), lane,
-                                     journal->lanes() - 1));
-      shown.push_back({run, lane, journal, header});
-    }
-  }
-  if (shown.size() > most_panes)
-    throw BadRequest(fmt::format("{} lanes, and a frame shows up to {}: choose some with --lane",
-                                 shown.size(), most_panes));
-  return shown;
 }
 
 std::set<std::string> stored_in(const Shown& shown) {
@@ -103,12 +77,15 @@ Look look_for(const Request& request, const Header& header) {
   // The preset's colours are those of its own field.
   look.colours = request.colours.value_or(look.field == own_field ? film.value("colours", look.colours) : "");
   look.camera = camera_named(request.camera.value_or(film.value("camera", std::string("plate"))));
+  if (request.view) look.camera = Camera::free, look.view = *request.view;
   look.beams = beams_named(request.beams.value_or(film.value("beams", std::string("none"))));
   look.magnification = request.magnification.value_or(film.value("magnification", look.magnification));
   look.close_up_m = request.close_up_m.value_or(film.value("close_up_m", look.close_up_m));
   look.chart = request.chart.value_or(film.value("chart", look.chart));
   look.boundaries = request.boundaries.value_or(film.value("boundaries", look.boundaries));
   look.large_text = request.large_text;
+  look.texts = request.texts;
+  look.range_of_moment = request.range_of_moment;
   return look;
 }
 
@@ -137,6 +114,7 @@ std::array<double, 2> range_in(const std::vector<Shown>& shown, const Field& fie
 }
 
 void choose_range(Plan& plan, const Request& request, const std::vector<Shown>& shown, const Field& field) {
+  if (request.range_of_moment) return;
   if (request.range) {
     const auto [low, high] = *request.range;
     if (!(low < high)) throw BadRequest(fmt::format("--range {},{}: must rise", low, high));
@@ -151,18 +129,6 @@ void choose_range(Plan& plan, const Request& request, const std::vector<Shown>& 
       plan.range_known = false;
     }
   plan.job.look.range = plan.range_known ? range : range_in(shown, field);
-}
-
-void choose_clock(Plan& plan, const std::vector<Shown>& shown) {
-  const auto lasts = [](const Shown& pane) {
-    return pane.frames().back().time_s - pane.frames().front().time_s;
-  };
-  const Shown& longest = *std::max_element(
-      shown.begin(), shown.end(), [&](const Shown& a, const Shown& b) { return lasts(a) < lasts(b); });
-  for (const results::FrameEntry& frame : longest.frames()) {
-    plan.times_s.push_back(frame.time_s - longest.frames().front().time_s);
-    plan.tips_m.push_back(frame.tip_m);
-  }
 }
 
 std::vector<results::LaneSummary> scenarios_of(const std::vector<Shown>& shown) {
@@ -232,9 +198,53 @@ std::string title_of(const std::vector<Shown>& shown, const std::vector<results:
 
 }  // namespace
 
+std::vector<Shown> open_lanes(const Request& request, std::vector<std::string>& notes) {
+  std::vector<Shown> shown;
+  for (const fs::path& run : request.runs) {
+    const auto journal = open(run, notes);
+    const Header header = Header::parse(journal->header_json());
+    if (!header.contains("path"))
+      throw BadRequest(fmt::format(
+          "{} was written by an older version, which does not store the crack's path: run it again",
+          run.string()));
+    std::vector<int> lanes = request.lanes;
+    for (int k = 0; request.lanes.empty() && k < journal->lanes(); ++k) lanes.push_back(k);
+    for (const int lane : lanes) {
+      if (lane < 0 || lane >= journal->lanes())
+        throw BadRequest(fmt::format("{} has no lane {}: its lanes are 0 to {}", run.string(), lane,
+                                     journal->lanes() - 1));
+      shown.push_back({run, lane, journal, header});
+    }
+  }
+  if (shown.size() > most_panes)
+    throw BadRequest(fmt::format("{} lanes, and a frame shows up to {}: choose some with --lane",
+                                 shown.size(), most_panes));
+  return shown;
+}
+
+void choose_clock(Plan& plan, const std::vector<Shown>& shown) {
+  plan.times_s.clear();
+  plan.tips_m.clear();
+  const auto lasts = [](const Shown& pane) {
+    return pane.frames().back().time_s - pane.frames().front().time_s;
+  };
+  const Shown& longest = *std::max_element(
+      shown.begin(), shown.end(), [&](const Shown& a, const Shown& b) { return lasts(a) < lasts(b); });
+  for (const results::FrameEntry& frame : longest.frames()) {
+    plan.times_s.push_back(frame.time_s - longest.frames().front().time_s);
+    plan.tips_m.push_back(frame.tip_m);
+  }
+}
+
 Plan plan_of(const Request& request) {
+  std::vector<std::string> notes;
+  Plan plan = plan_of(request, open_lanes(request, notes));
+  plan.notes = std::move(notes);
+  return plan;
+}
+
+Plan plan_of(const Request& request, const std::vector<Shown>& shown) {
   Plan plan;
-  const std::vector<Shown> shown = lanes_shown(request, plan.notes);
   plan.job.look = look_for(request, shown.front().header);
   plan.job.width = request.width;
   plan.job.height = request.height;

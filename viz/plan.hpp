@@ -29,8 +29,10 @@ struct Request {
   std::optional<std::string> title, field, colours, camera, beams;
   std::optional<double> magnification, close_up_m;
   std::optional<std::array<double, 2>> range;  // in the unit that is shown
+  bool range_of_moment = false;
+  std::optional<View> view;  // of the free camera, which it chooses
   std::optional<bool> chart, boundaries;
-  bool large_text = false;
+  bool large_text = false, texts = true;
   int width = 1280, height = 720;
 };
 
@@ -53,9 +55,19 @@ struct Plan {
   bool range_known = true;         // or read off the frames that there are
 };
 
-/// Opens the runs and reads what the picture needs to be planned. The clock is that of the pane that lasts
-/// longest. Throws BadRequest, or WorldError where a run cannot be read.
+/// Opens the lanes that are asked for. Throws BadRequest, or WorldError where a run cannot be read.
+/// @param[out] notes  for the user
+[[nodiscard]] std::vector<Shown> open_lanes(const Request& request, std::vector<std::string>& notes);
+
+/// Reads what the picture of opened lanes needs to be planned. The clock is that of the pane that lasts
+/// longest. Throws BadRequest.
+[[nodiscard]] Plan plan_of(const Request& request, const std::vector<Shown>& shown);
+
+/// Both together.
 [[nodiscard]] Plan plan_of(const Request& request);
+
+/// The clock of these lanes, read again: of runs that go on.
+void choose_clock(Plan& plan, const std::vector<Shown>& shown);
 
 /// `count` of the moments, evenly chosen, first and last among them. Throws BadRequest where there are not so
 /// many: a frame is a stored moment, never something between two.

@@ -53,10 +53,13 @@ struct Attributes {
   ~Attributes() { posix_spawnattr_destroy(&value); }
 };
 
-/// What becomes its standard input, output and error, all else being closed; and its folder.
+constexpr int first_shared = STDERR_FILENO + 1;
+
+/// What becomes its standard input, output and error and what it shares, all else being closed; and its
+/// folder.
 struct FileActions {
   posix_spawn_file_actions_t value;
-  FileActions(int in, int out, int error, const std::filesystem::path& folder) {
+  FileActions(int in, int out, int error, int shared, const std::filesystem::path& folder) {
     posix_spawn_file_actions_init(&value);
     if (in < 0)
       posix_spawn_file_actions_addopen(&value, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -64,7 +67,8 @@ struct FileActions {
       posix_spawn_file_actions_adddup2(&value, in, STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&value, out, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&value, error, STDERR_FILENO);
-    posix_spawn_file_actions_addclosefrom_np(&value, STDERR_FILENO + 1);
+    if (shared >= 0) posix_spawn_file_actions_adddup2(&value, shared, first_shared);
+    posix_spawn_file_actions_addclosefrom_np(&value, shared >= 0 ? first_shared + 1 : first_shared);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&value, folder.c_str());
   }
   ~FileActions() { posix_spawn_file_actions_destroy(&value); }
@@ -111,7 +115,8 @@ ChildProcess::ChildProcess(std::vector<std::string> command, const ChildOptions&
     for (std::string& argument : command) arguments.push_back(argument.data());
     arguments.push_back(nullptr);
     const Attributes attributes;
-    const FileActions actions(in[1], options.piped ? out[1] : errors_, errors_, options.folder);
+    const FileActions actions(in[1], options.piped ? out[1] : errors_, errors_, options.shared,
+                              options.folder);
     error = posix_spawnp(&pid_, arguments[0], &actions.value, &attributes.value, arguments.data(), environ);
   }
   close_if_open(in[1]);

@@ -21,6 +21,7 @@ struct ChildOptions {
       false;  // write() and read() are its input and output; else it has no input, and said() has its output
   bool idle = false;      // it takes only the time that nobody else wants
   bool outlives = false;  // it goes on when its object goes
+  int shared = -1;        // a descriptor of ours that it has as its descriptor 3
 };
 
 /// The program could not be started.
@@ -29,7 +30,7 @@ struct StartError : WorldError {
   int error;  // as errno
 };
 
-/// Another program at work for this one, without a shell. It inherits no descriptors, a Ctrl-C in the
+/// Another program at work for this one, without a shell. It inherits no other descriptors, a Ctrl-C in the
 /// terminal does not reach it, it leaves no zombie, and it is killed where this object goes before it has
 /// ended.
 class ChildProcess {
@@ -45,6 +46,8 @@ class ChildProcess {
   [[nodiscard]] bool write(std::span<const std::uint8_t> bytes);
   /// Reads until `bytes` is full or the program has closed its output. @return how many were read
   [[nodiscard]] std::size_t read(std::span<std::uint8_t> bytes);
+  /// Its output, to be polled; -1 without pipes.
+  [[nodiscard]] int output() const { return output_; }
   /// The program sees the end of its input.
   void close_input();
 

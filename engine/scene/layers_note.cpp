@@ -2,6 +2,7 @@
 
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/scene/units.hpp"
 
 #include <fmt/format.h>
 
@@ -31,8 +32,6 @@ double reach_of(double layers) {
                           })
       ->coordination;
 }
-
-std::string in_mm(double metres) { return fmt::format("{:.4g} mm", 1e3 * metres); }
 
 /// "1.33 layers of elements (1.04 mm thick, elements 0.78 mm across on average)"
 std::string layers_text(const Scene& scene) {

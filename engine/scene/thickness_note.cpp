@@ -2,6 +2,7 @@
 
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
+#include "engine/scene/units.hpp"
 
 #include <fmt/format.h>
 
@@ -20,8 +21,6 @@ bool follows_from_layers(const Scene& scene) {
 }
 
 bool differ(double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); }
-
-std::string in_mm(double metres) { return fmt::format("{:.4g} mm", 1e3 * metres); }
 
 /// Whether the plate's elements go into this thickness.
 bool can_have(Scene scene, double thickness) {

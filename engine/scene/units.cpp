@@ -212,4 +212,6 @@ std::string rounded_text(double si, Dimension dimension) {
   return quantity_text(rounded, dimension);
 }
 
+std::string in_mm(double metres) { return fmt::format("{:.4g} mm", 1e3 * metres); }
+
 }  // namespace rift::scene

@@ -76,4 +76,7 @@ std::string quantity_text(double si, Dimension dimension);
 /// As quantity_text with six digits, for messages about computed lengths and speeds.
 std::string rounded_text(double si, Dimension dimension);
 
+/// A computed length [m] in a sentence: "2.828 mm".
+std::string in_mm(double metres);
+
 }  // namespace rift::scene

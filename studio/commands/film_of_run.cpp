@@ -14,6 +14,8 @@
 #include <atomic>
 #include <charconv>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <thread>
 
@@ -53,6 +55,25 @@ void read_size(FilmOptions& options, std::vector<std::string>& notes) {
       fmt::format("--size {}: drawn as {}x{}, because films need even numbers", options.size, width, height));
 }
 
+viz::View read_view(const std::string& text) {
+  std::array<double, 5> number{};
+  const char *at = text.data(), *end = at + text.size();
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    const auto read = std::from_chars(at, end, number[k]);
+    const bool goes_on = k + 1 < number.size();
+    if (read.ec != std::errc{} || (goes_on ? read.ptr == end || *read.ptr != ',' : read.ptr != end) ||
+        !std::isfinite(number[k]))
+      throw viz::BadRequest(fmt::format(
+          "--view {}: expected five numbers X,Y,HEIGHT,TURN,TILT in mm and degrees such as 100,20,50,0,0",
+          text));
+    at = read.ptr + 1;
+  }
+  const auto [x_mm, y_mm, height_mm, turn, tilt] = number;
+  if (!(height_mm > 0)) throw viz::BadRequest(fmt::format("--view {}: HEIGHT must be positive", text));
+  constexpr double mm = 1e-3, degree = std::numbers::pi / 180;
+  return {x_mm * mm, y_mm * mm, height_mm * mm, turn * degree, tilt * degree};
+}
+
 }  // namespace
 
 void add_film_options(CLI::App& command, FilmOptions& options) {
@@ -68,12 +89,17 @@ void add_film_options(CLI::App& command, FilmOptions& options) {
       ->type_name("NAME")
       ->check(CLI::IsMember(names_of(viz::colour_maps())));
   add("--range", options.range,
-      "Range of the colour bar in its unit, such as 0,2 (default: the range of all panes)")
-      ->type_name("A,B");
+      "Range of the colour bar in its unit, such as 0,2, or moment for that of each moment (default: the "
+      "range of all panes)")
+      ->type_name("A,B|moment");
   add("--camera", request.camera,
       "plate: the whole plate; tip: a close-up that follows the tip; side: the out-of-plane displacement")
       ->type_name("NAME")
       ->check(CLI::IsMember({"plate", "tip", "side"}));
+  add("--view", options.view,
+      "A camera by numbers, as c in rift view prints them: the point in the middle [mm], the height that is "
+      "shown [mm], and angles of turn and tilt [degrees]")
+      ->type_name("X,Y,HEIGHT,TURN,TILT");
   add("--beams", request.beams, "Beams drawn: none, those on the crack's path, all")
       ->type_name("NAME")
       ->check(CLI::IsMember({"none", "crossing", "all"}));
@@ -82,6 +108,7 @@ void add_film_options(CLI::App& command, FilmOptions& options) {
   add("--close-up", request.close_up_m, "Height of a close-up [m]")->check(CLI::Range(1e-6, 100.0));
   add("--title", request.title, "Title above the picture")->type_name("TITLE");
   command.add_flag("--no-chart", options.no_chart, "Leave out the chart of the energy budget")->group(group);
+  command.add_flag("--no-text", options.no_text, "Leave out titles, colour bars and scales")->group(group);
   command.add_flag("--large-text", request.large_text, "Large text for lecture halls")->group(group);
   add("--size", options.size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
   add("--fps", options.fps, "Frames per second (default: a film of about 8 s)")
@@ -96,7 +123,10 @@ std::vector<std::string> read_look(FilmOptions& options) {
   std::vector<std::string> notes;
   read_size(options, notes);
   if (options.no_chart) options.request.chart = false;
-  if (!options.range.empty()) {
+  options.request.texts = !options.no_text;
+  if (!options.view.empty()) options.request.view = read_view(options.view);
+  options.request.range_of_moment = options.range == "moment";
+  if (!options.range.empty() && !options.request.range_of_moment) {
     std::array<double, 2> range{};
     if (!read_two(options.range, ',', range[0], range[1]) || !(range[0] < range[1]))
       throw viz::BadRequest(

@@ -16,8 +16,8 @@ namespace rift::studio {
 /// How a film looks, as options say it; what is not said is as the run's preset has it.
 struct FilmOptions {
   viz::Request request;
-  std::string size = "1280x720", range, gl = "auto";
-  bool no_chart = false;
+  std::string size = "1280x720", range, view, gl = "auto";
+  bool no_chart = false, no_text = false;
   double fps = 0;  // 0: so that a film lasts about eight seconds
 };
 

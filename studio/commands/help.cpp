@@ -27,8 +27,10 @@ constexpr std::array<Explained, 7> code_table{
      {"6", "Some scenarios of a study could not be made; it says which and why. The others are there."},
      {"128+n", "Signal n has stopped the command."}}};
 
-constexpr std::array<Explained, 5> variable_table{
+constexpr std::array<Explained, 6> variable_table{
     {{"NO_COLOR", "If set, there are no colours but those of --color always."},
+     {"RIFT_GRAPHICS",
+      "How pictures reach the terminal, in place of what it answers: see --graphics of rift view."},
      {"RIFT_PRESETS", "The folder of presets, in place of the one that was installed."},
      {"RIFT_SIMD",
       "The instruction set of the kernels, baseline or AVX2, in place of the widest that the processor has."},
@@ -45,6 +47,8 @@ rift resume runs/plate_pnrt
 rift resume runs/plate_pnrt --budget '2 h'
 rift render runs/quickstart
 rift render runs/quickstart --at 0.6 --picture crack.png
+rift view runs/quickstart
+rift view runs/quickstart --graphics symbols --field v
 rift watch runs/plate_pnrt
 rift watch runs/plate_pnrt --color never
 rift study study_release

@@ -20,8 +20,9 @@ AppContext app_context(int threads) {
   return w;
 }
 
-ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session) {
-  work_in_terminal(std::move(first), session.color(), [&] { return !session.goes_on(); });
+ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session, const GraphicsWish& wish) {
+  work_in_terminal(
+      std::move(first), session.color(), [&] { return !session.goes_on(); }, {}, wish);
   return session.goes_on() ? ExitCode::done : session.stopped();
 }
 

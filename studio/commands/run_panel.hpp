@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studio/commands/session.hpp"
+#include "studio/terminal/pictures.hpp"
 #include "studio/workbench/live_run.hpp"
 #include "studio/workbench/screen.hpp"
 
@@ -12,7 +13,8 @@ namespace rift::studio {
 AppContext app_context(int threads);
 
 /// Shows a screen, and those that it leads to, until the last one is left or the session is stopped.
-ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session);
+ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session,
+                          const GraphicsWish& wish = {});
 
 /// Whether there is a terminal for a live panel, and this build has one.
 bool panel_there();

@@ -5,7 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-/// What a build without VTK (-DRIFT_VIZ=OFF) has in place of draw_claim.cpp, film_of_run.cpp and render.cpp.
+/// What a build without VTK (-DRIFT_VIZ=OFF) has in place of draw_claim.cpp, film_of_run.cpp, render.cpp and
+/// view.cpp.
 namespace rift::studio {
 namespace {
 
@@ -42,6 +43,15 @@ void add_render(CLI::App& app, ExitCode& exit_code) {
   command.callback([&exit_code] {
     base::message("rift render: {}, or look at the run in ParaView: rift export RUN --to pvd\n",
                   without_renderer);
+    exit_code = ExitCode::world_failed;
+  });
+}
+
+void add_view(CLI::App& app, ExitCode& exit_code) {
+  CLI::App& command = *app.add_subcommand("view", "A run's pictures in the terminal (not in this build)");
+  command.allow_extras();
+  command.callback([&exit_code] {
+    base::message("rift view: {}\n", without_renderer);
     exit_code = ExitCode::world_failed;
   });
 }

@@ -28,6 +28,8 @@ enum Key : int {
   key_click,  // of the first button, at x, y
   key_wheel_up,
   key_wheel_down,
+  key_drag,     // the first button is down, and the mouse is at x, y now
+  key_release,  // of the first button
 };
 
 /// What the user did: a key, or the mouse at a cell.
@@ -39,7 +41,18 @@ struct KeyEvent {
 // THE table of the keys: it gives what a key does, the line at the foot and the help.
 
 /// Which screen a binding is of.
-enum class Where : std::uint8_t { anywhere, home, form, live, watch, study, compare, lesson, lesson_run };
+enum class Where : std::uint8_t {
+  anywhere,
+  home,
+  form,
+  live,
+  watch,
+  study,
+  compare,
+  lesson,
+  lesson_run,
+  view
+};
 
 enum class Action : std::uint8_t {
   none,
@@ -76,6 +89,26 @@ enum class Action : std::uint8_t {
   next,
   previous,
   handout,
+  jump,
+  next_field,
+  next_colours,
+  next_range,
+  magnify,
+  next_beams,
+  show_budget,
+  next_camera,
+  zoom_in,
+  zoom_out,
+  pan_left,
+  pan_right,
+  pan_up,
+  pan_down,
+  turn_left,
+  turn_right,
+  tilt_up,
+  tilt_down,
+  ask,
+  show_command,
   help,
   back,
 };

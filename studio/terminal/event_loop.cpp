@@ -11,12 +11,11 @@
 namespace rift::studio {
 namespace {
 
-constexpr int between_drawings_ms =
-    95;  // more than ten a second, and no more: the terminal draws on the same cores
+constexpr int while_away_ms = 95;
 
 class EventLoop {
  public:
-  EventLoop(std::unique_ptr<Screen> first, bool color) : terminal_(color) {
+  EventLoop(std::unique_ptr<Screen> first, bool color, const GraphicsWish& wish) : terminal_(color, wish) {
     stack_.push_back(std::move(first));
   }
 
@@ -25,16 +24,17 @@ class EventLoop {
   /// @return whether the terminal is still there
   bool round(const Unseen& unseen) {
     terminal_.stop_if_asked();
+    const Terminal::Hold hold = terminal_.hold();
+    if (hold == Terminal::Hold::ours && top().wants_picture()) top().take_room(terminal_.picture_room());
     navigate(top().look());
     if (empty()) return true;
-    const Terminal::Hold hold = terminal_.hold();
     if (hold == Terminal::Hold::ours) {
       draw();
       read_key();
       return true;
     }
     if (unseen) unseen(hold == Terminal::Hold::gone);
-    std::this_thread::sleep_for(std::chrono::milliseconds(between_drawings_ms));
+    std::this_thread::sleep_for(std::chrono::milliseconds(while_away_ms));
     return hold != Terminal::Hold::gone;
   }
 
@@ -42,7 +42,7 @@ class EventLoop {
   Screen& top() { return *stack_.back(); }
 
   void read_key() {
-    const KeyEvent event = terminal_.key_event(between_drawings_ms);
+    const KeyEvent event = terminal_.key_event(top().patience_ms(), top().wakened_by());
     if (event.key == key_none) return;
     const bool asked_for_help = !top().typing() && action_of(top().where(), event.key) == Action::help;
     if (help_ || asked_for_help) {
@@ -59,7 +59,9 @@ class EventLoop {
     Canvas canvas(terminal_.width(), terminal_.height());
     top().draw(canvas, terminal_.glyphs());
     if (help_) draw_help(canvas, top().where(), terminal_.glyphs());
-    terminal_.show(canvas);
+    terminal_.report_drags(top().wants_drags());
+    const bool covered = help_;  // a picture would lie on top
+    terminal_.show(canvas, covered ? std::nullopt : top().picture());
     Terminal::say_in_a_crash(top().last_words());
   }
 
@@ -78,8 +80,8 @@ class EventLoop {
 }  // namespace
 
 void work_in_terminal(std::unique_ptr<Screen> first, bool color, const std::function<bool()>& stopped,
-                      const Unseen& unseen) {
-  EventLoop loop(std::move(first), color);
+                      const Unseen& unseen, const GraphicsWish& wish) {
+  EventLoop loop(std::move(first), color, wish);
   bool there = true;
   while (!loop.empty() && !stopped() && (there || unseen)) there = loop.round(unseen);
 }

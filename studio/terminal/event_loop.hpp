@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studio/terminal/pictures.hpp"
 #include "studio/workbench/screen.hpp"
 
 #include <functional>
@@ -14,6 +15,6 @@ using Unseen = std::function<void(bool gone)>;
 /// so. Screens that are left clean up after themselves. While another job has the terminal the screens go on
 /// without being drawn. @param unseen  where empty, a terminal that is gone ends the work
 void work_in_terminal(std::unique_ptr<Screen> first, bool color, const std::function<bool()>& stopped,
-                      const Unseen& unseen = {});
+                      const Unseen& unseen = {}, const GraphicsWish& wish = {});
 
 }  // namespace rift::studio

@@ -1,11 +1,13 @@
 #include "studio/terminal/terminal.hpp"
 
 #include "engine/base/console.hpp"
+#include "studio/graphics/answers.hpp"
 
 #define NCURSES_WIDECHAR 1
 #include <langinfo.h>
 #include <locale.h>
 #include <ncurses.h>
+#include <poll.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -18,6 +20,7 @@
 
 // Of <term.h>, whose macros take names such as key_up.
 extern "C" char* tigetstr(const char* name);
+extern "C" int tigetnum(const char* name);
 struct term;
 extern "C" int setupterm(const char* kind, int descriptor, int* known);
 extern "C" term* set_curterm(term* to);
@@ -44,7 +47,7 @@ struct Text {
   }
 };
 
-Text<200> restore_codes;
+Text<300> restore_codes;
 Text<400> last_words;
 termios modes;
 bool have_modes = false;
@@ -133,6 +136,8 @@ KeyEvent mouse() {
   if (event.bstate & BUTTON4_PRESSED) return {key_wheel_up, event.x, event.y};
   if (event.bstate & BUTTON5_PRESSED) return {key_wheel_down, event.x, event.y};
   if (event.bstate & (BUTTON1_CLICKED | BUTTON1_PRESSED)) return {key_click, event.x, event.y};
+  if (event.bstate & BUTTON1_RELEASED) return {key_release, event.x, event.y};
+  if (event.bstate & REPORT_MOUSE_POSITION) return {key_drag, event.x, event.y};
   return {};
 }
 
@@ -190,6 +195,12 @@ Terminal::Hold hold_now() {
   return foreground == getpgrp() ? Terminal::Hold::ours : Terminal::Hold::lent;
 }
 
+/// A variable of the environment.
+std::string_view variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
 bool is_utf8() { return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0; }
 
 }  // namespace
@@ -208,7 +219,7 @@ std::string Terminal::why_not() {
   return "a terminal that this system does not know (TERM=" + std::string(kind) + ")";
 }
 
-Terminal::Terminal(bool color) {
+Terminal::Terminal(bool color, const GraphicsWish& wish) {
   setlocale(LC_CTYPE, "");
   glyphs_ = is_utf8() ? Glyphs::unicode : Glyphs::ascii;
   keep_modes();
@@ -216,7 +227,6 @@ Terminal::Terminal(bool color) {
   // process.
   if (std::signal(SIGTSTP, note_stop) == SIG_IGN) std::signal(SIGTSTP, SIG_IGN);
   initscr();
-  guard_terminal(code("rmcup") + code("cnorm") + code("sgr0") + code("rmkx") + "\033[?1000l");
   cbreak();
   noecho();
   keypad(stdscr, TRUE);
@@ -225,13 +235,43 @@ Terminal::Terminal(bool color) {
   mousemask(BUTTON1_CLICKED | BUTTON1_PRESSED | BUTTON4_PRESSED | BUTTON5_PRESSED, nullptr);
   mouseinterval(0);
   color_ = color && has_colors();
+  pictures_.emplace(wish, kind_of_terminal(variable, tigetnum("colors"), glyphs_ == Glyphs::unicode, color));
+  guard();
   if (!color_) return;
   start_color();
   use_default_colors();
 }
 
+void Terminal::guard() {
+  guard_terminal(pictures_->restore() + code("rmcup") + code("cnorm") + code("sgr0") + code("rmkx") +
+                 "\033[?1000l\033[?1002l");
+}
+
+const PictureRoom& Terminal::picture_room() {
+  if (pictures_->must_ask()) {
+    const std::string typed = pictures_->ask();
+    for (auto key = typed.rbegin(); key != typed.rend(); ++key) ungetch(static_cast<unsigned char>(*key));
+    guard();
+    clearok(curscr, TRUE);  // what a terminal has made of a question that it does not know
+  }
+  return pictures_->room();
+}
+
+void Terminal::report_drags(bool wanted) {
+  if (wanted == drags_) return;
+  drags_ = wanted;
+  mousemask(BUTTON1_CLICKED | BUTTON1_PRESSED | BUTTON4_PRESSED | BUTTON5_PRESSED |
+                (wanted ? BUTTON1_RELEASED | REPORT_MOUSE_POSITION : 0),
+            nullptr);
+  pictures_->write(wanted ? "\033[?1002h" : "\033[?1002l\033[?1000h");
+}
+
 Terminal::~Terminal() {
-  if (hold_now() == Hold::ours) endwin();
+  if (hold_now() == Hold::ours) {
+    report_drags(false);
+    pictures_->take_away();
+    endwin();
+  }
   unguard_terminal();
   if (std::signal(SIGTSTP, SIG_DFL) == SIG_IGN) std::signal(SIGTSTP, SIG_IGN);
 }
@@ -239,16 +279,23 @@ Terminal::~Terminal() {
 void Terminal::stop_if_asked() {
   if (stop_asked == 0) return;
   stop_asked = 0;
-  if (hold_now() == Hold::ours) endwin();
+  const bool drags = drags_;
+  if (hold_now() == Hold::ours) {
+    report_drags(false);
+    pictures_->take_away();
+    endwin();
+  }
   away_ = true;
   std::signal(SIGTSTP, SIG_DFL);
   std::raise(SIGTSTP);  // comes back from here after fg or bg
   std::signal(SIGTSTP, note_stop);
+  if (hold_now() == Hold::ours) report_drags(drags);
 }
 
 Terminal::Hold Terminal::hold() {
   const Hold now = hold_now();
   if (now == Hold::ours && away_) {
+    pictures_->take_away();
     if (!isendwin()) endwin();  // stopped by a signal that leaves no time to give the terminal back
     clearok(curscr, TRUE);
     refresh();  // the program's modes, and all that was shown
@@ -285,9 +332,14 @@ void Terminal::set_style(const Style& style) {
 
 /// Only what differs from what is there is handed on: a panel that is drawn fifteen times a second leaves the
 /// machine to the engine.
-void Terminal::show(const Canvas& canvas) {
+void Terminal::show(const Canvas& canvas, const std::optional<ScreenPicture>& picture) {
   const bool anew = canvas.width() != shown_.width() || canvas.height() != shown_.height();
-  if (anew) erase();
+  if (anew) {
+    if (shown_.width() > 0) pictures_->forget_size();
+    erase();
+    clearok(curscr, TRUE);  // pictures too
+  }
+  if (!picture) pictures_->take_away();  // before something else stands there
   for (int y = 0; y < std::min(canvas.height(), height()); ++y)
     for (int x = 0; x < std::min(canvas.width(), width()); ++x) {
       const Cell& cell = canvas.at(x, y);
@@ -299,13 +351,43 @@ void Terminal::show(const Canvas& canvas) {
     }
   shown_ = canvas;
   refresh();
+  pictures_->show(picture);
 }
 
-KeyEvent Terminal::key_event(int milliseconds) {
-  timeout(milliseconds);
+/// What follows an escape: nothing, then the key was pressed; or a sequence that is no key, such as a late
+/// answer of the terminal.
+KeyEvent Terminal::escape() {
+  constexpr int between_letters_ms = 25;
+  std::string sequence = "\033";
+  timeout(0);
+  wint_t next = 0;
+  while (get_wch(&next) == OK) {
+    sequence += static_cast<char>(next);
+    const int length = length_of_sequence(sequence);
+    if (length < 0) {  // a key pressed together with Alt
+      unget_wch(static_cast<wchar_t>(next));
+      break;
+    }
+    if (length > 0) {
+      if (sequence == "\033[0n") pictures_->taken();
+      return {};
+    }
+    timeout(between_letters_ms);
+  }
+  return {key_escape};
+}
+
+KeyEvent Terminal::key_event(int milliseconds, int wakened_by) {
   wint_t pressed = 0;
-  const int kind = get_wch(&pressed);
+  timeout(0);
+  int kind = get_wch(&pressed);
+  if (kind == ERR) {
+    std::array<pollfd, 2> waited{{{STDIN_FILENO, POLLIN, 0}, {wakened_by, POLLIN, 0}}};
+    if (poll(waited.data(), waited.size(), milliseconds) <= 0 || waited[0].revents == 0) return {};
+    kind = get_wch(&pressed);
+  }
   if (kind == ERR) return {};
+  if (kind == OK && pressed == key_escape) return escape();
   return kind == KEY_CODE_YES ? special(static_cast<int>(pressed)) : letter(static_cast<int>(pressed));
 }
 

@@ -2,9 +2,11 @@
 
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/keymap.hpp"
+#include "studio/terminal/pictures.hpp"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -42,8 +44,8 @@ class Terminal {
   [[nodiscard]] static std::string why_not();
   [[nodiscard]] static bool there() { return why_not().empty(); }
 
-  /// @param color  false shows everything in one colour
-  explicit Terminal(bool color);
+  /// @param color  false shows everything in one colour;  @param wish  about pictures
+  explicit Terminal(bool color, const GraphicsWish& wish = {});
   ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
@@ -56,9 +58,15 @@ class Terminal {
   [[nodiscard]] int width() const;
   [[nodiscard]] int height() const;
   [[nodiscard]] Glyphs glyphs() const { return glyphs_; }
-  void show(const Canvas& canvas);
+  /// @param picture  over the cells; none takes the last one away
+  void show(const Canvas& canvas, const std::optional<ScreenPicture>& picture = {});
+  /// The room for pictures; the terminal is asked for it when this is called first.
+  [[nodiscard]] const PictureRoom& picture_room();
+  /// Whether the mouse's movements are keys while its button is down.
+  void report_drags(bool wanted);
   /// What is pressed within so many milliseconds; a change of size is nothing.
-  [[nodiscard]] KeyEvent key_event(int milliseconds);
+  /// @param wakened_by  a descriptor that ends the waiting when it can be read, or -1
+  [[nodiscard]] KeyEvent key_event(int milliseconds, int wakened_by = -1);
   /// Drops what has been typed and not read yet: it was meant for a screen that has gone.
   void drop_typed();
 
@@ -68,10 +76,13 @@ class Terminal {
  private:
   [[nodiscard]] int pair_of(int foreground, int background);
   void set_style(const Style& style);
+  void guard();
+  [[nodiscard]] KeyEvent escape();
 
-  bool color_, away_ = false;
+  bool color_, away_ = false, drags_ = false;
   Glyphs glyphs_;
   Canvas shown_{0, 0};
+  std::optional<TerminalPictures> pictures_;
   std::map<std::pair<int, int>, int> pairs_;  // of foreground and background
 };
 

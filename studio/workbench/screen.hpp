@@ -5,10 +5,12 @@
 #include "engine/simulation/record.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/keymap.hpp"
+#include "studio/screen/screen_picture.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,18 @@ class Screen {
   [[nodiscard]] virtual Where where() const = 0;
   /// What to say should the program crash now.
   [[nodiscard]] virtual std::string last_words() const { return {}; }
+
+  // A screen that also shows a picture, where the terminal can: it leaves the cells below it blank.
+
+  [[nodiscard]] virtual bool wants_picture() const { return false; }
+  /// Called before each look() where it wants one.
+  virtual void take_room(const PictureRoom&) {}
+  [[nodiscard]] virtual std::optional<ScreenPicture> picture() const { return {}; }
+  /// Whether it wants to hear how the mouse moves while its button is down.
+  [[nodiscard]] virtual bool wants_drags() const { return false; }
+  /// How long a key is waited for before the next look(), and a descriptor that ends the waiting, or -1.
+  [[nodiscard]] virtual int patience_ms() const { return 95; }  // the terminal draws on the same cores
+  [[nodiscard]] virtual int wakened_by() const { return -1; }
 };
 
 /// What all screens share: where things are, and how things are run.

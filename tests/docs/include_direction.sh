@@ -31,8 +31,10 @@ studio/charts:       base studio/text
 studio/reports:      base history theory results packing lattice fracture ensemble scene calibration simulation measurement stability experiment study claims accuracy studio/text studio/charts
 studio/screen:       base theory results fracture scene simulation studio/text
 studio/workbench:    base history theory results scene simulation study studio/text studio/charts studio/reports studio/screen
-studio/terminal:     base studio/screen studio/workbench
-studio/commands:     base theory results packing lattice ensemble scene calibration simulation measurement stability experiment study claims accuracy viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/terminal
+studio/graphics:     base studio/screen
+studio/view:         base results scene viz studio/screen studio/workbench
+studio/terminal:     base studio/screen studio/workbench studio/graphics
+studio/commands:     base theory results packing lattice ensemble scene calibration simulation measurement stability experiment study claims accuracy viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/graphics studio/view studio/terminal
 studio:              base results scene studio/commands
 '
 
@@ -76,8 +78,9 @@ refuse() { # WHAT PATTERN FOLDERS...
   wrong=1
 }
 refuse 'VTK outside viz' '#include <vtk' engine studio
-refuse 'ncurses outside studio/terminal' '#include <n?curses' engine viz studio/commands studio/text studio/charts studio/reports studio/screen studio/workbench
+refuse 'ncurses outside studio/terminal' '#include <n?curses' engine viz studio/commands studio/text studio/charts studio/reports studio/screen studio/workbench studio/graphics studio/view
 refuse 'CLI11 outside studio' '#include <CLI/' engine viz studio/screen studio/workbench
+refuse 'libchafa outside studio/graphics' '#include <chafa' engine viz studio/commands studio/text studio/charts studio/reports studio/screen studio/workbench studio/view studio/terminal
 # What may be written wherever a name is shown is written in one place, which knows how.
 refuse 'a standard stream is written outside engine/base/console.cpp' '(fmt::print|std::(cerr|cout|clog|puts|printf)|fprintf|fputs|perror)\b' engine/[!b]* viz studio
 refuse 'JSON becomes text outside engine/base/text.cpp' '\.dump\(' engine/[!b]* viz studio

@@ -145,7 +145,8 @@ inline std::array<double, 2> place_of(const Job& job, const std::array<double, 2
                                       const std::array<double, 2>& tip) {
   const Extent plate{length, height + job.look.magnification * pulled, 0.5 * height};
   const Box picture = layout_of(job, plate).panes.front().picture;
-  return to_pixels(job.look, window_of(job.look, picture, plate, tip), picture, plate, point);
+  return to_pixels(axes_of(job.look), window_of(job.look, picture, plate, tip), picture,
+                   {point[0], point[1], 0});
 }
 
 }  // namespace rift::viz::drawn_plate

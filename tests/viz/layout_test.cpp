@@ -79,8 +79,8 @@ TEST(Layout, ACloseUpHasTheTipInItsMiddle) {
   job.look.camera = Camera::tip;
   const Box picture = layout_of(job, paper_plate).panes.front().picture;
   const std::array<double, 2> tip{0.031, 0.021};
-  const auto pixel =
-      to_pixels(job.look, window_of(job.look, picture, paper_plate, tip), picture, paper_plate, tip);
+  const auto pixel = to_pixels(axes_of(job.look), window_of(job.look, picture, paper_plate, tip), picture,
+                               {tip[0], tip[1], 0});
   EXPECT_NEAR(pixel[0], 0.5 * (picture.x0 + picture.x1), 1e-9);
   EXPECT_NEAR(pixel[1], 0.5 * (picture.y0 + picture.y1), 1e-9);
 }
@@ -89,10 +89,45 @@ TEST(Layout, TheSideCameraForeshortensThePlate) {
   Look look;
   const Box picture{0, 0, 100, 100};
   const Window shown{.x = 0.1, .y = 0.02, .width = 0.2, .height = 0.2};
-  const double front = to_pixels(look, shown, picture, paper_plate, {0.1, 0.04})[1] - 50;
+  const double front = to_pixels(axes_of(look), shown, picture, {0.1, 0.04, 0})[1] - 50;
   look.camera = Camera::side;
-  EXPECT_NEAR(to_pixels(look, shown, picture, paper_plate, {0.1, 0.04})[1] - 50, front * std::cos(side_tilt),
+  EXPECT_NEAR(to_pixels(axes_of(look), shown, picture, {0.1, 0.04, 0})[1] - 50, front * std::cos(side_tilt),
               1e-9);
+}
+
+TEST(Layout, TheFreeCameraIsTheSideCameraAtItsAngle) {
+  Look side, free;
+  side.camera = Camera::side;
+  free.camera = Camera::free;
+  free.view.tilt = side_tilt;
+  const Axes a = axes_of(side), b = axes_of(free);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_DOUBLE_EQ(a.right[axis], b.right[axis]);
+    EXPECT_DOUBLE_EQ(a.up[axis], b.up[axis]);
+    EXPECT_DOUBLE_EQ(a.out[axis], b.out[axis]);
+  }
+}
+
+TEST(Layout, TheDirectionsOfACameraAreUnitVectorsAtRightAngles) {
+  Look look;
+  look.camera = Camera::free;
+  look.view.turn = 0.7, look.view.tilt = -0.4;
+  const Axes axes = axes_of(look);
+  const auto product = [](const auto& a, const auto& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  EXPECT_NEAR(product(axes.right, axes.right), 1, 1e-15);
+  EXPECT_NEAR(product(axes.up, axes.up), 1, 1e-15);
+  EXPECT_NEAR(product(axes.right, axes.up), 0, 1e-15);
+  EXPECT_NEAR(axes.right[1] * axes.up[2] - axes.right[2] * axes.up[1], axes.out[0], 1e-15);
+  EXPECT_NEAR(axes.right[0] * axes.up[1] - axes.right[1] * axes.up[0], axes.out[2], 1e-15);
+}
+
+TEST(Layout, WithoutTextsThePlatesHaveTheirRoom) {
+  Job job = job_of(1, 640, 360, false);
+  const Box with = layout_of(job, paper_plate).panes.front().picture;
+  job.look.texts = false;
+  const Box without = layout_of(job, paper_plate).panes.front().picture;
+  EXPECT_DOUBLE_EQ(without.height(), 360);
+  EXPECT_LT(with.height(), 300);
 }
 
 }  // namespace

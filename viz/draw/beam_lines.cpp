@@ -39,8 +39,7 @@ const Field& beam_damage() {
   return field;
 }
 
-BeamLines::BeamLines(const results::Geometry& geometry, Beams which, double pixels, const ColourMap& lost,
-                     bool to_the_end)
+BeamLines::BeamLines(const results::Geometry& geometry, Beams which, const ColourMap& lost, bool to_the_end)
     : geometry_(geometry) {
   std::vector<std::int32_t> place(geometry.beam.size(), -1);
   for (std::size_t k = 0; k < geometry.crossing.size(); ++k)
@@ -65,9 +64,10 @@ BeamLines::BeamLines(const results::Geometry& geometry, Beams which, double pixe
   mapper->SetLookupTable(factor_colours(lost, to_the_end));
   mapper->UseLookupTableScalarRangeOn();
   actor_->SetMapper(mapper);
-  actor_->GetProperty()->SetLineWidth(static_cast<float>(pixels));
   actor_->GetProperty()->SetRenderLinesAsTubes(true);
 }
+
+void BeamLines::set_width(double pixels) { actor_->GetProperty()->SetLineWidth(static_cast<float>(pixels)); }
 
 void BeamLines::show(std::span<const std::array<float, 3>> displacement, std::span<const float> factor,
                      const std::array<float, 3>& magnification) {

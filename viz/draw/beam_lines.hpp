@@ -25,11 +25,13 @@ const Field& beam_damage();
 /// Beams as lines, coloured by their factor: softening ones stand out, broken ones are a faint trace.
 class BeamLines {
  public:
-  /// @param which  crossing or all;  @param pixels  width of a line
+  /// @param which  crossing or all
   /// @param lost  colours of the stiffness lost;  @param to_the_end  a broken beam has the last of them, not
   /// the pale one
-  BeamLines(const results::Geometry& geometry, Beams which, double pixels, const ColourMap& lost,
-            bool to_the_end);
+  BeamLines(const results::Geometry& geometry, Beams which, const ColourMap& lost, bool to_the_end);
+
+  /// Of the lines, in pixels.
+  void set_width(double pixels);
 
   /// @param factor  of each crossing beam; empty: all are whole
   void show(std::span<const std::array<float, 3>> displacement, std::span<const float> factor,

@@ -17,12 +17,10 @@ auto first_after(const std::vector<Row>& rows, double time_s) {
 
 }  // namespace
 
-LaneReader::LaneReader(const Pane& pane, const Look& look)
+LaneReader::LaneReader(const Pane& pane)
     : index_(pane.run / results::journal_name),
       lane_(pane.lane),
-      header_(results::read_json(index_.header_json(), pane.run / results::journal_name)),
-      field_(*find_field(look.field)),
-      moves_(look.magnification != 0) {}
+      header_(results::read_json(index_.header_json(), pane.run / results::journal_name)) {}
 
 std::vector<results::Sample> LaneReader::samples_until(double since_start_s) const {
   const auto& samples = index_.samples(lane_);
@@ -59,22 +57,23 @@ double LaneReader::history_clock_s() const {
   return lane < scenarios.size() ? scenarios[lane].history_clock_s : results::LaneSummary::undefined;
 }
 
-Moment LaneReader::at(double since_start_s) {
+Moment LaneReader::at(double since_start_s, const Look& look) {
   const double time_s = start_s() + since_start_s;
   if (!index_.summary_json() && index_.frames(lane_).back().time_s < time_s) index_.extend();
   // A time that came as a difference may lie a rounding before the frame it means.
   const auto after = first_after(index_.frames(lane_), time_s * (1 + 1e-12));
   const results::FrameEntry& entry = after == index_.frames(lane_).begin() ? *after : *std::prev(after);
-  results::Frame frame = index_.frame(entry);
+  if (offset_ != entry.offset) frame_ = index_.frame(entry);
+  offset_ = entry.offset;
   Moment moment;
   moment.since_start_s = entry.time_s - start_s();
   moment.tip_m = entry.tip_m;
   moment.velocity_m_s = velocity_at(entry.time_s);
   moment.history_s = entry.time_s + history_clock_s();
   moment.is_last = index_.summary_json() && after == index_.frames(lane_).end();
-  moment.value = values_of(field_, frame, geometry(), header_);
-  if (moves_) moment.displacement = std::move(frame.displacement);
-  moment.damage_factor = std::move(frame.damage_factor);
+  moment.value = values_of(*find_field(look.field), frame_, geometry(), header_);
+  if (look.magnification != 0) moment.displacement = frame_.displacement;
+  moment.damage_factor = frame_.damage_factor;
   return moment;
 }
 

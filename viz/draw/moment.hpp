@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <memory>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,10 @@ struct Moment {
   std::vector<float> damage_factor;                // of each crossing beam; only where beams are drawn
 };
 
-/// Reads the moments of a lane, only the fields that the look needs.
+/// Reads the moments of a lane.
 class LaneReader {
  public:
-  LaneReader(const Pane& pane, const Look& look);
+  explicit LaneReader(const Pane& pane);
 
   [[nodiscard]] const results::Geometry& geometry() const { return index_.geometry(); }
   [[nodiscard]] const nlohmann::ordered_json& header() const { return header_; }
@@ -37,9 +38,11 @@ class LaneReader {
   /// When the crack starts [s], and how long it lasts as far as is known.
   [[nodiscard]] double start_s() const;
   [[nodiscard]] double lasts_s() const;
-  /// The last stored moment until a time since the crack's start [s], or the first. Asked of a run that goes
-  /// on it looks what has been added.
-  [[nodiscard]] Moment at(double since_start_s);
+  /// The last stored moment until a time since the crack's start [s], or the first, with what the look needs
+  /// of it. Asked of a run that goes on it looks what has been added.
+  [[nodiscard]] Moment at(double since_start_s, const Look& look);
+  /// The frame of the moment that was asked for last.
+  [[nodiscard]] const results::Frame& frame() const { return frame_; }
 
  private:
   [[nodiscard]] double velocity_at(double time_s) const;
@@ -48,8 +51,8 @@ class LaneReader {
   results::JournalIndex index_;
   std::int32_t lane_;
   nlohmann::ordered_json header_;
-  const Field& field_;
-  bool moves_;
+  results::Frame frame_;
+  std::optional<std::uint64_t> offset_;  // of that frame
 };
 
 }  // namespace rift::viz

@@ -10,13 +10,15 @@ struct NoOpenGl : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A context of OpenGL 3.3 without a display, current in the thread that made it for its whole life. Each of
-/// the two programs is linked with one of two: OSMesa, or EGL without a surface.
+/// A context of OpenGL 3.3 without a display, for frames of one size; it is current when it has been made.
+/// Each of the two programs is linked with one of two: OSMesa, or EGL without a surface.
 class OffscreenContext {
  public:
   /// Throws NoOpenGl.
   OffscreenContext(int width, int height);
   ~OffscreenContext();
+  /// In place of another one, before anything is drawn in it or what was drawn in it goes. Throws NoOpenGl.
+  void make_current();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 

@@ -14,8 +14,8 @@ struct OffscreenContext::Context {
   ~Context() {
     if (display == EGL_NO_DISPLAY) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    if (egl != EGL_NO_CONTEXT) eglDestroyContext(display, egl);
-    eglTerminate(display);
+    if (egl != EGL_NO_CONTEXT)
+      eglDestroyContext(display, egl);  // the display is that of all contexts, and stays
   }
 };
 
@@ -41,9 +41,13 @@ OffscreenContext::OffscreenContext(int, int) : context_(std::make_unique<Context
                                      EGL_NONE};
   context_->egl = eglCreateContext(context_->display, has_config ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
                                    wanted.data());
-  if (context_->egl == EGL_NO_CONTEXT ||
-      eglMakeCurrent(context_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_->egl) == EGL_FALSE)
-    throw NoOpenGl("EGL gives no context of OpenGL 3.3");
+  if (context_->egl == EGL_NO_CONTEXT) throw NoOpenGl("EGL gives no context of OpenGL 3.3");
+  make_current();
+}
+
+void OffscreenContext::make_current() {
+  if (eglMakeCurrent(context_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_->egl) == EGL_FALSE)
+    throw NoOpenGl("EGL does not take its context of OpenGL 3.3");
 }
 
 OffscreenContext::~OffscreenContext() = default;

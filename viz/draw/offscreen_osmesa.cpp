@@ -9,6 +9,7 @@ namespace rift::viz {
 
 /// OSMesa draws into memory of ours.
 struct OffscreenContext::Context {
+  int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
   OSMesaContext mesa = nullptr;
 
@@ -31,10 +32,16 @@ OffscreenContext::OffscreenContext(int width, int height) : context_(std::make_u
                         OSMESA_CONTEXT_MINOR_VERSION,
                         3,
                         0};
+  context_->width = width, context_->height = height;
   context_->pixels.resize(std::size_t{4} * width * height);
   context_->mesa = OSMesaCreateContextAttribs(wanted, nullptr);
   if (context_->mesa == nullptr) throw NoOpenGl("OSMesa gives no context of OpenGL 3.3");
-  if (OSMesaMakeCurrent(context_->mesa, context_->pixels.data(), GL_UNSIGNED_BYTE, width, height) == 0)
+  make_current();
+}
+
+void OffscreenContext::make_current() {
+  if (OSMesaMakeCurrent(context_->mesa, context_->pixels.data(), GL_UNSIGNED_BYTE, context_->width,
+                        context_->height) == 0)
     throw NoOpenGl("OSMesa supports no frame of this size");
 }
 

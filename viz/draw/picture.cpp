@@ -1,6 +1,6 @@
 #include "viz/draw/picture.hpp"
 
-#include "viz/draw/beam_lines.hpp"
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cstring>
@@ -9,34 +9,29 @@
 namespace rift::viz {
 namespace {
 
-/// The largest plate of the panes, as its displacements magnify it.
-Extent extent_of(const std::vector<std::unique_ptr<LaneReader>>& readers, const Look& look) {
-  Extent plate;
-  for (const auto& reader : readers) {
-    const auto& header = reader->header();
-    const double height = header.at("height_m").get<double>();
-    const double pulled = look.camera == Camera::side ? 1 : look.magnification;
-    plate.length = std::max(plate.length, header.at("length_m").get<double>());
-    plate.height = std::max(plate.height, height + pulled * header.value("displacement_m", 0.0));
-    plate.middle = std::max(plate.middle, 0.5 * height);
-  }
-  return plate;
+/// The same of all jobs that one scene can show.
+Job scene_of(Job job) {
+  Look& look = job.look;
+  const bool from_front = seen_from_front(look);  // else other elements are drawn
+  look.view = {};
+  look.view.turn = look.camera == Camera::free && !from_front ? 1 : 0;
+  look.range = {};
+  look.range_of_moment = false;
+  return job;
 }
 
-double most_energy(LaneReader& reader) {
-  double most = 0;
-  for (const results::Sample& s : reader.samples_until(1e300))
-    most = std::max({most, s.elastic_j, s.fracture_j, s.damping_j, s.contact_j});
-  return most;
+/// Of the values of all panes at one moment. Where all are the same any range shows it.
+std::array<double, 2> range_at(const std::vector<Moment>& moments, const Field& field) {
+  std::vector<float> values;
+  for (const Moment& moment : moments) values.insert(values.end(), moment.value.begin(), moment.value.end());
+  const std::array<double, 2> range = range_of(field, values);
+  return range[1] > range[0] ? range : std::array{range[0] - field.unit_in_si, range[0] + field.unit_in_si};
 }
 
 }  // namespace
 
 Picture::Picture(const Job& job) : job_(job) {
-  for (const Pane& pane : job_.panes) reader_.push_back(std::make_unique<LaneReader>(pane, job_.look));
-  plate_ = extent_of(reader_, job_.look);
-  layout_ = layout_of(job_, plate_);
-
+  open(job_.panes);
   window_->SetReadyForRendering(true);
   window_->SetIsCurrent(true);
   window_->SetOwnContext(0);
@@ -44,72 +39,63 @@ Picture::Picture(const Job& job) : job_(job) {
   window_->SetMultiSamples(0);
   window_->SetSize(job_.width, job_.height);
   if (!window_->InitializeFromCurrentContext()) throw std::runtime_error("VTK cannot use this OpenGL");
-  overlay_->SetLayer(1);
-  overlay_->InteractiveOff();
   window_->SetNumberOfLayers(2);
   background_->SetBackground(1, 1, 1);
   window_->AddRenderer(background_);
-  window_->AddRenderer(overlay_);
-  add_panes();
-  if (job_.look.chart) add_charts();
+  build();
 }
 
 Picture::~Picture() = default;
 
-void Picture::add_panes() {
-  const Field& field = *find_field(job_.look.field);
-  const ColourMap* named = find_colour_map(job_.look.colours);
-  const ColourMap& map = named != nullptr ? *named : colour_map_of(field);
-  const auto colours = lookup_table(map, job_.look.range);
-  for (std::size_t k = 0; k < job_.panes.size(); ++k)
-    pane_.push_back(
-        std::make_unique<PaneView>(job_, layout_, k, plate_, *reader_[k], *colours, *window_, *overlay_));
-  if (job_.look.camera != Camera::side) {
-    const Box& box = layout_.panes.front().picture;
-    add_scale_bar(*overlay_, layout_.scale_bar, layout_.text_px,
-                  window_of(job_.look, box, plate_, {0, 0}).height / box.height());
-  }
-  add_colour_bar(*overlay_, layout_.colour_bar, layout_.text_px, field, map, job_.look.range);
-  if (job_.look.beams != Beams::none && field.name != "damage")
-    add_colour_bar(*overlay_, layout_.beam_bar, layout_.text_px, beam_damage(), softening(), {0, 1});
-  const auto title = text_at(layout_.title.x0, layout_.title.y0, static_cast<int>(1.35 * layout_.text_px),
-                             Align::left, job_.look.title, true);
-  overlay_->AddActor2D(title);
-  const double share = job_.look.scheme.empty() ? 1.0 : 0.55;  // of the line; the scheme has the rest
-  fit(*title, *overlay_, share * layout_.title.width());
-  const auto scheme = text_at(layout_.title.x1, layout_.title.y0 + 0.2 * layout_.text_px, layout_.text_px,
-                              Align::right, job_.look.scheme);
-  overlay_->AddActor2D(scheme);
-  fit(*scheme, *overlay_, (0.98 - share) * layout_.title.width());
+void Picture::open(const std::vector<Pane>& panes) {
+  const auto same = [](const Pane& a, const Pane& b) { return a.run == b.run && a.lane == b.lane; };
+  if (std::equal(panes.begin(), panes.end(), open_.begin(), open_.end(), same)) return;
+  reader_.clear();
+  for (const Pane& pane : panes) reader_.push_back(std::make_unique<LaneReader>(pane));
+  open_ = panes;
 }
 
-void Picture::add_charts() {
-  double lasts = 0, most = 0;
-  BudgetLines lines;
-  for (const auto& reader : reader_) {
-    lasts = std::max(lasts, reader->lasts_s());
-    most = std::max(most, most_energy(*reader));
-    const BudgetLines own = budget_lines(reader->samples_until(1e300));
-    lines.damping = lines.damping || own.damping, lines.contact = lines.contact || own.contact;
+void Picture::build() { scene_ = std::make_unique<Scene>(job_, reader_, *window_); }
+
+void Picture::change(const Job& job) {
+  const bool same_scene = to_json(scene_of(job)) == to_json(scene_of(job_));
+  if (same_scene) {
+    job_ = job;  // the scene looks at it
+    return;
   }
-  add_key(*overlay_, layout_.key, layout_.text_px, budget_key(lines));
-  for (const Box& box : layout_.chart) {
-    vtkNew<vtkRenderer> renderer;
-    renderer->SetViewport(box.x0 / job_.width, box.y0 / job_.height, box.x1 / job_.width,
-                          box.y1 / job_.height);
-    renderer->SetBackground(1, 1, 1);
-    window_->AddRenderer(renderer);
-    chart_.push_back(std::make_unique<BudgetChart>(*renderer, box, layout_.text_px, lasts, most, lines));
-  }
+  scene_.reset();
+  job_ = job;
+  open(job_.panes);
+  build();
 }
 
 void Picture::draw(double since_start_s, std::span<std::uint8_t> rgb) {
-  for (std::size_t k = 0; k < pane_.size(); ++k) {
-    pane_[k]->show(reader_[k]->at(since_start_s));
-    if (!chart_.empty()) chart_[k]->show(reader_[k]->samples_until(since_start_s), reader_[k]->start_s());
-  }
+  std::vector<Moment> moments;
+  for (const auto& reader : reader_) moments.push_back(reader->at(since_start_s, job_.look));
+  range_ = job_.look.range_of_moment ? range_at(moments, *find_field(job_.look.field)) : job_.look.range;
+  scene_->show(since_start_s, moments, range_);
   window_->Render();
   read(rgb);
+}
+
+Answer Picture::answer() const {
+  Answer answer;
+  answer.width = job_.width, answer.height = job_.height;
+  answer.range = range_;
+  answer.panes = static_cast<std::int32_t>(std::min(scene_->panes().size(), most_panes));
+  for (std::int32_t k = 0; k < answer.panes; ++k) answer.pane[k] = scene_->panes()[k]->answer();
+  return answer;
+}
+
+Picked Picture::at(const std::array<double, 2>& pixel) const {
+  for (std::size_t k = 0; k < scene_->panes().size(); ++k) {
+    const PaneView& pane = *scene_->panes()[k];
+    if (!holds(pane.answer().picture, pixel)) continue;
+    Picked picked = pane.at(pixel);
+    picked.pane = static_cast<std::int32_t>(k);
+    return picked;
+  }
+  return {};
 }
 
 void Picture::read(std::span<std::uint8_t> rgb) {

@@ -1,12 +1,14 @@
 #pragma once
 
-#include "viz/draw/budget_chart.hpp"
-#include "viz/draw/pane_view.hpp"
+#include "viz/draw/moment.hpp"
+#include "viz/draw/scene.hpp"
+#include "viz/order.hpp"
 
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -24,24 +26,32 @@ class Picture {
   Picture& operator=(const Picture&) = delete;
   ~Picture();
 
+  /// Another job of the same size in the same window. What both have in common stays: runs that were read,
+  /// and all that stands in the frame where only the range or the numbers of the camera differ.
+  void change(const Job& job);
+
   /// @param since_start_s  time since the crack's start [s]
   /// @param[out] rgb  width · height · 3 bytes, rows from the top
   void draw(double since_start_s, std::span<std::uint8_t> rgb);
 
+  /// What the last frame shows.
+  [[nodiscard]] Answer answer() const;
+  /// What stands at a pixel of it, from the lower left corner.
+  [[nodiscard]] Picked at(const std::array<double, 2>& pixel) const;
+
  private:
-  void add_panes();
-  void add_charts();
+  void open(const std::vector<Pane>& panes);
+  void build();
   void read(std::span<std::uint8_t> rgb);
 
   Job job_;
+  std::vector<Pane> open_;
   std::vector<std::unique_ptr<LaneReader>> reader_;
-  Extent plate_;
-  Layout layout_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
-  vtkNew<vtkRenderer> background_, overlay_;
+  vtkNew<vtkRenderer> background_;
   vtkNew<vtkUnsignedCharArray> pixels_;
-  std::vector<std::unique_ptr<PaneView>> pane_;
-  std::vector<std::unique_ptr<BudgetChart>> chart_;
+  std::unique_ptr<Scene> scene_;
+  std::array<double, 2> range_{};
 };
 
 }  // namespace rift::viz

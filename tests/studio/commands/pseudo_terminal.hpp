@@ -22,12 +22,13 @@ namespace rift::studio {
 class PseudoTerminal {
  public:
   /// @param hang_up  what SIGHUP does when it begins: SIG_DFL, or SIG_IGN as under nohup
-  explicit PseudoTerminal(const std::string& command, void (*hang_up)(int) = SIG_DFL) {
+  /// @param columns, rows  of the terminal
+  explicit PseudoTerminal(const std::string& command, void (*hang_up)(int) = SIG_DFL,
+                          unsigned short columns = 100, unsigned short rows = 30) {
     master_ = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0)
       throw std::runtime_error("no pseudo-terminal");
-    const winsize size{.ws_row = 30, .ws_col = 100, .ws_xpixel = 0, .ws_ypixel = 0};
-    ioctl(master_, TIOCSWINSZ, &size);
+    resize(columns, rows);
     const std::string name = ptsname(master_);
     child_ = fork();
     if (child_ != 0) return;
@@ -64,6 +65,16 @@ class PseudoTerminal {
     if (reads_until([&] { return said_.find(part) != std::string::npos; }))
       return testing::AssertionSuccess();
     return testing::AssertionFailure() << "no \"" << part << "\" in:\n" << said_;
+  }
+  /// What was read so far, and the process that runs the command.
+  [[nodiscard]] const std::string& said() const { return said_; }
+  [[nodiscard]] pid_t process() const { return child_; }
+  void type(const std::string& text) const {
+    EXPECT_EQ(write(master_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
+  void resize(unsigned short columns, unsigned short rows) const {
+    const winsize size{.ws_row = rows, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+    ioctl(master_, TIOCSWINSZ, &size);
   }
   /// Closes the terminal under the command.
   void hang_up() {

@@ -9,8 +9,8 @@
 namespace rift::studio {
 namespace {
 
-constexpr Where screens[] = {Where::home,  Where::form,    Where::live,   Where::watch,
-                             Where::study, Where::compare, Where::lesson, Where::lesson_run};
+constexpr Where screens[] = {Where::home,    Where::form,   Where::live,       Where::watch, Where::study,
+                             Where::compare, Where::lesson, Where::lesson_run, Where::view};
 
 TEST(Keymap, AKeyMeansOneThingOnAScreen) {
   for (const Where where : screens) {

@@ -1,0 +1,78 @@
+#include "studio/graphics/ask.hpp"
+
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+
+namespace rift::studio {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// No echo and no lines while it lives.
+class QuietModes {
+ public:
+  explicit QuietModes(int descriptor)
+      : descriptor_(descriptor), known_(tcgetattr(descriptor, &before_) == 0) {
+    if (!known_) return;
+    termios quiet = before_;
+    quiet.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+    quiet.c_cc[VMIN] = 0, quiet.c_cc[VTIME] = 0;
+    tcsetattr(descriptor, TCSANOW, &quiet);
+  }
+  ~QuietModes() {
+    if (known_) tcsetattr(descriptor_, TCSANOW, &before_);
+  }
+  QuietModes(const QuietModes&) = delete;
+  QuietModes& operator=(const QuietModes&) = delete;
+
+ private:
+  int descriptor_;
+  termios before_{};
+  bool known_;
+};
+
+bool write_whole(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+void read_answers(int in, TerminalAnswers& answers, Clock::time_point until) {
+  std::array<char, 512> buffer{};
+  while (!answers.complete()) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
+    pollfd one{in, POLLIN, 0};
+    if (left <= 0 || (poll(&one, 1, static_cast<int>(left)) <= 0 && errno != EINTR)) return;
+    const ssize_t count = ::read(in, buffer.data(), buffer.size());
+    if (count > 0) answers.take({buffer.data(), static_cast<std::size_t>(count)});
+    if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) return;
+  }
+}
+
+}  // namespace
+
+Asked ask_terminal(int in, int out, const TerminalKind& kind, std::chrono::milliseconds patience) {
+  winsize size{};
+  (void)ioctl(out, TIOCGWINSZ, &size);
+  TerminalAnswers answers(size.ws_col, size.ws_row);
+  const QuietModes quiet(in);
+  if (write_whole(out, question_for(kind))) read_answers(in, answers, Clock::now() + patience);
+  Capabilities found = answers.capabilities();
+  found.iterm = kind.iterm;
+  if (found.cell_width == 0 && size.ws_xpixel > 0 && size.ws_col > 0 && size.ws_row > 0) {
+    found.cell_width = size.ws_xpixel / size.ws_col;
+    found.cell_height = size.ws_ypixel / size.ws_row;
+  }
+  return {found, answers.typed()};
+}
+
+}  // namespace rift::studio

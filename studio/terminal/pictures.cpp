@@ -1,0 +1,82 @@
+#include "studio/terminal/pictures.hpp"
+
+#include "engine/base/clock.hpp"
+#include "studio/graphics/ask.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <string_view>
+
+namespace rift::studio {
+namespace {
+
+constexpr auto patience = std::chrono::milliseconds(300);
+constexpr const char* have_you_got_it = "\033[5n";
+
+double now_s() { return base::seconds_since(base::Clock::time_point{}); }
+
+void write_to_terminal(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (count <= 0) return;  // it is gone, which others notice
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+std::string TerminalPictures::ask() {
+  Asked asked;
+  if (answers_) asked = ask_terminal(STDIN_FILENO, STDOUT_FILENO, kind_, patience);
+  const Capabilities& found = asked.capabilities;
+  answers_ = found.answers;
+  const Graphics graphics = chosen_graphics(wish_.asked, found);
+  room_.pictures = graphics != Graphics::cells && PictureEncoder::there();
+  room_.symbols = graphics == Graphics::symbols;
+  if (found.cell_width > 0 && !room_.symbols)
+    room_.cell_width = found.cell_width, room_.cell_height = found.cell_height;
+  if (graphics == Graphics::sixel) room_.most_width = found.most_width, room_.most_height = found.most_height;
+  encoder_.emplace(graphics, kind_, room_.cell_width, room_.cell_height);
+  if (!pace_) pace_.emplace(answers_, wish_.most_bytes_per_s);
+  return asked.typed;
+}
+
+const PictureRoom& TerminalPictures::room() {
+  room_.shown = number_;
+  room_.bytes_per_s = pace_ ? pace_->bytes_per_s() : 0;
+  return room_;
+}
+
+void TerminalPictures::show(const std::optional<ScreenPicture>& picture) {
+  if (!picture || !encoder_ || !room_.pictures) return take_away();
+  if (picture->number == number_ || !pace_->may_send(now_s())) return;
+  const std::string bytes = encoder_->show(*picture);
+  if (!bytes.empty()) {
+    pace_->begin(bytes.size(), now_s());
+    write_to_terminal(bytes + (answers_ ? have_you_got_it : ""));
+    pace_->written(now_s());
+  }
+  room_.bytes_per_pixel = static_cast<double>(bytes.size()) / picture->width / picture->height;
+  shown_ = picture->area;
+  number_ = picture->number;
+}
+
+void TerminalPictures::write(const std::string& codes) { write_to_terminal(codes); }
+
+void TerminalPictures::take_away() {
+  if (number_ != 0) write_to_terminal(encoder_->clear(shown_));
+  number_ = 0;
+}
+
+void TerminalPictures::forget_size() {
+  take_away();
+  if (answers_) encoder_.reset();
+}
+
+void TerminalPictures::taken() {
+  if (pace_) pace_->taken(now_s());
+}
+
+}  // namespace rift::studio

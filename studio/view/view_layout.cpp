@@ -1,0 +1,45 @@
+#include "studio/view/view_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift::studio {
+namespace {
+
+// As `rift render --size` has it.
+constexpr int least_width_px = 320, least_height_px = 180;
+
+int limited(int cells, int cell_px, int most_px) {
+  return most_px > 0 ? std::min(cells, most_px / cell_px) : cells;
+}
+
+int even(double pixels) { return 2 * static_cast<int>(std::ceil(0.5 * pixels)); }
+
+}  // namespace
+
+ViewLayout view_layout(int width, int height, const PictureRoom& room) {
+  if (width < least_width || height < least_height) return {};
+  constexpr int below = 4;
+  const int columns = limited(width, room.cell_width, room.most_width);
+  const int rows = limited(height - below, room.cell_height, room.most_height);
+  return {{(width - columns) / 2, 0, columns, rows},
+          {1, height - 4, width - 2, 1},
+          {1, height - 3, width - 2, 2},
+          {1, height - 1, width - 2, 1}};
+}
+
+std::array<int, 2> pixels_for(const Area& area, const PictureRoom& room, double share) {
+  const double width = share * area.width * room.cell_width, height = share * area.height * room.cell_height;
+  const double larger = std::max({1.0, least_width_px / width, least_height_px / height});
+  return {even(larger * width), even(larger * height)};
+}
+
+double share_while_moving(const Area& area, const PictureRoom& room, double drawn_s, double wished_s) {
+  const double pixels = static_cast<double>(area.width) * room.cell_width * area.height * room.cell_height;
+  const double sent_s = room.bytes_per_s > 0 ? pixels * room.bytes_per_pixel / room.bytes_per_s : 0;
+  const double longest_s = std::max(drawn_s, sent_s);
+  constexpr double least_share = 0.25;
+  return longest_s > wished_s ? std::max(least_share, std::sqrt(wished_s / longest_s)) : 1.0;
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "viz/order.hpp"
+#include "viz/plan.hpp"
+
+#include <string>
+#include <vector>
+
+/// What the viewer says below its picture.
+namespace rift::studio {
+
+/// "frame 12 of 120   t = 12.3 µs   tip 34.5 mm   v 0.50 c_R   uy 0 to 0.4 mm".
+[[nodiscard]] std::string numbers_of(const viz::Answer& answer, const viz::Look& look, int moment,
+                                     int moments, double rayleigh_m_s);
+
+/// The element or beam with its position, displacement, velocity, energy and damage.
+[[nodiscard]] std::string text_of(const viz::Picked& picked);
+
+/// Between two that were asked for: unloaded, and as they are now.
+[[nodiscard]] std::string distance_between(const viz::Picked& a, const viz::Picked& b);
+
+/// The arguments of the `rift render` that makes this picture, without the program's name and what is to be
+/// written.
+[[nodiscard]] std::vector<std::string> render_arguments(const viz::Job& job);
+
+/// Words as a shell reads them.
+[[nodiscard]] std::string shell_line(const std::vector<std::string>& words);
+
+}  // namespace rift::studio

@@ -1,0 +1,83 @@
+#include "studio/graphics/ask.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace rift::studio {
+namespace {
+
+/// The two ends of a terminal: the test is its screen and keyboard.
+class Ends {
+ public:
+  Ends() : master(posix_openpt(O_RDWR | O_NOCTTY)) {
+    if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0)
+      throw std::runtime_error("no pseudo-terminal");
+    terminal = open(ptsname(master), O_RDWR | O_NOCTTY);
+  }
+  ~Ends() { close(master), close(terminal); }
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
+
+  void type(const std::string& text) const {
+    ASSERT_EQ(write(master, text.data(), text.size()), std::ssize(text));
+  }
+  int master, terminal = -1;
+};
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(AskTerminal, WaitsNoLongerThanForTheLastAnswer) {
+  const Ends ends;
+  Asked asked;
+  std::thread screen([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    ends.type("x\033_Gi=31;OK\033\\\033[6;18;9t");
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    ends.type("y\033[?62;4c");
+  });
+  const double took =
+      seconds_of([&] { asked = ask_terminal(ends.terminal, ends.terminal, {}, std::chrono::seconds(20)); });
+  screen.join();
+  EXPECT_LT(took, 10);
+  EXPECT_TRUE(asked.capabilities.kitty);
+  EXPECT_EQ(asked.capabilities.cell_height, 18);
+  EXPECT_EQ(asked.typed, "xy");
+}
+
+TEST(AskTerminal, ThatAnswersNothingHasNothingAndItsModesAreAsBefore) {
+  const Ends ends;
+  termios before{}, after{};
+  ASSERT_EQ(tcgetattr(ends.terminal, &before), 0);
+  const Asked asked = ask_terminal(ends.terminal, ends.terminal, {}, std::chrono::milliseconds(50));
+  ASSERT_EQ(tcgetattr(ends.terminal, &after), 0);
+  EXPECT_EQ(before.c_lflag, after.c_lflag);
+  EXPECT_FALSE(asked.capabilities.answers);
+  EXPECT_FALSE(asked.capabilities.kitty || asked.capabilities.sixel);
+  EXPECT_EQ(asked.typed, "");
+}
+
+TEST(AskTerminal, ThatIsGoneIsNotWaitedFor) {
+  Ends ends;
+  close(ends.master);
+  ends.master = -1;
+  const double took =
+      seconds_of([&] { (void)ask_terminal(ends.terminal, ends.terminal, {}, std::chrono::seconds(20)); });
+  EXPECT_LT(took, 10);
+}
+
+}  // namespace
+}  // namespace rift::studio
