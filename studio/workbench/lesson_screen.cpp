@@ -141,7 +141,7 @@ void LessonScreen::go_to(int page) {
 }
 
 /// Drawn by another call of rift, which is waited for: a second or two.
-LessonPicture LessonScreen::picture() const try {
+LessonPicture LessonScreen::handout_picture() const try {
   const fs::path run = panel_->run()->folder(), png = run / "handout.png";
   base::ChildProcess render({context_.program.string(), "render", run.string(), "--field", "vy", "--at",
                              "0.3", "--picture", png.string(), "--quiet"},
@@ -159,7 +159,7 @@ void LessonScreen::write() try {
     return;
   }
   const fs::path file = panel_->run()->folder() / handout_name;
-  write_handout(lesson_, lanes_, panel_->live(), picture(), file);
+  write_handout(lesson_, lanes_, panel_->live(), handout_picture(), file);
   message_ = "handout: " + file.string();
 } catch (const std::exception& error) {
   message_ = error.what();

@@ -35,7 +35,7 @@ class LessonScreen : public Screen {
   void draw_answer(Canvas& canvas, const Area& area) const;
   void go_to(int page);
   [[nodiscard]] std::string_view text_of_page() const;
-  [[nodiscard]] LessonPicture picture() const;
+  [[nodiscard]] LessonPicture handout_picture() const;
   Navigation leave();
   void write();
 
