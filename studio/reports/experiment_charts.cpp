@@ -104,15 +104,14 @@ std::vector<ChartSeries> law_series(const experiment::Experiment& e) {
   if (e.law.size() < 2) return {};
   const LawParts law = parts_of_law(e);
   const auto point = [](const auto& row) { return ChartPoint{row[0], 1e-3 * row[1]}; };
-  ChartSeries band = series_of(band_label, Style::band, 0, law.measured, [](const auto& row) {
+  ChartSeries band = series_of(band_label, Style::band, 1, law.measured, [](const auto& row) {
     return ChartPoint{row[0], 1e-3 * row[1], 1e-3 * expanded * row[2]};
   });
   band.name = "monotone fit, ± two standard uncertainties";
   const char* beyond = "continued beyond the measured velocities";
-  return {std::move(band),
-          series_of("monotone fit (isotonic regression)", Style::line, 0, law.measured, point),
-          series_of(beyond, Style::dashed, 0, law.below, point),
-          series_of(beyond, Style::dashed, 0, law.above, point)};
+  return {std::move(band), series_of("monotone fit of the uncorrected", Style::line, 1, law.measured, point),
+          series_of(beyond, Style::dashed, 1, law.below, point),
+          series_of(beyond, Style::dashed, 1, law.above, point)};
 }
 
 /// Both readings, the quasi-static one, and the truth where there is one.
@@ -129,13 +128,13 @@ std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x
   const Along corrected = [](const Point& p) { return p.corrected; };
   const bool lines = style == Style::line;
   if (lines) {
-    add(band_label, Style::band, 1, corrected, [](const Point& p) { return p.corrected_uncertainty; });
+    add(band_label, Style::band, 0, corrected, [](const Point& p) { return p.corrected_uncertainty; });
     all.back().name = "G_{IDc}, corrected, ± two standard uncertainties";
-    add(band_label, Style::band, 0, paper, [](const Point& p) { return p.uncertainty; });
+    add(band_label, Style::band, 1, paper, [](const Point& p) { return p.uncertainty; });
     all.back().name = "G_{IDc}, uncorrected, ± two standard uncertainties";
   }
-  add("G_{IDc}, corrected", style, 1, corrected);
-  add("G_{IDc}, uncorrected", style, 0, paper);
+  add("G_{IDc}, corrected", style, 0, corrected);
+  add("G_{IDc}, uncorrected", style, 1, paper);
   add("quasi-static G_{I0}", lines ? Style::dashed : style, 2, [](const Point& p) { return p.quasi_static; });
   if (!lines)
     for (ChartSeries& of_law : law_series(e)) all.push_back(std::move(of_law));

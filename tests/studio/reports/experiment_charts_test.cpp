@@ -41,7 +41,7 @@ const ChartSeries& series_called(const Chart& chart, const std::string& label, i
 
 TEST(ExperimentCharts, DrawWhatNothingMeasuredDashed) {
   const Chart chart = chart_named(experiment_charts(two_points()), "rate_velocity");
-  const ChartSeries& fit = series_called(chart, "monotone fit (isotonic regression)");
+  const ChartSeries& fit = series_called(chart, "monotone fit of the uncorrected");
   EXPECT_EQ(fit.x, (std::vector{0.2, 0.4}));
   EXPECT_EQ(fit.style, ChartSeries::Style::line);
   for (const auto& [which, ends] : {std::pair{0, std::vector{0.0, 0.2}}, {1, std::vector{0.4, 1.0}}}) {
@@ -55,7 +55,7 @@ TEST(ExperimentCharts, DrawAFitOfOnePoolOverAllMeasuredVelocities) {
   ExperimentReport report = two_points();
   report.experiment.law = {{0, 300, 40}, {0.3, 300, 50}, {1, 300, 60}};  // it did not rise
   const Chart chart = chart_named(experiment_charts(report), "rate_velocity");
-  EXPECT_EQ(series_called(chart, "monotone fit (isotonic regression)").x, (std::vector{0.2, 0.3, 0.4}));
+  EXPECT_EQ(series_called(chart, "monotone fit of the uncorrected").x, (std::vector{0.2, 0.3, 0.4}));
 }
 
 TEST(ExperimentCharts, SayWhatTheirBandsAreAndNameAllRows) {
