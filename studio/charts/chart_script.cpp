@@ -172,7 +172,8 @@ std::string title_and_marks(const Chart& chart, const Span& x_span) {
 }
 
 std::string line_of(const ChartSeries& s, const SeriesLook& look) {
-  const int dash = s.style == ChartSeries::Style::dashed && look.dash == 1 ? 2 : look.dash;
+  const bool dashed = s.style == ChartSeries::Style::dashed && s.colour >= 0;  // references are anyhow
+  const int dash = !dashed ? look.dash : look.dash == 1 ? 2 : 3;
   return fmt::format("lw {} dt {}", look.width, dash);
 }
 

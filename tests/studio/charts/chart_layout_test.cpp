@@ -39,6 +39,14 @@ TEST(ChartLook, TellsThirtySeriesApart) {
   EXPECT_NE(series_look(-1, 0).dash, series_look(-1, 1).dash);
 }
 
+TEST(ChartLook, ADashedSeriesDiffersFromTheLineOfItsColour) {
+  const auto sample = [](ChartSeries::Style style, int colour) {
+    return key_sample({ChartSeries{.style = style, .colour = colour}, 0}, "a", "b", "c", "d", "e");
+  };
+  for (int colour = 0; colour < 4; ++colour)
+    EXPECT_NE(sample(ChartSeries::Style::line, colour), sample(ChartSeries::Style::dashed, colour)) << colour;
+}
+
 TEST(ChartLook, OrderedSeriesHaveSequentialColoursAndSolidLines) {
   std::vector<ChartSeries> series(3);
   shade_in_order(series);
