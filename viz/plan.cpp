@@ -72,9 +72,10 @@ Look look_for(const Request& request, const Header& header) {
   const Header film = header.value("film", Header::object());
   Look look;
   look.title = request.title.value_or(film.value("title", std::string{}));
-  if (look.title.empty()) look.title = fs::path(header.value("preset_name", std::string{})).stem().string();
-  look.field = request.field.value_or(film.value("field", look.field));
-  look.colours = request.colours.value_or(film.value("colours", look.colours));
+  const std::string own_field = film.value("field", look.field);
+  look.field = request.field.value_or(own_field);
+  // The preset's colours are those of its own field.
+  look.colours = request.colours.value_or(look.field == own_field ? film.value("colours", look.colours) : "");
   look.camera = camera_named(request.camera.value_or(film.value("camera", std::string("plate"))));
   if (request.view) look.camera = Camera::free, look.view = *request.view;
   look.beams = beams_named(request.beams.value_or(film.value("beams", std::string("none"))));
@@ -171,6 +172,30 @@ std::string scheme_of(const std::vector<results::LaneSummary>& lanes) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// What all panes have in common, in a sentence: "A measured crack in a plate of 200 × 40 mm, E = 10 GPa".
+std::string title_of(const std::vector<Shown>& shown, const std::vector<results::LaneSummary>& lanes) {
+  const auto shared = [&](const char* key) {
+    const double first = shown.front().header.value(key, NAN);
+    return std::all_of(shown.begin(), shown.end(),
+                       [&](const Shown& pane) { return pane.header.value(key, NAN) == first; });
+  };
+  const std::string& course = lanes.front().crack_course;
+  const bool alike = std::all_of(lanes.begin(), lanes.end(), [&](const results::LaneSummary& lane) {
+    return lane.crack_course == course;
+  });
+  const Header& header = shown.front().header;
+  std::string title = !alike                  ? "A crack in a plate"
+                      : course == "measured"  ? "A measured crack in a plate"
+                      : course == "by itself" ? "A predicted crack in a plate"
+                                              : "A crack in a plate";
+  if (shared("length_m") && shared("height_m"))
+    title += fmt::format(" of {:.4g} × {:.4g} mm", 1e3 * header.at("length_m").get<double>(),
+                         1e3 * header.at("height_m").get<double>());
+  if (shared("young_modulus_pa"))
+    title += fmt::format(", E = {:.4g} GPa", 1e-9 * header.at("young_modulus_pa").get<double>());
+  return title;
+}
+
 }  // namespace
 
 std::vector<Shown> open_lanes(const Request& request, std::vector<std::string>& notes) {
@@ -227,6 +252,7 @@ Plan plan_of(const Request& request, const std::vector<Shown>& shown) {
   for (const Shown& pane : shown) check_stored(pane, field, plan.job.look);
   plan.job.panes = panes_of(shown);
   plan.job.look.scheme = scheme_of(scenarios_of(shown));
+  if (plan.job.look.title.empty()) plan.job.look.title = title_of(shown, scenarios_of(shown));
   choose_range(plan, request, shown, field);
   choose_clock(plan, shown);
   return plan;

@@ -16,10 +16,12 @@ using L = LaneSummary;
 #define COLUMN_IF(member, is_there) (SummaryColumn{#member, &L::member, [](const L& s) { return is_there; }})
 #define WHOLE(member) (SummaryColumn{#member, WholeNumber{&L::member}})
 constexpr std::array summary_table{
-    COLUMN(crack_velocity_over_cr), COLUMN(crack_course), WHOLE(tips), COLUMN(technique), COLUMN(relaxation),
-    COLUMN(relaxation_name), COLUMN(damage_zone_ratio), COLUMN_IF(friction, !std::isnan(s.friction)),
-    COLUMN(damping_alpha), COLUMN(damping_region), COLUMN(stiffness), COLUMN(plane), COLUMN(prestress_method),
-    COLUMN(kinematics), COLUMN(precision), COLUMN(beta), WHOLE(seed),
+    COLUMN(crack_velocity_over_cr), COLUMN(crack_course),
+    COLUMN_IF(history_clock_s, !std::isnan(s.history_clock_s)), WHOLE(tips), COLUMN(technique),
+    COLUMN(relaxation), COLUMN(relaxation_name), COLUMN(damage_zone_ratio),
+    COLUMN_IF(friction, !std::isnan(s.friction)), COLUMN(damping_alpha), COLUMN(damping_region),
+    COLUMN(stiffness), COLUMN(plane), COLUMN(prestress_method), COLUMN(kinematics), COLUMN(precision),
+    COLUMN(beta), WHOLE(seed),
     // what follows is not known before the run
     WHOLE(elements), COLUMN(layers), WHOLE(beams), WHOLE(beams_crossed), WHOLE(beams_damped), WHOLE(rattlers),
     COLUMN(coordination), COLUMN(solid_fraction), COLUMN(mean_overlap), COLUMN(mean_radius_m),
@@ -47,7 +49,7 @@ constexpr std::array summary_table{
 #undef COLUMN_IF
 #undef WHOLE
 
-constexpr std::size_t of_scenario = 17;
+constexpr std::size_t of_scenario = 18;
 static_assert(std::string_view(summary_table[of_scenario - 1].name) == "seed");
 
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }

@@ -25,7 +25,8 @@ struct LaneSummary {
 
   // The scenario: known before the first step.
   double crack_velocity_over_cr = undefined;
-  std::string crack_course;  // "constant", "piecewise", "measured" or "by itself"
+  std::string crack_course;            // "constant", "piecewise", "measured" or "by itself"
+  double history_clock_s = undefined;  // of a measured history: its time less the run's
   double tips = undefined;
   std::string technique;
   double relaxation = undefined;

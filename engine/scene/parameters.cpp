@@ -310,7 +310,10 @@ std::vector<Parameter> calibration_rows() {
 
 std::vector<Parameter> film_rows() {
   return {
-      {"film.title", "", [](Scene& s) -> Slot { return Word{&s.film.title}; }, "Title above the film."},
+      {"film.title", "", [](Scene& s) -> Slot { return Word{&s.film.title}; },
+       "Title above the film. Without one, and where `--set` changes loading, material, crack or damping of "
+       "a preset "
+       "that has one, it says what is in the run."},
       {"film.field",
        "uy",
        [](Scene& s) -> Slot { return Word{&s.film.field}; },

@@ -186,11 +186,11 @@ void assign_all(Reading& reading) {
 }
 
 /// The scene with what the preset itself says of the keys in place of what --set says of them.
-Scene without_overrides(const Reading& reading, std::span<const char* const> keys) {
+Scene without_overrides(const Reading& reading, std::span<const std::string_view> keys) {
   Scene scene = reading.preset.scene;
   const Scene standard = default_scene();
-  for (const char* key : keys) {
-    const auto origin = reading.preset.origins.find(key);
+  for (const std::string_view key : keys) {
+    const auto origin = reading.preset.origins.find(std::string(key));
     if (origin == reading.preset.origins.end() || origin->second.file != "--set") continue;
     const Parameter& row = *find_parameter(key);
     const auto own = std::find_if(reading.replaced.begin(), reading.replaced.end(),
@@ -202,12 +202,31 @@ Scene without_overrides(const Reading& reading, std::span<const char* const> key
 }
 
 void add_notes(Reading& reading) {
-  constexpr std::array keys{"specimen.elements", "specimen.length", "specimen.height"};
+  constexpr std::array<std::string_view, 3> keys{"specimen.elements", "specimen.length", "specimen.height"};
   Preset& preset = reading.preset;
   if (std::string note = note_on_thickness(preset, without_overrides(reading, keys)); !note.empty())
     preset.notes.push_back(std::move(note));
   if (std::string note = note_on_layers(preset); !note.empty()) preset.notes.push_back(std::move(note));
   for (std::string& note : notes_on_rows(preset)) preset.notes.push_back(std::move(note));
+}
+
+/// A title in the file says what the file's crack is: --set that changes load, material, crack or damping
+/// takes it away, and pictures then say what is in the run.
+void drop_title_of_another_crack(Reading& reading) {
+  Preset& preset = reading.preset;
+  const auto title = preset.origins.find("film.title");
+  if (title == preset.origins.end() || title->second.file == "--set") return;
+  std::vector<std::string_view> keys;
+  for (const Parameter& row : parameters())
+    if (const std::string table = table_of(row);
+        table == "loading" || table == "material" || table == "crack" || table == "damping")
+      keys.push_back(row.key);
+  const Scene of_file = without_overrides(reading, keys);
+  const bool same = std::all_of(keys.begin(), keys.end(), [&](std::string_view key) {
+    const Parameter& row = *find_parameter(key);
+    return toml_value(of_file, row) == toml_value(preset.scene, row);
+  });
+  if (!same) preset.scene.film.title.clear();
 }
 
 void sort_by_place(std::vector<Issue>& issues) {
@@ -219,6 +238,7 @@ void sort_by_place(std::vector<Issue>& issues) {
 Preset finished(Reading reading, const std::vector<std::string>& overrides, bool readable) {
   for (const std::string& text : overrides) take_override(reading, text);
   assign_all(reading);
+  drop_title_of_another_crack(reading);
   if (readable) {
     for (Issue& issue : take_scenarios(reading.preset, reading.document, reading.invalid))
       reading.say(std::move(issue));

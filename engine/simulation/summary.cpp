@@ -27,13 +27,21 @@ double peak_memory_bytes() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-void add_scenario(results::LaneSummary& s, const LanePlan& lane) {
+/// A measured history's time less the run's; its first row is passed some time after the crack has started.
+double history_clock(const Prepared& p, const LanePlan& lane) {
+  if (lane.scene.crack.history.empty()) return undefined;
+  const double start = static_cast<double>(lane.schedule.crack_start()) * p.step.dt * lane.units.time;
+  return scene::load_time(lane.scene) - start - lane.lead;
+}
+
+void add_scenario(results::LaneSummary& s, const Prepared& p, const LanePlan& lane) {
   const scene::Scene& scene = lane.scene;
   if (scene::keeps_its_velocity(scene)) s.crack_velocity_over_cr = scene::highest_velocity(scene);
   s.crack_course = !scene.crack.history.empty()         ? "measured"
                    : !scene.crack.toughness.row.empty() ? "by itself"
                    : scene.crack.velocity.size() == 1   ? "constant"
                                                         : "piecewise";
+  s.history_clock_s = history_clock(p, lane);
   s.tips = scene.crack.tips;
   s.technique = scene::word_of("crack.technique", scene.crack.technique);
   if (scene.crack.technique == fracture::Technique::progressive) {
@@ -209,7 +217,7 @@ Json scenarios_of(const Prepared& prepared) {
   Json scenarios = Json::array();
   for (const LanePlan& lane : prepared.lane) {
     results::LaneSummary scenario;
-    add_scenario(scenario, lane);
+    add_scenario(scenario, prepared, lane);
     scenarios.push_back(results::to_json(scenario, results::scenario_columns()));
   }
   return scenarios;
@@ -276,6 +284,7 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"grip_moves", scene::grip_moves(scene)},
           {"mean_radius_m", prepared.lattice.mean_radius},
           {"density_kg_m3", prepared.density},
+          {"young_modulus_pa", scene.material.young_modulus},
           {"solid_fraction", prepared.specimen.packing.solid_fraction},
           {"scenarios", scenarios_of(prepared)},
           {"film", film_of(scene)}};
@@ -285,7 +294,7 @@ results::LaneSummary lane_summary(const Prepared& prepared, const RunResult& res
                                   const Rates& rates, const BuildInfo& build, double wall_total_s) {
   const LanePlan& lane = prepared.lane[k];
   results::LaneSummary summary;
-  add_scenario(summary, lane);
+  add_scenario(summary, prepared, lane);
   add_specimen(summary, prepared, lane);
   add_step(summary, prepared, lane, result, result.lane[k], build);
   add_rates(summary, prepared, lane, rates);

@@ -4,6 +4,7 @@
 #include "engine/base/world_error.hpp"
 #include "studio/charts/chart_script.hpp"
 #include "studio/charts/gnuplot.hpp"
+#include "studio/charts/label.hpp"
 
 #include <algorithm>
 #include <cassert>

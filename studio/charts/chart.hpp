@@ -14,7 +14,7 @@ namespace rift::studio {
 // stay beside the picture, so that a reader can restyle it.   [docs/adr/0004-charts-by-gnuplot.md]
 
 /// One curve or cloud of points. Its label is enhanced text (chart_script.hpp) and empty to stay out of the
-/// key.
+/// key; where series of several colours share a label, its sample is grey.
 struct ChartSeries {
   enum class Style { line, points, line_points, dashed, band };
   std::string label = {};
@@ -27,6 +27,8 @@ struct ChartSeries {
   /// Place on the sequential colours, 0 to 1, in place of the palette's: for a series of an ordered axis.
   double shade = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> text = {};  // beside the points, as it is; empty, or as many as points
+  /// What its rows are called in the csv, enhanced text; empty for its label.
+  std::string name = {};
 
   void add(double at, double value, double half_bar = std::numeric_limits<double>::quiet_NaN()) {
     error.resize(x.size(), std::numeric_limits<double>::quiet_NaN());

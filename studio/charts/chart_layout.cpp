@@ -1,6 +1,7 @@
 #include "studio/charts/chart_layout.hpp"
 
 #include "studio/charts/chart_script.hpp"
+#include "studio/charts/label.hpp"
 #include "studio/charts/text_width.hpp"
 
 #include <fmt/format.h>
@@ -74,9 +75,13 @@ void add_entries(std::vector<KeyEntry>& entries, const std::vector<ChartSeries>&
   for (const ChartSeries& s : series) {
     const int reference = s.colour < 0 ? references++ : 0;
     if (s.label.empty() || drawable_points(s).empty()) continue;
-    if (std::any_of(entries.begin(), entries.end(),
-                    [&](const KeyEntry& e) { return e.series.label == s.label; }))
+    const auto same = std::find_if(entries.begin(), entries.end(),
+                                   [&](const KeyEntry& e) { return e.series.label == s.label; });
+    if (same != entries.end()) {
+      if (look_of(same->series, same->reference).colour != look_of(s, reference).colour)
+        same->series.colour = -1, same->series.shade = std::numeric_limits<double>::quiet_NaN();
       continue;
+    }
     KeyEntry& entry = entries.emplace_back(KeyEntry{s, reference});
     entry.series.x = entry.series.y = entry.series.error = {};
     entry.series.text = {};
@@ -108,10 +113,18 @@ bool has_error(const ChartSeries& series) {
   return std::any_of(series.error.begin(), series.error.end(), [](double e) { return std::isfinite(e); });
 }
 
+bool has_text(const ChartSeries& series) { return !series.text.empty(); }
+
 Span x_span(const Chart& chart) { return span(series_in(chart), true, chart); }
 Span y_span(const Chart& chart) { return span(series_in(chart), false, chart); }
 Span x_span(const ChartGrid& grid) { return span(series_in(grid), true, grid); }
 Span y_span(const ChartGrid& grid) { return span(series_in(grid), false, grid); }
+
+Span axis_ends(const AxisRange& range, const Span& span, bool log) {
+  const double margin = 0.04 * (span.max > span.min ? span.max - span.min : 1.0);
+  return {range.min.value_or(log ? span.min / 1.25 : span.min - margin),
+          range.max.value_or(log ? span.max * 1.25 : span.max + margin)};
+}
 
 std::vector<KeyEntry> key_entries(const std::vector<ChartSeries>& series) {
   std::vector<KeyEntry> entries;

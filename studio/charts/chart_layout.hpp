@@ -19,10 +19,14 @@ struct Span {
 };
 
 bool has_error(const ChartSeries& series);
+bool has_text(const ChartSeries& series);
 Span x_span(const Chart& chart);
 Span y_span(const Chart& chart);
 Span x_span(const ChartGrid& grid);
 Span y_span(const ChartGrid& grid);
+
+/// Where an axis ends: a little beyond its data, unless an end is given.
+Span axis_ends(const AxisRange& range, const Span& span, bool log);
 
 /// How a series looks [chart_script.hpp, look_of]; the n-th reference differs from the others.
 struct KeyEntry {

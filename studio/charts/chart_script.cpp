@@ -2,6 +2,8 @@
 
 #include "engine/base/text.hpp"
 #include "studio/charts/chart_layout.hpp"
+#include "studio/charts/label.hpp"
+#include "studio/charts/point_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -99,61 +101,6 @@ std::string script_end(const std::string& plot, int height) {
   return plot + png_terminal(height) + "set output png\nreplot\nset output\n";
 }
 
-std::string escape_label(std::string_view text) {
-  std::string out;
-  for (const char c : base::escaped(text)) {
-    if (std::string_view("\\_^{}@&~").find(c) != std::string_view::npos) out += '\\';
-    out += c;
-  }
-  return out;
-}
-
-std::string plain_text(std::string_view label) {
-  std::string out;
-  for (std::size_t k = 0; k < label.size(); ++k) {
-    if (label[k] == '\\' && k + 1 < label.size())
-      out += label[++k];
-    else if (label[k] != '{' && label[k] != '}')
-      out += label[k];
-  }
-  return out;
-}
-
-std::string script_string(std::string_view label) {
-  std::string out = "'";
-  for (const char c : base::escaped(label, "\n\r")) {
-    out += c == '\n' || c == '\r' ? ' ' : c;
-    if (c == '\'') out += '\'';
-  }
-  return out + "'";
-}
-
-std::string label_string(std::string_view label) {
-  constexpr std::string_view joiner = "\u2060";  // without width; not a blank
-  const auto is_markup = [&](std::size_t k) {
-    return (label[k] == '_' || label[k] == '^') && (k == 0 || label[k - 1] != '\\');
-  };
-  std::string out;
-  for (std::size_t k = 0; k < label.size(); ++k) {
-    const bool after = k > 1 && (label[k - 1] == '}' || is_markup(k - 2));
-    if (label[k] == ' ' && after) out += joiner;
-    out += label[k];
-  }
-  return script_string(out);
-}
-
-std::size_t letters(std::string_view label) { return base::count_letters(plain_text(label)); }
-
-std::string gnuplot_field(std::string text) {
-  text = base::escaped(text, "\n\r");
-  for (char& c : text) {
-    if (c == ',') c = ';';
-    if (c == '"') c = '\'';
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  return text;
-}
-
 namespace {
 
 /// A function of the script that picks the rows of a series.
@@ -179,7 +126,7 @@ std::vector<double> short_log_ticks(double low, double high) {
 
 /// Ends a little beyond the data, not at the next power of ten.
 std::string log_axis(char axis, const AxisRange& range, const Span& span) {
-  const double low = range.min.value_or(span.min / 1.25), high = range.max.value_or(span.max * 1.25);
+  const auto [low, high] = axis_ends(range, span, true);
   const std::string out = fmt::format("set logscale {}\n", axis) + range_line(axis, {low, high});
   if (high / low > 100.0) return out + fmt::format("set format {} '10^{{%L}}'\n", axis);
   std::string ticks;
@@ -225,7 +172,8 @@ std::string title_and_marks(const Chart& chart, const Span& x_span) {
 }
 
 std::string line_of(const ChartSeries& s, const SeriesLook& look) {
-  const int dash = s.style == ChartSeries::Style::dashed && look.dash == 1 ? 2 : look.dash;
+  const bool dashed = s.style == ChartSeries::Style::dashed && s.colour >= 0;  // references are anyhow
+  const int dash = !dashed ? look.dash : look.dash == 1 ? 2 : 3;
   return fmt::format("lw {} dt {}", look.width, dash);
 }
 
@@ -257,18 +205,11 @@ std::string bars_of(const std::string& name, const SeriesLook& look) {
                      script_string(name), look.colour);
 }
 
-std::string texts_of(const std::string& name, const SeriesLook& look) {
-  return fmt::format(
-      "data using (of({})):3:(strcol('text')) with labels noenhanced left offset 0.7, 0.5 font ',12' tc rgb "
-      "'{}' notitle",
-      script_string(name), look.colour);
-}
-
 }  // namespace
 
 std::vector<std::string> plot_parts(const std::vector<ChartSeries>& series) {
   const std::vector<std::string> names = series_names(series);
-  std::vector<std::string> bands, others, texts;
+  std::vector<std::string> bands, others;
   int references = 0;
   for (std::size_t k = 0; k < series.size(); ++k) {
     const ChartSeries& s = series[k];
@@ -277,10 +218,8 @@ std::vector<std::string> plot_parts(const std::vector<ChartSeries>& series) {
     const bool band = s.style == ChartSeries::Style::band;
     if (!band && has_error(s)) others.push_back(bars_of(names[k], look));
     (band ? bands : others).push_back(plot_of(s, names[k], look));
-    if (!s.text.empty()) texts.push_back(texts_of(names[k], look));
   }
   bands.insert(bands.end(), others.begin(), others.end());
-  bands.insert(bands.end(), texts.begin(), texts.end());
   return bands;
 }
 
@@ -323,7 +262,7 @@ std::vector<std::size_t> drawable_points(const ChartSeries& series) {
 std::vector<std::string> series_names(const std::vector<ChartSeries>& series) {
   std::vector<std::string> names;
   for (const ChartSeries& s : series) {
-    std::string name = gnuplot_field(plain_text(s.label));
+    std::string name = gnuplot_field(plain_text(s.name.empty() ? s.label : s.name));
     if (name.empty()) name = fmt::format("series {}", names.size() + 1);
     if (std::find(names.begin(), names.end(), name) != names.end())
       name += fmt::format(" ({})", names.size() + 1);
@@ -333,8 +272,6 @@ std::vector<std::string> series_names(const std::vector<ChartSeries>& series) {
 }
 
 namespace {
-
-bool has_text(const ChartSeries& s) { return !s.text.empty(); }
 
 /// The rows of series, with a column of texts where `texts`, each row ending with `last`.
 std::string rows_of(const std::vector<ChartSeries>& series, bool texts, const std::string& last) {
@@ -369,6 +306,23 @@ std::string chart_data(const ChartGrid& grid) {
   return out;
 }
 
+namespace {
+
+/// Texts beside points, within axes that are fixed for them.
+std::string texts_of(const Chart& chart, const PlotArea& area, int height) {
+  if (std::none_of(chart.series.begin(), chart.series.end(), has_text)) return {};
+  const TextSpace space{.area = area,
+                        .x = axis_ends(chart.x_range, x_span(chart), chart.log_x),
+                        .y = axis_ends(chart.y_range, y_span(chart), chart.log_y),
+                        .log_x = chart.log_x,
+                        .log_y = chart.log_y};
+  return fmt::format("set lmargin at screen {:.4f}\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+                     area.left / chart_width, space.x.min, space.x.max, space.y.min, space.y.max) +
+         text_lines(placed_texts(chart.series, space), space, height);
+}
+
+}  // namespace
+
 std::string chart_script(const Chart& chart, const std::string& name) {
   const Span x = x_span(chart);
   const int height = picture_height(chart);
@@ -384,7 +338,7 @@ std::string chart_script(const Chart& chart, const std::string& name) {
   const bool below = key.place == KeyPlace::below;
   out += key_lines(key_entries(chart.series), key, below ? area.left : area.right + 16,
                    below ? key.height_px() : area.top, height);
-  out += title_and_marks(chart, x);
+  out += title_and_marks(chart, x) + texts_of(chart, area, height);
   return out + script_end(plot_line(plot_parts(chart.series)), height);
 }
 

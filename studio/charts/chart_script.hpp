@@ -32,8 +32,8 @@ SeriesLook look_of(const ChartSeries& series, int reference);
 std::string axis_lines(char which, const std::string& label, const AxisRange& range, bool log,
                        const Span& span);
 
-/// What `plot` draws, part by part: bands behind all else, error bars behind the points of their series,
-/// texts beside points last.
+/// What `plot` draws, part by part: bands behind all else, error bars behind the points of their series.
+/// Texts beside points are point_texts.hpp's.
 std::vector<std::string> plot_parts(const std::vector<ChartSeries>& series);
 
 /// "plot part, part, ..."
@@ -53,33 +53,11 @@ std::string png_terminal(int height);
 /// The end of a script: the plot, and the same as a png.
 std::string script_end(const std::string& plot, int height);
 
-// Text in charts. Titles, axes and legends are gnuplot's enhanced text: "G_{ID} / G_{I0}", "10^{-3}", "α,
-// c_r".
-
-/// Text that comes from data, as a label that shows it letter by letter: "run_01" -> "run\_01".
-std::string escape_label(std::string_view text);
-
-/// What a label reads like without its markup: "G_{ID} / c_r" -> "G_ID / c_r", "run\_01" -> "run_01".
-std::string plain_text(std::string_view label);
-
-/// The label as a string of a gnuplot script, in single quotes; line breaks become spaces.
-std::string script_string(std::string_view label);
-
-/// The same of a text that is shown. A joiner stands before a blank after a subscript: some viewers drop a
-/// blank that opens a span.
-std::string label_string(std::string_view label);
-
-/// Letters a label shows, for an estimate of its width: markup and bytes within a letter not counted.
-std::size_t letters(std::string_view label);
-
-/// The text as a field of a csv that gnuplot reads, which base::csv_field() is not: gnuplot does not know
-/// commas, doubled quotes or line breaks within a field, which become ';', "'" and spaces.
-std::string gnuplot_field(std::string text);
-
 /// Indices of the points which a chart shows: x and y finite.
 std::vector<std::size_t> drawable_points(const ChartSeries& series);
 
-/// What the rows of each series are called in the csv: its label without markup, made unique, never empty.
+/// What the rows of each series are called in the csv: its name or label without markup, made unique, never
+/// empty.
 std::vector<std::string> series_names(const std::vector<ChartSeries>& series);
 
 /// The tidy csv: series,x,y,error, a row per drawable point, numbers that read back as they were; a column

@@ -1,4 +1,6 @@
 #include "studio/charts/chart_script.hpp"
+#include "studio/charts/label.hpp"
+#include "studio/charts/point_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -43,7 +45,8 @@ std::string panel_titles(const GridLayout& layout) {
 
 /// Ticks are labelled at the left and where no panel stands below.
 std::string panel_lines(const ChartGrid& grid, const GridLayout& layout, std::size_t k,
-                        const std::string& x_format, const std::string& y_format) {
+                        const std::string& x_format, const std::string& y_format, const Span& x,
+                        const Span& y) {
   const PlotArea& area = layout.panels[k];
   const auto columns = static_cast<std::size_t>(layout.columns);
   std::string out = fmt::format(
@@ -53,10 +56,12 @@ std::string panel_lines(const ChartGrid& grid, const GridLayout& layout, std::si
       area.top / layout.height);
   out += fmt::format("  set format x '{}'; set format y '{}'\n",
                      k + columns < layout.panels.size() ? "" : x_format, k % columns == 0 ? y_format : "");
+  const TextSpace space{.area = area, .x = x, .y = y, .log_x = grid.log_x, .log_y = grid.log_y};
+  out += text_lines(placed_texts(grid.panels[k].series, space), space, layout.height);
   out += fmt::format("  panel = '{}'\n", k + 1);
   const std::vector<std::string> parts = plot_parts(grid.panels[k].series);
   out += parts.empty() ? std::string("  plot NaN notitle\n") : "  " + plot_line(parts);
-  return out + (k == 0 ? "  unset label; unset arrow; unset object\n" : "");
+  return out + "  unset label; unset arrow; unset object\n";
 }
 
 std::string tick_format(bool log, const Span& span) {
@@ -70,15 +75,11 @@ std::string chart_script(const ChartGrid& grid, const std::string& name) {
   const KeyLayout key = key_layout(grid);
   const Span x = x_span(grid), y = y_span(grid);
   // All panels have the same axes, whatever each of them holds.
-  const auto end = [](const AxisRange& range, const Span& span, bool log) {
-    const double margin = log ? 0.0 : 0.04 * (span.max > span.min ? span.max - span.min : 1.0);
-    if (log) return range;
-    return AxisRange{range.min.value_or(span.min - margin), range.max.value_or(span.max + margin)};
-  };
+  const Span x_ends = axis_ends(grid.x_range, x, grid.log_x), y_ends = axis_ends(grid.y_range, y, grid.log_y);
   std::string out = script_head(grid.title, name, layout.height);
   out += functions_of_panels;
-  out += axis_lines('x', "", end(grid.x_range, x, grid.log_x), grid.log_x, x);
-  out += axis_lines('y', "", end(grid.y_range, y, grid.log_y), grid.log_y, y);
+  out += axis_lines('x', "", {x_ends.min, x_ends.max}, grid.log_x, x);
+  out += axis_lines('y', "", {y_ends.min, y_ends.max}, grid.log_y, y);
   out += "set tics font ',12'\nunset title\n";
   out += "do for [picture in 'svg png'] {\n";
   out += "  if (picture eq 'png') { " + png_terminal(layout.height);
@@ -87,7 +88,8 @@ std::string chart_script(const ChartGrid& grid, const std::string& name) {
   out += outer_labels(grid, layout, key.height_px()) + panel_titles(layout);
   out += key_lines(key_entries(grid), key, layout.panels.front().left, key.height_px(), layout.height);
   for (std::size_t k = 0; k < layout.panels.size(); ++k)
-    out += panel_lines(grid, layout, k, tick_format(grid.log_x, x), tick_format(grid.log_y, y));
+    out +=
+        panel_lines(grid, layout, k, tick_format(grid.log_x, x), tick_format(grid.log_y, y), x_ends, y_ends);
   return out + "  unset multiplot\n}\nset output\n";
 }
 

@@ -1,4 +1,5 @@
 #include "studio/charts/chart_script.hpp"
+#include "studio/charts/label.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "studio/charts/text_width.hpp"
 
-#include "studio/charts/chart_script.hpp"
+#include "studio/charts/label.hpp"
 
 #include <array>
 

@@ -209,7 +209,9 @@ ExitCode reproduce(const ReproduceOptions& options) {
                       .computed = result.computed,
                       .found = result.found,
                       .wall_s = 0,
-                      .claims = {}};
+                      .claims = {},
+                      .scenes = {}};
+  for (const scene::StudyRow& row : study.preset.study) report.scenes.push_back(row.scene);
   const auto work = [&] {
     fill(report, chosen, options, effort, study, result, session);
     report.wall_s = session.seconds();

@@ -1,7 +1,7 @@
 #include "studio/reports/accuracy_report.hpp"
 
 #include "engine/claims/curve.hpp"
-#include "studio/charts/chart_script.hpp"
+#include "studio/charts/label.hpp"
 #include "studio/reports/report.hpp"
 #include "studio/text/html.hpp"
 

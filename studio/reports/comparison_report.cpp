@@ -2,7 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/study/store.hpp"
-#include "studio/charts/chart_script.hpp"
+#include "studio/charts/label.hpp"
 #include "studio/reports/claim_curves.hpp"
 #include "studio/reports/report.hpp"
 #include "studio/reports/study_report.hpp"

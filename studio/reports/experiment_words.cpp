@@ -141,7 +141,7 @@ Table conclusions(const ExperimentReport& report) {
        {"quasi-static reading",
         fmt::format(
             "the quasi-static G_I0 of this lattice is on average {:.3f} times the corrected G_IDc and "
-            "{:.3f} times the uncorrected one",
+            "{:.3f} times the uncorrected one; it is of one packing, scatters with it, and has no band",
             m.corrected_over_static, m.over_static)}}};
   if (!report.truth.row.empty()) {
     table.rows.push_back({report.truth_name + ", corrected", truth_text(report, true)});

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 using Style = ChartSeries::Style;
 
 NamedChart coordination_chart(const Json& summary) {
-  ChartSeries series{.style = Style::line_points};
+  ChartSeries series{.style = Style::line_points, .name = "packing"};
   for (const Json& count : summary.at("coordination_histogram"))
     series.add(static_cast<double>(series.x.size()),
                count.get<double>() / summary.at("elements").get<double>());

@@ -74,17 +74,24 @@ std::string html_made(const Made& made) {
   return html_facts(table);
 }
 
+SharedParts shared_parts(const std::vector<scene::Scene>& scenes, bool marched) {
+  SharedParts shared;
+  if (scenes.empty()) return shared;
+  shared.parameters = parameters_of(scenes.front(), marched);
+  for (const scene::Scene& scene : scenes) keep_common(shared.parameters, parameters_of(scene, marched));
+  if (marched) shared.left_out = scene::left_out_by_scenarios(scenes);
+  return shared;
+}
+
 std::string html_scenes(const std::vector<scene::Scene>& scenes, bool marched) {
   if (scenes.empty()) return {};
-  auto fixed = parameters_of(scenes.front(), marched);
-  for (const scene::Scene& scene : scenes) keep_common(fixed, parameters_of(scene, marched));
+  const SharedParts shared = shared_parts(scenes, marched);
   Table table{{}, {}};
-  for (const auto& [key, value] : fixed) table.rows.push_back({key, value});
+  for (const auto& [key, value] : shared.parameters) table.rows.push_back({key, value});
   std::string html =
       html_section("Fixed parameters",
                    html_paragraph("By their keys in a preset; numbers are in SI units.") + html_pairs(table));
-  const std::vector<std::string> left_out = scene::left_out_by_scenarios(scenes);
-  if (marched && !left_out.empty()) html += html_section("Left out", html_list(left_out));
+  if (!shared.left_out.empty()) html += html_section("Left out", html_list(shared.left_out));
   return html;
 }
 

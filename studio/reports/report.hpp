@@ -51,6 +51,14 @@ std::string preset_in_titles(const std::string& preset);
 /// By which command, version and machine a page was made, when, and how long that took: a table.
 std::string html_made(const Made& made);
 
+/// What all of these scenes share: their parameters by their keys in a preset, and what all of them leave
+/// out, a line each; of scenes that were not marched the specimen's and the material's parameters alone.
+struct SharedParts {
+  std::vector<std::pair<std::string, std::string>> parameters;
+  std::vector<std::string> left_out;
+};
+SharedParts shared_parts(const std::vector<scene::Scene>& scenes, bool marched = true);
+
 /// Two sections: the parameters that all of these scenes share, by their keys in a preset, and what all of
 /// them leave out; of scenes that were not marched the specimen's and the material's alone. Empty where there
 /// are no scenes.

@@ -124,6 +124,21 @@ std::string section_markdown(const JudgedClaim& c) {
   return text;
 }
 
+/// What all scenarios share, and what each of them leaves out.
+std::string scenes_markdown(const std::vector<scene::Scene>& scenes) {
+  const SharedParts shared = shared_parts(scenes);
+  std::string text;
+  if (!shared.parameters.empty()) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& [key, value] : shared.parameters) rows.push_back({"`" + key + "`", value});
+    text += "\n## Fixed parameters\n\nBy their keys in a preset; numbers are in SI units.\n\n" +
+            markdown_table({"key", "value"}, rows);
+  }
+  if (!shared.left_out.empty()) text += "\n## Left out\n\n";
+  for (const std::string& line : shared.left_out) text += "- " + line + "\n";
+  return text;
+}
+
 std::string colored(const std::string& verdict, bool color) {
   const std::string padded = fmt::format("{:<14}", verdict);
   if (!color) return padded;
@@ -145,7 +160,7 @@ std::string reproduction_html(const Reproduction& r) {
   std::string body = html_made({r.command, r.build, r.wall_s}) + html_paragraph(preamble(r));
   body += html_section("Verdicts", html_table({.head = overview_head, .rows = overview}));
   for (const JudgedClaim& c : r.claims) body += section_html(c);
-  return html_page(title_of(r), body);
+  return html_page(title_of(r), body + html_scenes(r.scenes));
 }
 
 std::string reproduction_markdown(const Reproduction& r) {
@@ -154,7 +169,7 @@ std::string reproduction_markdown(const Reproduction& r) {
   std::string text =
       fmt::format("# {}\n\n{}\n\n", title_of(r), preamble(r)) + markdown_table(overview_head, overview);
   for (const JudgedClaim& c : r.claims) text += section_markdown(c);
-  return text;
+  return text + scenes_markdown(r.scenes);
 }
 
 std::string reproduction_text(const Reproduction& r, bool color) {

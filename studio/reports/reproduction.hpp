@@ -42,6 +42,7 @@ struct Reproduction {
   int scenarios = 0, computed = 0, found = 0;
   double wall_s = 0;
   std::vector<JudgedClaim> claims;
+  std::vector<scene::Scene> scenes;  // that were computed: what they share stands below the claims
 };
 
 /// ": simple and progressive release, linear relaxation, r_l = 1 and 4, α = 0": the schemes of the rows, as

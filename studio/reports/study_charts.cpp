@@ -11,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 namespace rift::studio {
 namespace {
@@ -52,17 +51,31 @@ study::AxisTexts axes_of(const study::AxisTexts& axes, const std::vector<std::st
   return kept;
 }
 
-/// All series of a curve look alike: `label` on the first, colour by the place among `of`.
+/// All series of a curve but references look alike: `label` on the first, colour by the place among `of`.
 void dress(FamilyCurve& curve, const std::string& label, std::size_t place, std::size_t of, bool ordered) {
   curve.series.front().label = label;
   for (ChartSeries& s : curve.series) {
+    if (s.colour < 0) continue;
+    if (&s != &curve.series.front()) s.name = label + ", " + s.label;
     s.colour = static_cast<int>(place);
     if (ordered) s.shade = of > 1 ? static_cast<double>(place) / static_cast<double>(of - 1) : 0.5;
   }
 }
 
+/// References stay last, above the curves, and those of one label are one series.
 void move_into(std::vector<ChartSeries>& series, FamilyCurve& curve) {
-  for (ChartSeries& s : curve.series) series.push_back(std::move(s));
+  const auto is_reference = [](const ChartSeries& s) { return s.colour < 0; };
+  for (ChartSeries& s : curve.series) {
+    const auto references = std::find_if(series.begin(), series.end(), is_reference);
+    const auto same = std::find_if(references, series.end(),
+                                   [&](const ChartSeries& other) { return other.label == s.label; });
+    if (!is_reference(s))
+      series.insert(references, std::move(s));
+    else if (same == series.end())
+      series.push_back(std::move(s));
+    else
+      for (std::size_t k = 0; k < s.x.size(); ++k) same->add(s.x[k], s.y[k]);
+  }
 }
 
 /// What all charts of these curves have in common.
@@ -209,7 +222,8 @@ double value_at(const ChartSeries& series, double x) {
 
 /// The mean over the specimens at the positions of the first one, and a band from the least to the largest.
 std::vector<ChartSeries> mean_and_band(const std::vector<ChartSeries>& specimens) {
-  ChartSeries mean{.style = ChartSeries::Style::line}, band{.style = ChartSeries::Style::band};
+  ChartSeries mean{.style = ChartSeries::Style::line},
+      band{.label = "specimens, least to largest", .style = ChartSeries::Style::band};
   for (const double x : specimens.front().x) {
     std::vector<double> values;
     for (const ChartSeries& s : specimens)
@@ -239,7 +253,7 @@ std::vector<NamedChart> tip_charts(const study::StudyRows& rows, const std::vect
     if (specimens.empty()) continue;
     FamilyCurve curve{family.rows.front().axes, mean_and_band(specimens)};
     bands = bands || curve.series.size() > 1;
-    ChartSeries echo{.style = ChartSeries::Style::points};
+    ChartSeries echo = echo_marks();
     mark_echo(echo, curve.series.front(), echo_free_mm(family.rows.front()));
     echoes = echoes || !echo.x.empty();
     if (!echo.x.empty()) curve.series.push_back(std::move(echo));
@@ -247,7 +261,7 @@ std::vector<NamedChart> tip_charts(const study::StudyRows& rows, const std::vect
   }
   std::string caption = "Release rate against tip position, damping included, without any smoothing";
   if (bands) caption += "; mean over the specimens, the band reaches from the least to the largest of them";
-  if (echoes) caption += "; the symbol marks where the first boundary reflection reaches the tip";
+  if (echoes) caption += "; the dot marks where the first boundary reflection reaches the tip";
   return charts_of({.name = "ratio_tip",
                     .title = "Release rate against tip position",
                     .x_label = "tip position [mm]",

@@ -1,7 +1,7 @@
 #include "studio/reports/study_families.hpp"
 
 #include "engine/base/numbers.hpp"
-#include "studio/charts/chart_script.hpp"
+#include "studio/charts/label.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -34,6 +34,8 @@ constexpr std::array table{
     Binding{W::form, add, 'a', key_none, "a", "axis", "Add an axis: the study varies one parameter more"},
     Binding{W::form, remove, 'x', key_none, "x", "", "Remove the chosen axis of the study"},
     Binding{W::form, search, '/', key_none, "/", "search", "Show only entries that contain these letters"},
+    Binding{W::form, details, 'i', key_none, "i", "",
+            "Show all that follows from the values: step, cost, what is left out"},
     Binding{W::live, pause, ' ', key_none, "space", "pause", "Pause or continue"},
     Binding{W::live, step, '.', key_none, ".", "step", "A single step"},
     Binding{W::live, slower, '<', key_left, "<", "slower", "Slow motion"},
@@ -59,8 +61,10 @@ constexpr std::array table{
     Binding{W::watch, export_tables, 'e', key_none, "e", "export", "Write the tables as CSV"},
     Binding{W::study, resume, 'u', key_none, "u", "resume", "Resume a study that was stopped"},
     Binding{W::study, stop, 's', key_none, "s", "stop", "Stop the study; it can be continued"},
-    Binding{W::lesson, next, key_enter, key_right, "enter", "next", "Continue"},
-    Binding{W::lesson, previous, key_left, key_backspace, "left", "back", "The page before"},
+    Binding{W::lesson, next, key_enter, key_right, "enter", "next page", "Continue; the run continues too"},
+    Binding{W::lesson, previous, key_backspace, key_left, "backspace", "page before", "The page before"},
+    Binding{W::lesson, handout, 'h', key_none, "h", "handout",
+            "Write the lesson as a page of HTML, when the run has finished"},
     Binding{W::lesson_run, next, key_enter, key_none, "enter", "next page",
             "Continue; the run continues too"},
     Binding{W::lesson_run, previous, key_backspace, key_none, "backspace", "page before", "The page before"},
@@ -70,7 +74,8 @@ constexpr std::array table{
     Binding{W::lesson_run, lane, key_tab, key_none, "tab", "lane", "The next lane; 1 to 8 choose one"},
     Binding{W::lesson_run, velocity, 'w', key_none, "w", "velocity",
             "Switch between colours of velocity and of displacement"},
-    Binding{W::lesson, handout, 'h', key_none, "h", "handout", "Write the lesson as a page of HTML"},
+    Binding{W::lesson_run, handout, 'h', key_none, "h", "handout",
+            "Write the lesson as a page of HTML, when the run has finished"},
     Binding{W::view, pause, ' ', key_none, "space", "play", "Play or pause"},
     Binding{W::view, step, '.', key_right, ".", "next", "The next stored moment"},
     Binding{W::view, previous, ',', key_left, ",", "", "The moment before"},
@@ -129,12 +134,12 @@ Action action_of(Where where, int key) {
   return none;
 }
 
-std::string foot_of(Where where, int width) {
+std::string foot_of(Where where, int width, Action without) {
   std::string always, rest;
   for (const Binding& b : table)
     if (b.where == Where::anywhere && !b.name.empty()) always += fmt::format("  {} {}", b.label, b.name);
   for (const Binding& b : table) {
-    if (b.where != where || b.name.empty()) continue;
+    if (b.where != where || b.name.empty() || b.action == without) continue;
     const std::string more = fmt::format("{}{} {}", rest.empty() ? "" : "  ", b.label, b.name);
     if (static_cast<int>(rest.size() + more.size() + always.size()) > width) break;
     rest += more;
@@ -150,8 +155,10 @@ void draw_help(Canvas& canvas, Where where, Glyphs glyphs) {
   constexpr int keys = 12;
   int width = 0;
   for (const Binding* b : rows) width = std::max(width, keys + static_cast<int>(b->help.size()));
-  const Area inside =
-      draw_box(canvas, width + 2, static_cast<int>(rows.size()), "keys of this screen", glyphs);
+  const bool has_curves = where == W::live || where == W::watch || where == W::lesson_run;
+  const char* title = has_curves ? "keys; a curve ends in its first letter (e elastic) or its lane's digit"
+                                 : "keys of this screen";
+  const Area inside = draw_box(canvas, width + 2, static_cast<int>(rows.size()), title, glyphs);
   for (int k = 0; k < static_cast<int>(rows.size()) && k < inside.height; ++k) {
     canvas.text(inside.x + 1, inside.y + k, rows[k]->label, {Ink::title, true}, keys);
     canvas.text(inside.x + 1 + keys, inside.y + k, rows[k]->help, {}, inside.width - keys - 1);

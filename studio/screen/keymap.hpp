@@ -72,6 +72,7 @@ enum class Action : std::uint8_t {
   run,
   reset,
   add,
+  details,
   save,
   lane,
   beside,
@@ -128,7 +129,8 @@ struct Binding {
 [[nodiscard]] Action action_of(Where where, int key);
 
 /// "enter open  / search ...": as many as fit into `width` cells, the help key always among them.
-[[nodiscard]] std::string foot_of(Where where, int width);
+/// @param without  what cannot be done now
+[[nodiscard]] std::string foot_of(Where where, int width, Action without = Action::none);
 
 /// A box over the screen with every key of it.
 void draw_help(Canvas& canvas, Where where, Glyphs glyphs);

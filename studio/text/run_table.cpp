@@ -121,6 +121,11 @@ std::string lattice(const LaneSummary& s) {
   return out;
 }
 
+std::string clock(const LaneSummary& s) {
+  return std::isnan(s.history_clock_s) ? std::string()
+                                       : label_line("clock", history_clock_text(s.history_clock_s));
+}
+
 std::string costs(const LaneSummary& s) {
   const auto cached = [](bool from_cache) { return from_cache ? " (cached)" : ""; };
   return label_line("time",
@@ -154,10 +159,16 @@ std::string left_out(const LaneSummary& s) {
 
 }  // namespace
 
+std::string history_clock_text(double clock_s) {
+  return fmt::format("time of the measured history = time of the run {} {:.8g} µs",
+                     clock_s < 0 ? "\u2212" : "+", 1e6 * std::abs(clock_s));
+}
+
 std::string run_table(const LaneSummary& s, bool color) {
   std::string out = heading(title(s), color) + "\n";
   if (!s.outcome_where.empty()) out += label_line(s.outcome, s.outcome_where);
-  return out + ratios(s) + theory(s) + energy_balance(s, color) + lattice(s) + costs(s) + left_out(s);
+  return out + ratios(s) + theory(s) + energy_balance(s, color) + lattice(s) + clock(s) + costs(s) +
+         left_out(s);
 }
 
 }  // namespace rift::studio

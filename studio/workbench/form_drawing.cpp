@@ -1,3 +1,4 @@
+#include "engine/base/text.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/layers_note.hpp"
 #include "engine/scene/needs.hpp"
@@ -86,7 +87,7 @@ void FormScreen::draw(Canvas& canvas, Glyphs glyphs) {
   if (search_.typing()) search_.draw(canvas, layout.search);
   list_rows_ = layout.rows.height;
   draw_rows(canvas, layout.rows);
-  draw_derived(canvas, layout.derived);
+  draw_derived(canvas, layout.derived, 0, "i");
   draw_detail(canvas, layout.detail);
   if (name_.typing())
     name_.draw(canvas, layout.foot);
@@ -98,6 +99,7 @@ void FormScreen::draw(Canvas& canvas, Glyphs glyphs) {
         value_.typing() ? "enter accept  escape keep the old value" : foot_of(Where::form, layout.foot.width),
         {Ink::dim}, layout.foot.width);
   if (adding_) draw_others(canvas, glyphs);
+  if (details_) draw_details(canvas, glyphs);
 }
 
 void FormScreen::draw_head(Canvas& canvas, const Area& area) const {
@@ -199,7 +201,35 @@ void FormScreen::draw_detail(Canvas& canvas, const Area& area) const {
   canvas.text(area.x, area.y + lines + 1, issue, {Ink::bad, true}, issue.empty() ? 0 : area.width);
 }
 
-void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
+/// As many lines as there is room for, from one of them on; the last line says how many do not fit, and which
+/// key shows them.
+/// @return the lines in all
+int FormScreen::draw_derived(Canvas& canvas, const Area& area, int from, const char* key) const {
+  constexpr int most_lines = 300;
+  Canvas all(area.width, most_lines);
+  const int lines = draw_all_derived(all, {0, 0, area.width, most_lines}), left = lines - from;
+  const int shown = left > area.height ? area.height - 1 : left;
+  for (int y = 0; y < shown; ++y)
+    for (int x = 0; x < area.width; ++x)
+      canvas.put(area.x + x, area.y + y, all.at(x, from + y).glyph, all.at(x, from + y).style);
+  if (shown < left)
+    canvas.text(area.x, area.y + shown,
+                fmt::format("+{} ({})", base::counted(left - shown, "more line"), key), {Ink::dim},
+                area.width);
+  return lines;
+}
+
+/// All that follows from the values, over the form.
+void FormScreen::draw_details(Canvas& canvas, Glyphs glyphs) {
+  const Area inside = draw_box(canvas, canvas.width() - 4, canvas.height() - 4,
+                               "what follows from these values (escape closes)", glyphs);
+  const Area text{inside.x + 1, inside.y, inside.width - 2, inside.height};
+  const int lines = draw_derived(canvas, text, details_from_, "down");
+  details_from_ = std::min(details_from_, std::max(0, lines - text.height));
+}
+
+/// @return the lines it took
+int FormScreen::draw_all_derived(Canvas& canvas, const Area& area) const {
   int y = area.y;
   const int end = area.y + area.height;
   const auto row = [&](const std::string& label, const std::string& text, const Style& style = {}) {
@@ -211,7 +241,7 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
   for (const scene::Issue& issue : preset_.issues)
     row(y == area.y ? "mistakes" : "",
         issue.key.empty() ? scene::to_text(issue) : scene::without_place(issue), {Ink::bad});
-  if (!preset_.issues.empty()) return;
+  if (!preset_.issues.empty()) return y - area.y;
   if (const std::string note = scene::note_on_layers(preset_); !note.empty()) row("note", note);
   const DryRunThread::Found found = dry_run_.found();
   const bool study = !preset_.study.empty();
@@ -224,10 +254,11 @@ void FormScreen::draw_derived(Canvas& canvas, const Area& area) const {
   };
   if (study) row("study", count_text(preset_)), expected("cost");
   rows(what_it_costs_first(found.rows));
-  if (!found.rows.empty() && !study) return;
+  if (!found.rows.empty() && !study) return y - area.y;
   rows(at_once(scenes_of_form(preset_)));
   if (!study) expected("dry run");
   if (!found.trouble.empty()) row("failed", found.trouble, {Ink::bad});
+  return y - area.y;
 }
 
 }  // namespace rift::studio

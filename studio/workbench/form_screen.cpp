@@ -217,6 +217,8 @@ Navigation FormScreen::type(const KeyEvent& event) {
     list_rows();
   } else if (adding_) {
     choose_other(event);
+  } else if (details_) {
+    read_details(event);
   } else if (leave_.typing()) {
     if (leave_.press(event) != Prompt::State::typing) return answer_leave();
   } else if (const Prompt::State state = name_.press(event); state != Prompt::State::typing) {
@@ -224,6 +226,14 @@ Navigation FormScreen::type(const KeyEvent& event) {
     if (std::exchange(leaving_, false) && saved) return {Navigation::To::back, nullptr};
   }
   return {};
+}
+
+/// The details are read line by line.
+void FormScreen::read_details(const KeyEvent& event) {
+  const Action action = action_of(Where::form, event.key);
+  if (action == Action::down || event.key == key_wheel_down) ++details_from_;
+  if ((action == Action::up || event.key == key_wheel_up) && details_from_ > 0) --details_from_;
+  if (action == Action::back || action == Action::details) details_ = false;
 }
 
 /// Which axis is to be added.
@@ -310,6 +320,9 @@ Navigation FormScreen::act(Action action) {
       return {};
     case Action::remove:
       remove_axis();
+      return {};
+    case Action::details:
+      details_ = true, details_from_ = 0;
       return {};
     case Action::run:
       return run();

@@ -26,7 +26,7 @@ class FormScreen : public Screen {
   Navigation press(const KeyEvent& event) override;
   Navigation look() override;
   [[nodiscard]] bool typing() const override {
-    return value_.typing() || name_.typing() || search_.typing() || leave_.typing() || adding_;
+    return value_.typing() || name_.typing() || search_.typing() || leave_.typing() || adding_ || details_;
   }
   [[nodiscard]] Where where() const override { return Where::form; }
 
@@ -69,11 +69,14 @@ class FormScreen : public Screen {
   void draw_head(Canvas& canvas, const Area& area) const;
   void draw_rows(Canvas& canvas, const Area& area);
   void draw_row(Canvas& canvas, const Area& area, const Row& row, bool is_chosen) const;
-  void draw_derived(Canvas& canvas, const Area& area) const;
+  int draw_derived(Canvas& canvas, const Area& area, int from, const char* key) const;
+  int draw_all_derived(Canvas& canvas, const Area& area) const;
+  void draw_details(Canvas& canvas, Glyphs glyphs);
   void draw_detail(Canvas& canvas, const Area& area) const;
   void draw_others(Canvas& canvas, Glyphs glyphs);
   Navigation type(const KeyEvent& event);
   void choose_other(const KeyEvent& event);
+  void read_details(const KeyEvent& event);
   Navigation answer_leave();
   Navigation act(Action action);
   void open();
@@ -95,7 +98,8 @@ class FormScreen : public Screen {
   ListView list_, others_;
   Prompt value_, name_, search_, leave_;
   std::string before_;  // the value that is being typed, to come back to
-  bool adding_ = false, leaving_ = false;
+  bool adding_ = false, leaving_ = false, details_ = false;
+  int details_from_ = 0;  // the first line of the details that is shown
   std::string wanted_, message_;
   int list_rows_ = 10, other_rows_ = 10;
   DryRunThread dry_run_;

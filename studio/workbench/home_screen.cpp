@@ -100,7 +100,7 @@ void HomeScreen::filter() {
   rows_.clear();
   const std::string wanted = lower(wanted_);
   for (const Row& row : all_) {
-    const std::string text = lower(row.name() + " " + row.shows());
+    const std::string text = lower(row.group + " " + row.name() + " " + row.shows());
     const bool shown = wanted.empty() || (!row.heading() && text.find(wanted) != std::string::npos);
     if (shown) rows_.push_back(row);
   }

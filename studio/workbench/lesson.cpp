@@ -50,7 +50,7 @@ Answer of_velocity(const Lanes& s) {
   std::string numbers;
   bool falls = true, grows = true;
   for (std::size_t k = 0; k < s.size(); ++k) {
-    numbers += fmt::format("{}{:.3f} at {:g} c_R (theory {:.3f})", k == 0 ? "" : ", ", s[k].ratio,
+    numbers += fmt::format("{}{:.3f} at {:g} c_R (Broberg {:.3f})", k == 0 ? "" : ", ", s[k].ratio,
                            s[k].crack_velocity_over_cr, s[k].broberg);
     if (k == 0) continue;
     falls = falls && s[k].ratio < s[k - 1].ratio;
@@ -111,12 +111,34 @@ const std::vector<Lesson>& table() {
        "What does G_ID / G_I0 do when the crack is faster?",
        {"it falls", "it grows", "neither"},
        of_velocity,
-       "At c_R no energy would reach the crack tip. That is why cracks in brittle plates do not reach c_R, "
-       "and branch at lower velocities."}};
+       "In an unbounded plate no energy reaches the tip at c_R: that is why cracks in brittle plates do not "
+       "reach c_R, and branch at lower velocities. In a strip (s) all of it arrives at any velocity; here "
+       "the "
+       "ratio falls because the beams send more of it away as short waves, the faster the crack."}};
   return all;
 }
 
-NamedChart rate_chart(const Live& live) {
+/// What theory says of a lane, in its colour: of an unbounded plate by Broberg; the strip's limit is of all.
+void add_theory(Chart& chart, const Lanes& lanes) {
+  double end = 0.0;
+  for (const ChartSeries& series : chart.series) end = std::max(end, series.x.back());
+  std::vector<double> velocities;
+  for (std::size_t k = 0; k < lanes.size(); ++k) {
+    const double v = lanes[k].crack_velocity_over_cr;
+    if (!std::isfinite(lanes[k].broberg) ||
+        std::find(velocities.begin(), velocities.end(), v) != velocities.end())
+      continue;
+    velocities.push_back(v);
+    ChartSeries line = level(fmt::format("Broberg, {:g} c_R", v), lanes[k].broberg, 0.0, end);
+    line.colour = static_cast<int>(k);
+    chart.series.push_back(std::move(line));
+    if (velocities.size() == 1 && std::isfinite(lanes[k].freund))
+      chart.series.push_back(level(fmt::format("Freund, {:g} c_R", v), lanes[k].freund, 0.0, end));
+  }
+  chart.series.push_back(level("strip", 1.0, 0.0, end));
+}
+
+NamedChart lesson_chart(const Live& live, const Lanes& lanes) {
   Chart chart{.title = "Release rate against tip position",
               .x_label = "tip position [mm]",
               .y_label = "G_{ID} / G_{I0} [-]",
@@ -129,10 +151,25 @@ NamedChart rate_chart(const Live& live) {
                                    });
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
-  return {"rates", "Of the run on the screen, sample by sample, without any smoothing.", std::move(chart)};
+  if (!chart.series.empty()) add_theory(chart, lanes);
+  return {"rates",
+          "Of the run on the screen, sample by sample, without any smoothing; dashed: theory, which needs a "
+          "constant velocity.",
+          std::move(chart)};
 }
 
 }  // namespace
+
+std::string_view theory_page() {
+  return "Three theories stand beside the computed ratio; their lines are those of the lane that is shown. "
+         "Broberg (B): a crack that grows from nothing in an unbounded plate. Freund (F): a half-infinite crack "
+         "there. Strip (s): a long clamped strip, in which all the energy stored ahead reaches the tip at any "
+         "velocity below c_R, so that the ratio is 1.\n\n"
+         "Our plate is a strip, but of beams: where its ratio stays below 1, the rest of the energy leaves the "
+         "tip as waves that no continuum has. A ratio near Broberg's does not confirm his theory.\n\n"
+         "On the screen a curve ends in a letter: e elastic, k kinetic, f fracture, d damping energy; B, F and s "
+         "the theories; a digit is the lane.";
+}
 
 std::span<const Lesson> lessons() { return table(); }
 
@@ -163,14 +200,23 @@ Table lesson_table(const Lanes& lanes) {
   return t;
 }
 
-void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
+void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live, const LessonPicture& picture,
                    const std::filesystem::path& file) {
   std::string body =
       html_made({fmt::format("rift studio --lesson {}", lesson.name), {lanes.front().version, {}}, {}});
   for (const std::string_view page : lesson.before) body += html_paragraph(page);
-  body += html_section("What the run shows", html_paragraph(lesson.watch));
+  body += html_paragraph(theory_page());
+  body += html_section(
+      "What the run shows",
+      html_paragraph(lesson.watch) +
+          (picture.trouble.empty()
+               ? html_picture(
+                     picture.png,
+                     "The plates at one moment, in colours of their vertical velocity; a dot is a tip.")
+               : html_paragraph("No picture: " + picture.trouble)));
   std::optional<base::WorldError> no_chart;  // the page says why
-  const std::string curves = html_figures({rate_chart(live)}, file.parent_path() / "charts", no_chart);
+  const std::string curves =
+      html_figures({lesson_chart(live, lanes)}, file.parent_path() / "charts", no_chart);
   std::string question = html_paragraph(lesson.question);
   for (std::size_t k = 0; k < lesson.choices.size(); ++k)
     question += html_paragraph(fmt::format("{}. {}", k + 1, lesson.choices[k]));

@@ -33,15 +33,23 @@ struct Lesson {
 };
 
 [[nodiscard]] std::span<const Lesson> lessons();
+/// The page before the run of every lesson: which theories stand beside it, and what the letters mean.
+[[nodiscard]] std::string_view theory_page();
 /// Throws InputError with the nearest name where there is none.
 [[nodiscard]] const Lesson& lesson_of(const std::string& name);
 
 /// The numbers that the answer is read off, a row for each lane.
 [[nodiscard]] Table lesson_table(const Lanes& lanes);
 
-/// Writes the lesson as one page of HTML, with the numbers and curves of the run.
+/// The plates of a lesson's run as a picture, or why there is none.
+struct LessonPicture {
+  std::filesystem::path png;
+  std::string trouble;
+};
+
+/// Writes the lesson as one page of HTML, with picture, numbers and curves of the run beside theory.
 /// @param live  of the run. Throws WorldError.
-void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live,
+void write_handout(const Lesson& lesson, const Lanes& lanes, const Live& live, const LessonPicture& picture,
                    const std::filesystem::path& file);
 
 }  // namespace rift::studio

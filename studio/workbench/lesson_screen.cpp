@@ -1,5 +1,8 @@
 #include "studio/workbench/lesson_screen.hpp"
 
+#include "engine/base/child_process.hpp"
+#include "engine/base/world_error.hpp"
+#include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "studio/screen/canvas.hpp"
 
@@ -11,12 +14,26 @@ namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
-/// The lesson's run, without the frames that nobody will look at again.
+constexpr const char* handout_name = "handout.html";
+
+/// The first of lesson_NAME, lesson_NAME-2, ... that is free, or holds only a run that no handout refers to:
+/// it gives way to the new one.
+fs::path folder_of(const AppContext& context, const Lesson& lesson) {
+  const std::string name = fmt::format("lesson_{}", lesson.name);
+  fs::path folder = context.runs / name;
+  for (int k = 2; fs::exists(folder / handout_name) || results::is_folder_being_written(folder); ++k)
+    folder = context.runs / fmt::format("{}-{}", name, k);
+  return folder;
+}
+
+/// The lesson's run, with a few frames for the picture of its handout.
 RunRequest request_of(AppContext& context, const Lesson& lesson) {
   const scene::Preset preset =
-      scene::read_preset(context.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=0"});
+      scene::read_preset(context.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=12"});
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
-  return request_for(context, preset, free_folder(context.runs, fmt::format("lesson_{}", lesson.name)));
+  RunRequest request = request_for(context, preset, folder_of(context, lesson));
+  request.force = true;
+  return request;
 }
 
 /// Lines of a text are easier to read when they are not too long.
@@ -33,6 +50,7 @@ LessonScreen::LessonScreen(AppContext& context, const Lesson& lesson)
       panel_(std::make_unique<RunScreen>(context, request_of(context, lesson))) {
   panel_->show_velocity(true);
   panel_->run()->pause(true);  // until the page that shows it
+  message_ = "the run is kept in " + panel_->run()->folder().string();
 }
 
 Navigation LessonScreen::look() {
@@ -56,7 +74,7 @@ void LessonScreen::draw(Canvas& canvas, Glyphs glyphs) {
   canvas.text(2, 0, lesson_.title, {Ink::title, true}, canvas.width() - 4);
   canvas.text(canvas.width() - 8, 0, fmt::format("{} of {}", page_ + 1, last), {Ink::dim});
   if (page_ < watch_page())
-    draw_paragraph(canvas, readable(canvas, 3), lesson_.before[page_]);
+    draw_paragraph(canvas, readable(canvas, 3), text_of_page());
   else if (page_ == watch_page())
     draw_watch(canvas, {0, 1, canvas.width(), canvas.height() - 2}, glyphs);
   else if (page_ == question_page())
@@ -64,8 +82,17 @@ void LessonScreen::draw(Canvas& canvas, Glyphs glyphs) {
   else
     draw_answer(canvas, readable(canvas, 3));
   if (!message_.empty()) canvas.text(2, canvas.height() - 2, message_, {Ink::reference}, canvas.width() - 4);
-  if (page_ != watch_page() || !panel_->typing())
-    canvas.text(1, canvas.height() - 1, foot_of(where(), canvas.width() - 2), {Ink::dim});
+  const Area foot{1, canvas.height() - 1, canvas.width() - 2, 1};
+  if (leave_.typing())
+    leave_.draw(canvas, foot, {Ink::reference, true});
+  else if (page_ != watch_page() || !panel_->typing())
+    canvas.text(foot.x, foot.y,
+                foot_of(where(), foot.width, run_has_ended() ? Action::none : Action::handout), {Ink::dim});
+}
+
+std::string_view LessonScreen::text_of_page() const {
+  const auto page = static_cast<std::size_t>(page_);
+  return page < lesson_.before.size() ? lesson_.before[page] : theory_page();
 }
 
 void LessonScreen::draw_watch(Canvas& canvas, const Area& area, Glyphs glyphs) {
@@ -113,19 +140,44 @@ void LessonScreen::go_to(int page) {
   if (page_ >= watch_page()) panel_->run()->pause(false);
 }
 
+/// Drawn by another call of rift, which is waited for: a second or two.
+LessonPicture LessonScreen::handout_picture() const try {
+  const fs::path run = panel_->run()->folder(), png = run / "handout.png";
+  base::ChildProcess render({context_.program.string(), "render", run.string(), "--field", "vy", "--at",
+                             "0.3", "--picture", png.string(), "--quiet"},
+                            {});
+  const base::ChildProcess::End& end = render.wait();
+  if (end.code == 0 && fs::exists(png)) return {png, {}};
+  return {{}, end.words.empty() ? "rift render gave no reason" : end.words};
+} catch (const base::WorldError& error) {
+  return {{}, error.what()};
+}
+
 void LessonScreen::write() try {
   if (!run_has_ended()) {
     message_ = "the handout needs the results of the run: write it when the run has finished";
     return;
   }
-  const fs::path file = panel_->run()->folder() / "handout.html";
-  write_handout(lesson_, lanes_, panel_->live(), file);
+  const fs::path file = panel_->run()->folder() / handout_name;
+  write_handout(lesson_, lanes_, panel_->live(), handout_picture(), file);
   message_ = "handout: " + file.string();
 } catch (const std::exception& error) {
   message_ = error.what();
 }
 
+/// Asks where the run has not finished.
+Navigation LessonScreen::leave() {
+  if (panel_->run()->stage() == LiveRun::Stage::ended) return {Navigation::To::back, nullptr};
+  leave_ = Prompt("the run has not finished, and without it there is no answer: leave? yes or no", "");
+  return {};
+}
+
 Navigation LessonScreen::press(const KeyEvent& event) {
+  if (leave_.typing()) {
+    if (leave_.press(event) != Prompt::State::entered || leave_.text() != "yes") return {};
+    panel_->run()->stop();
+    return {Navigation::To::back, nullptr};
+  }
   if (typing()) return panel_->press(event);
   message_.clear();
   const int asked = event.key - '1';
@@ -145,8 +197,7 @@ Navigation LessonScreen::press(const KeyEvent& event) {
       write();
       return {};
     case Action::back:
-      panel_->run()->stop();
-      return {Navigation::To::back, nullptr};
+      return leave();
     default:
       return page_ == watch_page() ? panel_->press(event) : Navigation{};
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studio/screen/prompt.hpp"
 #include "studio/workbench/lesson.hpp"
 #include "studio/workbench/panel_screen.hpp"
 #include "studio/workbench/screen.hpp"
@@ -17,13 +18,15 @@ class LessonScreen : public Screen {
   void draw(Canvas& canvas, Glyphs glyphs) override;
   Navigation press(const KeyEvent& event) override;
   Navigation look() override;
-  [[nodiscard]] bool typing() const override { return page_ == watch_page() && panel_->typing(); }
+  [[nodiscard]] bool typing() const override {
+    return leave_.typing() || (page_ == watch_page() && panel_->typing());
+  }
   [[nodiscard]] Where where() const override {
     return page_ == watch_page() ? Where::lesson_run : Where::lesson;
   }
 
  private:
-  [[nodiscard]] int watch_page() const { return static_cast<int>(lesson_.before.size()); }
+  [[nodiscard]] int watch_page() const { return static_cast<int>(lesson_.before.size()) + 1; }
   [[nodiscard]] int question_page() const { return watch_page() + 1; }
   [[nodiscard]] int answer_page() const { return watch_page() + 2; }
   [[nodiscard]] bool run_has_ended() const { return !lanes_.empty(); }
@@ -31,6 +34,9 @@ class LessonScreen : public Screen {
   void draw_question(Canvas& canvas, const Area& area) const;
   void draw_answer(Canvas& canvas, const Area& area) const;
   void go_to(int page);
+  [[nodiscard]] std::string_view text_of_page() const;
+  [[nodiscard]] LessonPicture handout_picture() const;
+  Navigation leave();
   void write();
 
   AppContext& context_;
@@ -38,6 +44,7 @@ class LessonScreen : public Screen {
   std::unique_ptr<RunScreen> panel_;
   Lanes lanes_;  // none as long as it runs
   int page_ = 0, chosen_ = -1;
+  Prompt leave_;
   std::string message_;
 };
 

@@ -125,7 +125,8 @@ void StudyScreen::draw(Canvas& canvas, Glyphs glyphs) {
                 layout.head.width - x);
   }
   draw_chosen(canvas, layout.chosen);
-  canvas.text(layout.foot.x, layout.foot.y, foot_of(Where::study, layout.foot.width), {Ink::dim});
+  canvas.text(layout.foot.x, layout.foot.y,
+              foot_of(Where::study, layout.foot.width, ended_ ? Action::stop : Action::resume), {Ink::dim});
   draw_grid(canvas, layout.grid);
   draw_velocities(canvas, layout.velocities, glyphs);
   draw_errors(canvas, layout.errors, glyphs);

@@ -54,7 +54,8 @@ TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
   std::filesystem::create_directories(run);
   {
     Json with_film = header();
-    with_film["film"] = {{"title", "of the preset"}, {"field", "vx"}, {"camera", "tip"}, {"chart", false}};
+    with_film["film"] = {
+        {"title", "of the preset"}, {"field", "vx"}, {"colours", "vik"}, {"camera", "tip"}, {"chart", false}};
     results::JournalWriter journal(run / results::journal_name);
     journal.write(results::RunHeader{with_film.dump()});
     journal.write(geometry());
@@ -65,6 +66,7 @@ TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
   Look look = plan_of(request).job.look;
   EXPECT_EQ(look.title, "of the preset");
   EXPECT_EQ(look.field, "vx");
+  EXPECT_EQ(look.colours, "vik");
   EXPECT_EQ(look.camera, Camera::tip);
   EXPECT_FALSE(look.chart);
   request.title = "mine";
@@ -73,6 +75,38 @@ TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
   EXPECT_EQ(look.title, "mine");
   EXPECT_EQ(look.camera, Camera::side);
   EXPECT_EQ(look.field, "vx");
+  request.field = "uy";
+  EXPECT_EQ(plan_of(request).job.look.colours, "");  // the preset's are those of its own field
+  request.colours = "coolwarm";
+  EXPECT_EQ(plan_of(request).job.look.colours, "coolwarm");
+}
+
+/// A run whose header differs from that of the drawn plate.
+std::filesystem::path run_with(const std::filesystem::path& run, const Json& changes) {
+  std::filesystem::create_directories(run);
+  Json changed = header();
+  changed.update(changes);
+  results::JournalWriter journal(run / results::journal_name);
+  journal.write(results::RunHeader{changed.dump()});
+  journal.write(geometry());
+  for (int k = 0; k < 3; ++k) journal.write(frame(k));
+  journal.close();
+  return run;
+}
+
+TEST(Plan, WithoutATitleSaysWhatIsInTheRuns) {
+  const TemporaryFolder folder;
+  const auto title_of_runs = [](std::vector<std::filesystem::path> runs) {
+    return plan_of(request_for(std::move(runs))).job.look.title;
+  };
+  const auto soft = run_with(folder / "soft", {{"young_modulus_pa", 3.2e9}}),
+             hard = run_with(folder / "hard", {{"young_modulus_pa", 72e9}}),
+             measured = run_with(folder / "measured", {{"scenarios", {{{"crack_course", "measured"}}}}});
+  EXPECT_EQ(title_of_runs({soft}), "A crack in a plate of 40 × 8 mm, E = 3.2 GPa");
+  EXPECT_EQ(title_of_runs({soft, hard}), "A crack in a plate of 40 × 8 mm");
+  EXPECT_EQ(title_of_runs({measured}), "A measured crack in a plate of 40 × 8 mm");
+  EXPECT_EQ(title_of_runs({soft, measured}), "A crack in a plate of 40 × 8 mm");
+  EXPECT_EQ(title_of_runs({measured, soft}), "A crack in a plate of 40 × 8 mm");
 }
 
 TEST(Plan, NamesWhatARunHasInPlaceOfWhatItHasNot) {

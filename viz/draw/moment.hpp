@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,7 +18,8 @@ namespace rift::viz {
 /// What a pane shows of one moment.
 struct Moment {
   double since_start_s = 0, tip_m = 0, velocity_m_s = 0;
-  bool is_last = false;                            // the run has ended and nothing comes after
+  double history_s = 0;  // what the clock of a measured history shows; NaN without one
+  bool is_last = false;  // the run has ended and nothing comes after
   std::vector<std::array<float, 3>> displacement;  // N [m]
   std::vector<float> value;                        // N, of the field that gives the colours [SI]
   std::vector<float> damage_factor;                // of each crossing beam; only where beams are drawn
@@ -32,6 +34,7 @@ class LaneReader {
   [[nodiscard]] const nlohmann::ordered_json& header() const { return header_; }
   /// The samples of the crack up to a time since its start [s].
   [[nodiscard]] std::vector<results::Sample> samples_until(double since_start_s) const;
+  [[nodiscard]] bool has_history() const { return std::isfinite(history_clock_s()); }
   /// When the crack starts [s], and how long it lasts as far as is known.
   [[nodiscard]] double start_s() const;
   [[nodiscard]] double lasts_s() const;
@@ -43,6 +46,7 @@ class LaneReader {
 
  private:
   [[nodiscard]] double velocity_at(double time_s) const;
+  [[nodiscard]] double history_clock_s() const;
 
   results::JournalIndex index_;
   std::int32_t lane_;

@@ -15,8 +15,25 @@
 namespace rift::viz {
 namespace {
 
-constexpr const char* widest_caption =
-    "t = 0000.0 µs   tip 000.0 mm   0000 m/s = 0.00 × Rayleigh speed   (end)";
+/// The elements; seen from the front of the whole plate pores between them are closed, so that none glitters.
+std::vector<Ball> balls_drawn(const Look& look, const results::Geometry& geometry,
+                              const std::vector<std::int32_t>& shown, const nlohmann::ordered_json& header) {
+  const float scale = sphere_scale(look);
+  std::vector<Ball> balls;
+  if (look.camera == Camera::plate && look.beams != Beams::all) {
+    const double pulled = look.magnification * header.value("displacement_m", 0.0);
+    balls = pore_fillers(geometry, shown, scale,
+                         std::max(1.0, 1.0 + pulled / header.at("height_m").get<double>()));
+  }
+  for (const std::int32_t i : shown) balls.push_back({i, geometry.position[i], scale * geometry.radius[i]});
+  return balls;
+}
+
+/// The longest caption that a lane may have, by which its size is chosen once and for all.
+std::string widest_caption(bool has_history) {
+  return std::string("t = 0000.0 µs   ") + (has_history ? "history \u22120000.0 µs   " : "") +
+         "tip 000.0 mm   0000 m/s = 0.00 × Rayleigh speed   (end)";
+}
 
 void place(vtkRenderer& renderer, const Box& box, const Job& job) {
   renderer.SetViewport(box.x0 / job.width, box.y0 / job.height, box.x1 / job.width, box.y1 / job.height);
@@ -75,7 +92,8 @@ PaneView::PaneView(const Job& job, const Layout& layout, std::size_t place_in_fr
   const results::Geometry& geometry = reader.geometry();
   shown_ = elements_shown(look_, geometry);
   if (look_.spheres)
-    renderer_->AddActor(&spheres_.emplace(geometry, shown_, sphere_scale(look_), colours).actor());
+    renderer_->AddActor(
+        &spheres_.emplace(balls_drawn(look_, geometry, shown_, reader.header()), colours).actor());
   if (look_.beams != Beams::none) {
     const ColourMap& field_colours = find_colour_map(look_.colours) != nullptr
                                          ? *find_colour_map(look_.colours)
@@ -99,7 +117,7 @@ void PaneView::add_texts(const std::string& title, int text, vtkRenderer& overla
   fit(*title_, overlay, place_.title.width());
   const bool below = place_.moment.x0 == place_.title.x0;
   moment_ = text_at(below ? place_.moment.x0 : place_.moment.x1, place_.moment.y0 + 0.2 * text, text,
-                    below ? Align::left : Align::right, widest_caption);
+                    below ? Align::left : Align::right, widest_caption(reader_.has_history()));
   overlay.AddActor2D(moment_);
   fit(*moment_, overlay, place_.moment.width());
   if (look_.boundaries && look_.camera != Camera::free) {  // they stand on the frame and not on the plate
@@ -182,8 +200,14 @@ void PaneView::look_at(const Window& shown) {
 std::string PaneView::caption(const Moment& moment) const {
   if (results::tips_at(reader_.header(), 0).empty()) return {};
   const double rayleigh = reader_.header().value("rayleigh_speed_m_s", 0.0);
-  std::string text =
-      fmt::format("t = {:.1f} µs   tip {:.1f} mm", moment.since_start_s * 1e6, moment.tip_m * 1e3);
+  const auto tenths = [](double value) {
+    const double rounded = std::round(10 * value) / 10;
+    return fmt::format("{}{:.1f}", rounded < 0 ? "\u2212" : "", std::abs(rounded));
+  };
+  std::string text = fmt::format("t = {} µs   ", tenths(moment.since_start_s * 1e6));
+  if (std::isfinite(moment.history_s))
+    text += fmt::format("history {} µs   ", tenths(moment.history_s * 1e6));
+  text += fmt::format("tip {} mm", tenths(moment.tip_m * 1e3));
   if (rayleigh > 0)
     text += fmt::format("   {:.0f} m/s = {:.2f} × Rayleigh speed", moment.velocity_m_s,
                         moment.velocity_m_s / rayleigh);

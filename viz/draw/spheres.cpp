@@ -20,17 +20,15 @@ vtkNew<vtkLookupTable> lookup_table(const ColourMap& map, const std::array<doubl
   return table;
 }
 
-Spheres::Spheres(const results::Geometry& geometry, std::vector<std::int32_t> shown, float scale,
-                 vtkLookupTable& colours)
-    : geometry_(geometry), shown_(std::move(shown)) {
-  const auto n = static_cast<vtkIdType>(shown_.size());
+Spheres::Spheres(std::vector<Ball> balls, vtkLookupTable& colours) : balls_(std::move(balls)) {
+  const auto n = static_cast<vtkIdType>(balls_.size());
   points_->SetDataTypeToFloat();
   points_->SetNumberOfPoints(n);
   value_->SetNumberOfValues(n);
   vtkNew<vtkFloatArray> radius;
   radius->SetName("radius");
   radius->SetNumberOfValues(n);
-  for (vtkIdType k = 0; k < n; ++k) radius->SetValue(k, scale * geometry.radius[shown_[k]]);
+  for (vtkIdType k = 0; k < n; ++k) radius->SetValue(k, balls_[static_cast<std::size_t>(k)].radius);
   cloud_->SetPoints(points_);
   vtkNew<vtkCellArray> cells;  // not drawn, but VTK tells by them where a cloud is
   cells->InsertNextCell(static_cast<int>(n));
@@ -55,11 +53,11 @@ Spheres::Spheres(const results::Geometry& geometry, std::vector<std::int32_t> sh
 void Spheres::show(std::span<const std::array<float, 3>> displacement, std::span<const float> value,
                    const std::array<float, 3>& magnification) {
   auto* xyz = static_cast<float*>(points_->GetVoidPointer(0));
-  for (std::size_t k = 0; k < shown_.size(); ++k) {
-    const std::int32_t i = shown_[k];
+  for (std::size_t k = 0; k < balls_.size(); ++k) {
+    const std::int32_t i = balls_[k].element;
     for (int axis = 0; axis < 3; ++axis)
-      xyz[3 * k + axis] = geometry_.position[i][axis] +
-                          (displacement.empty() ? 0 : magnification[axis] * displacement[i][axis]);
+      xyz[3 * k + axis] =
+          balls_[k].place[axis] + (displacement.empty() ? 0 : magnification[axis] * displacement[i][axis]);
     value_->SetValue(static_cast<vtkIdType>(k), value.empty() ? 0 : value[i]);
   }
   points_->Modified();

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/results/schema.hpp"
 #include "viz/field.hpp"
 #include "viz/job.hpp"
+#include "viz/pores.hpp"
 
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
@@ -20,12 +20,10 @@ namespace rift::viz {
 /// 256 colours of a map over a range.
 [[nodiscard]] vtkNew<vtkLookupTable> lookup_table(const ColourMap& map, const std::array<double, 2>& range);
 
-/// Elements as sphere impostors: a frame only swaps positions and values.
+/// Balls as sphere impostors: a frame only swaps positions and values.
 class Spheres {
  public:
-  /// @param shown  the elements that are drawn;  @param scale  of their radii
-  Spheres(const results::Geometry& geometry, std::vector<std::int32_t> shown, float scale,
-          vtkLookupTable& colours);
+  Spheres(std::vector<Ball> balls, vtkLookupTable& colours);
 
   /// @param displacement, value  of all elements;  @param magnification  of displacements
   void show(std::span<const std::array<float, 3>> displacement, std::span<const float> value,
@@ -33,8 +31,7 @@ class Spheres {
   [[nodiscard]] vtkActor& actor() { return *actor_; }
 
  private:
-  const results::Geometry& geometry_;
-  std::vector<std::int32_t> shown_;
+  std::vector<Ball> balls_;
   vtkNew<vtkPolyData> cloud_;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkFloatArray> value_;

@@ -1,4 +1,7 @@
+#include "engine/base/files.hpp"
 #include "engine/measurement/instruments.hpp"
+#include "engine/results/json_input.hpp"
+#include "engine/results/lane_summary.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
@@ -133,6 +136,10 @@ TEST(Instruments, GoByTheClockOfAMeasuredHistory) {
     ++on_the_way;
   }
   EXPECT_GT(on_the_way, 20);
+  const std::filesystem::path summary = folder.path() / "run" / "summary.json";
+  const auto lanes =
+      results::lane_summaries_of(results::read_json(base::read_whole_file(summary), summary).at("scenarios"));
+  EXPECT_NEAR(lanes.at(0).history_clock_s, seen.clock, 1e-12);  // as who reads the run adds it
 }
 
 }  // namespace

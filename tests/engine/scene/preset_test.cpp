@@ -100,6 +100,20 @@ TEST(Override, ReplacesTheFileAndTheLastOneWins) {
   EXPECT_EQ(preset.scene.specimen.seed, 2);
 }
 
+TEST(Override, OfTheCrackTakesAwayTheTitleThatTheFileGaveIt) {
+  const std::string text =
+      "[crack]\nvelocity = \"0.5 c_r\"\n[film]\ntitle = \"At half the Rayleigh speed\"\n";
+  const auto title_with = [&](const std::vector<std::string>& overrides) {
+    return read_preset_text(text, "x.toml", overrides).scene.film.title;
+  };
+  const std::string of_file = title_with({});
+  EXPECT_EQ(of_file, "At half the Rayleigh speed");
+  EXPECT_EQ(title_with({"crack.velocity=0.3 c_r"}), "");
+  EXPECT_EQ(title_with({"material.young_modulus=3.2 GPa"}), "");
+  EXPECT_EQ(title_with({"crack.velocity=0.5 c_r", "specimen.elements=2000", "film.camera=tip"}), of_file);
+  EXPECT_EQ(title_with({"crack.velocity=0.3 c_r", "film.title=Mine"}), "Mine");
+}
+
 TEST(Override, TakesBareWordsQuotedTextAndLists) {
   const Scene scene =
       scene_with({"crack.velocity=0.3 c_r", "crack.technique=simple", "loading.method=\"ramp\"",

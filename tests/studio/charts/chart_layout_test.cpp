@@ -1,6 +1,7 @@
 #include "studio/charts/chart_layout.hpp"
 
 #include "studio/charts/chart_script.hpp"
+#include "studio/charts/label.hpp"
 #include "studio/charts/text_width.hpp"
 
 #include <gtest/gtest.h>
@@ -24,6 +25,8 @@ TEST(ChartData, NamesEachSeriesOnce) {
   Chart chart;
   for (const char* label : {"a", "a", "", "x, \"y\""}) chart.series.push_back({label, {1}, {2}, {}, {}, 0});
   EXPECT_EQ(series_names(chart.series), (std::vector<std::string>{"a", "a (2)", "series 3", "x; 'y'"}));
+  chart.series[2].name = "a, G_{ID} band";
+  EXPECT_EQ(series_names(chart.series)[2], "a; G_ID band");
 }
 
 TEST(ChartLook, TellsThirtySeriesApart) {
@@ -34,6 +37,14 @@ TEST(ChartLook, TellsThirtySeriesApart) {
   }
   EXPECT_EQ(seen.size(), 30U);
   EXPECT_NE(series_look(-1, 0).dash, series_look(-1, 1).dash);
+}
+
+TEST(ChartLook, ADashedSeriesDiffersFromTheLineOfItsColour) {
+  const auto sample = [](ChartSeries::Style style, int colour) {
+    return key_sample({ChartSeries{.style = style, .colour = colour}, 0}, "a", "b", "c", "d", "e");
+  };
+  for (int colour = 0; colour < 4; ++colour)
+    EXPECT_NE(sample(ChartSeries::Style::line, colour), sample(ChartSeries::Style::dashed, colour)) << colour;
 }
 
 TEST(ChartLook, OrderedSeriesHaveSequentialColoursAndSolidLines) {
@@ -48,6 +59,7 @@ TEST(ChartLook, OrderedSeriesHaveSequentialColoursAndSolidLines) {
 TEST(LabelString, KeepsTheBlankBehindASubscript) {
   EXPECT_EQ(label_string("G_{ID} / c_R [-]"), "'G_{ID}\u2060 / c_R\u2060 [-]'");
   EXPECT_EQ(label_string(escape_label("run_a b")), "'run\\_a b'");
+  EXPECT_EQ(label_string("E_µ = 356 GPa, r_µ [-]"), "'E_µ\u2060 = 356 GPa, r_µ\u2060 [-]'");
 }
 
 TEST(TextWidth, IsThatOfTheFontAndCountsNoMarkup) {
@@ -74,6 +86,17 @@ TEST(KeyLayout, IsBesideThePlotWhereItFitsAndElseBelow) {
   EXPECT_EQ(key_layout(chart_of(1, std::string(60, 'x'))).place, KeyPlace::below);
   EXPECT_EQ(key_layout(chart_of(28, "rising")).place, KeyPlace::below);
   EXPECT_EQ(key_layout(chart_of(0, "")).place, KeyPlace::none);
+}
+
+TEST(KeyEntries, ALabelOfSeveralColoursIsGrey) {
+  Chart chart = chart_of(3, "a");
+  for (int k = 0; k < 3; ++k)
+    chart.series.push_back({"band", {0, 1}, {0, 1}, {1, 1}, ChartSeries::Style::band, k});
+  const std::vector<KeyEntry> entries = key_entries(chart.series);
+  ASSERT_EQ(entries.size(), 4U);
+  EXPECT_EQ(entries[3].series.label, "band");
+  EXPECT_LT(entries[3].series.colour, 0);
+  EXPECT_EQ(entries[0].series.colour, 0);
 }
 
 // A key of many long labels once left sixty pixels to the plot.

@@ -1,8 +1,8 @@
 #include "studio/charts/chart.hpp"
 
 #include "engine/base/world_error.hpp"
-#include "studio/charts/chart_script.hpp"
 #include "studio/charts/gnuplot.hpp"
+#include "studio/charts/label.hpp"
 #include "tests/studio/run_rift.hpp"
 
 #include <cmath>

@@ -153,7 +153,8 @@ TEST_F(ReportPage, OfALessonFitsTheWindow) {
     live.lanes.emplace_back().title = title;
     live.lanes.back().rates = {{.tip_m = 0.01, .ratio = 0.5}, {.tip_m = 0.02, .ratio = 0.6}};
   }
-  write_handout(lesson_of("node-release"), lanes, live, plate.out() / "handout.html");
+  write_handout(lesson_of("node-release"), lanes, live, {{}, "there is no renderer"},
+                plate.out() / "handout.html");
   expect_fits(plate.out() / "handout.html");
 }
 

@@ -87,7 +87,8 @@ TEST(StudyCharts, SpecimensAreABandAroundTheirMean) {
   const ChartSeries &mean = grid.panels[0].series[0], &band = grid.panels[0].series[1];
   EXPECT_EQ(mean.label, "0.3 c_R");
   EXPECT_EQ(band.style, ChartSeries::Style::band);
-  EXPECT_TRUE(band.label.empty());
+  EXPECT_EQ(band.label, "specimens, least to largest");          // in the key
+  EXPECT_EQ(band.name, "0.3 c_R, specimens, least to largest");  // in the csv
   ASSERT_EQ(mean.y.size(), 3U);
   EXPECT_NEAR(mean.y[1], 0.5, 1e-12);  // 0.4, and 0.6 between the other's points
   EXPECT_NEAR(band.error[1], 0.1, 1e-12);

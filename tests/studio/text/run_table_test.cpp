@@ -98,5 +98,15 @@ TEST(RunTable, SaysThatABalanceDoesNotClose) {
   EXPECT_TRUE(contains(run_table(s, true), "\x1b[31m3.0e-03"));
 }
 
+TEST(RunTable, SaysByWhichClockAMeasuredHistoryGoes) {
+  results::LaneSummary lane = finished();
+  EXPECT_EQ(run_table(lane, false).find("clock"), std::string::npos);
+  lane.history_clock_s = -31.18e-6;
+  EXPECT_NE(run_table(lane, false).find("time of the measured history = time of the run \u2212 31.18 µs"),
+            std::string::npos)
+      << run_table(lane, false);
+  EXPECT_EQ(history_clock_text(4e-6), "time of the measured history = time of the run + 4 µs");
+}
+
 }  // namespace
 }  // namespace rift::studio

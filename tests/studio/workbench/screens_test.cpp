@@ -128,6 +128,9 @@ TEST(HomeScreen, SearchShowsOnlyWhatHoldsTheLetters) {
   const std::string text = text_of(home);
   EXPECT_EQ(text.find("plate_tiny"), std::string::npos);
   EXPECT_NE(text.find("Can damping repair"), std::string::npos);
+  type(home, "/\x15lesson\n");  // a whole group by its name
+  EXPECT_NE(text_of(home).find("Can damping repair"), std::string::npos) << text_of(home);
+  EXPECT_NE(text_of(home).find("node-release"), std::string::npos) << text_of(home);
   type(home, "/zzzz\n");
   EXPECT_NE(text_of(home).find("no entry contains these letters"), std::string::npos);
   EXPECT_EQ(home.press({key_enter}).to, Navigation::To::stay);
@@ -436,8 +439,10 @@ TEST(StudyScreen, OpensAStudyOfTheListWithoutComputingAndGoesOnWhenAsked) {
   ASSERT_EQ(navigation.next->where(), Where::study);
   navigation.next->look();
   std::string shown = text_of(*navigation.next, 80, 24);
-  for (const char* part : {"half", "1 of 2 scenarios", "press u to resume it", "simple", "progressi"})
+  for (const char* part :
+       {"half", "1 of 2 scenarios", "press u to resume it", "simple", "progressi", "u resume"})
     EXPECT_NE(shown.find(part), std::string::npos) << part << " in\n" << shown;
+  EXPECT_EQ(shown.find("s stop"), std::string::npos) << shown;  // nothing is computed
   expect_drawn_at_any_size(*navigation.next);
   type(*navigation.next, "u");
   for (int k = 0; k < 600 && shown.find("done: ") == std::string::npos; ++k) {
@@ -502,9 +507,16 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
   write_text(shop.context.presets / "teach_node_release.toml",
              text + "[[lanes]]\ntechnique = \"simple\"\n[[lanes]]\ntechnique = \"progressive\"\n");
   const auto screen = lesson_screen(shop.context, "node-release");
-  EXPECT_NE(text_of(*screen).find("1 of 5"), std::string::npos);
+  EXPECT_NE(text_of(*screen).find("1 of 6"), std::string::npos);
+  EXPECT_EQ(text_of(*screen).find("handout"), std::string::npos);  // there is no run yet to make it of
   expect_drawn_at_any_size(*screen);
   screen->press({key_enter});
+  screen->press({key_enter});
+  EXPECT_NE(text_of(*screen).find("e elastic"), std::string::npos);  // what the letters of the curves mean
+  type(*screen, "q");                                                // the run has not finished: it asks
+  EXPECT_NE(text_of(*screen).find("leave? yes or no"), std::string::npos) << text_of(*screen);
+  type(*screen, "no");
+  EXPECT_EQ(screen->press({key_enter}).to, Navigation::To::stay);
   screen->press({key_enter});
   std::string shown;
   for (int k = 0; k < 400 && shown.find("finished") == std::string::npos; ++k) {
@@ -524,7 +536,8 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
         dots += canvas.at(x, y).glyph == U'●' ? 1 : 0;
       }
     EXPECT_GT(coloured, 2 * width) << "both plates at " << width << "x" << height;
-    EXPECT_GE(dots, 2) << "their tips at " << width << "x" << height << "\n" << text_of(*screen, width, height);
+    EXPECT_GE(dots, 2) << "their tips at " << width << "x" << height << "\n"
+                       << text_of(*screen, width, height);
   }
   screen->press({key_enter});
   EXPECT_NE(text_of(*screen).find("Which of the two"), std::string::npos);
@@ -536,9 +549,45 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
   const fs::path handout = shop.context.runs / "lesson_node-release" / "handout.html";
   ASSERT_TRUE(fs::exists(handout)) << text_of(*screen);
   const std::string html = read_text(handout);
-  for (const char* part :
-       {"Why nodes must not be released at once", "The answer of this run", "<svg", "<table"})
+  for (const char* part : {"Why nodes must not be released at once", "The answer of this run", "<svg",
+                           "<table", "Broberg, ", "strip"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
+  EXPECT_EQ(screen->press({'q'}).to, Navigation::To::back);  // it has finished
+}
+
+TEST(LessonScreen, ARunWithoutAHandoutGivesWayToTheNext) {
+  Shop shop;
+  write_text(shop.context.presets / "teach_node_release.toml",
+             read_text(shop.preset()) +
+                 "[[lanes]]\ntechnique = \"simple\"\n[[lanes]]\ntechnique = \"progressive\"\n");
+  const fs::path first = shop.context.runs / "lesson_node-release", second = first.string() + "-2";
+  const auto lesson_is_run_in = [&](const fs::path& folder) {
+    const auto screen = lesson_screen(shop.context, "node-release");
+    return text_of(*screen).find(folder.filename().string() + "\n") != std::string::npos;
+  };
+  EXPECT_TRUE(lesson_is_run_in(first));
+  EXPECT_TRUE(lesson_is_run_in(first));
+  fs::create_directories(first);
+  write_text(first / "handout.html", "kept");
+  EXPECT_TRUE(lesson_is_run_in(second));
+  EXPECT_EQ(read_text(first / "handout.html"), "kept");
+}
+
+TEST(FormScreen, SaysHowManyLinesDoNotFitAndShowsThemAll) {
+  Shop shop;
+  const auto screen = form_of_preset(shop.context, shop.preset());
+  const std::string small = text_of(*screen, 80, 24);
+  const auto at = small.find(" more lines (i)");
+  ASSERT_NE(at, std::string::npos) << small;
+  EXPECT_EQ(small.find("numerical damping"), std::string::npos) << small;
+  type(*screen, "i");
+  EXPECT_NE(text_of(*screen, 80, 24).find("numerical damping"), std::string::npos)
+      << text_of(*screen, 80, 24);
+  const std::string before = text_of(*screen, 60, 16);
+  screen->press({key_down});
+  EXPECT_NE(text_of(*screen, 60, 16), before);  // it scrolls
+  screen->press({key_escape});
+  EXPECT_NE(text_of(*screen, 80, 24).find(" more lines (i)"), std::string::npos);
 }
 
 TEST(LessonScreen, EveryLessonsPresetIsShipped) {
