@@ -1,6 +1,6 @@
 #include "engine/study/resources.hpp"
 
-#include "engine/fracture/release_rate.hpp"
+#include "engine/simulation/schedule.hpp"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ LatticeSize expected_size(const scene::Scene& scene) {
 Moments expected_moments(const scene::Scene& scene) {
   const int phases = scene.loading.method == scene::LoadingMethod::ramp ? 2 : 1;
   return {.frames = static_cast<double>(scene.output.frames),
-          .samples = static_cast<double>(phases * scene.output.samples + fracture::sub_windows + 1)};
+          .samples = static_cast<double>(phases * scene.output.samples + simulation::window_samples)};
 }
 
 namespace {
@@ -61,8 +61,8 @@ double disk_bytes_of_scenario(const scene::Scene& scene) {
 }
 
 double expected_memory_bytes(const scene::Scene& scene) {
-  // What 'rift check --no-cache' measured with 2,000 and 5,000 elements.
-  constexpr double program = 1.5e7, element = 1.5e4;
+  // What 'rift check --no-cache' measured with 2,000, 5,000 and 20,000 elements.
+  constexpr double program = 1.5e7, element = 1.9e3;
   return program + element * scene.specimen.elements;
 }
 
