@@ -89,7 +89,7 @@ bool BlockCholesky::factorise(int rows, const LowerTriangle& a) {
   return true;
 }
 
-void BlockCholesky::solve(Eigen::VectorXd& x) const {
+void BlockCholesky::solve(Eigen::VectorXd& x) {
   const int n = static_cast<int>(row_at_.size());
   Eigen::VectorXd& y = permuted_;
   for (int k = 0; k < n; ++k) y.segment<6>(6L * k) = x.segment<6>(6L * row_at_[k]);

@@ -20,7 +20,7 @@ class BlockCholesky {
   bool factorise(int rows, const LowerTriangle& a);
 
   /// x = A^-1 b. @param[in,out] x  b before, [row][6]
-  void solve(Eigen::VectorXd& x) const;
+  void solve(Eigen::VectorXd& x);
 
   /// Blocks of L, those on the diagonal not counted.
   long blocks() const { return static_cast<long>(below_.size()); }
@@ -33,7 +33,7 @@ class BlockCholesky {
   std::vector<int> first_, row_;     // of column j: rows row_[first_[j]] to row_[first_[j + 1]], ascending
   std::vector<Block> below_;         // likewise
   std::vector<Block> inverse_root_;  // of the diagonal's blocks: L_jj^-1
-  mutable Eigen::VectorXd permuted_;
+  Eigen::VectorXd permuted_;
 };
 
 }  // namespace rift::lattice

@@ -12,23 +12,25 @@ namespace rift::lattice {
 /// block by block, so that their bits do not depend on the number of threads.
 class Blocks {
  public:
-  /// @param[in] threads  0 for one per core; fewer than asked for where there are few elements
+  /// @param[in] threads  0 for one per core; fewer than asked for where there are few elements, and several
+  ///                     shares a thread, for others to take over what one has not begun
   Blocks(int elements, int threads)
       : elements_(elements),
         sum_((elements + size - 1) / size),
-        pool_(threads, std::max(1, static_cast<int>(sum_.size()) / fewest_a_thread)) {
-    for (int s = 1; s <= shares(); ++s) end_.push_back(std::min(elements_, size * first_block(s)));
+        pool_(threads, most_shares()),
+        shares_(pool_.threads() == 1 ? 1 : std::min(most_shares(), shares_a_thread * pool_.threads())) {
+    for (int s = 1; s <= shares_; ++s) end_.push_back(std::min(elements_, size * first_block(s)));
   }
 
   int elements() const { return elements_; }
-  int shares() const { return pool_.threads(); }
+  int shares() const { return shares_; }
   /// Where each share ends, ascending.
   const std::vector<int>& ends() const { return end_; }
 
-  /// Calls task(s) for each share, by threads of their own.
+  /// Calls task(s) for each share, by all threads.
   template <class Task>
   void each_share(const Task& task) {
-    pool_.run(shares(), task);
+    pool_.run(shares_, task);
   }
   /// Calls task(begin, end) for the elements of each block.
   template <class Task>
@@ -48,24 +50,21 @@ class Blocks {
   double sum(const Part& part) {
     return sum([](int) {}, part);
   }
-  /// Sum of part(begin, end) over the blocks, while the first thread does something else beforehand.
+  /// Sum of part(begin, end) over the blocks, while one thread begins with something else.
   template <class Beside, class Part>
   double sum_beside(const Beside& beside, const Part& part) {
-    const int others = std::max(1, shares() - 1);
-    each_share([&](int s) {
-      if (s == 0) beside();
-      if (s == 0 && shares() > 1) return;
-      const int k = std::max(0, s - 1), count = static_cast<int>(sum_.size());
-      for (int block = count * k / others; block < count * (k + 1) / others; ++block)
-        sum_[block] = part(size * block, std::min(elements_, size * (block + 1)));
+    pool_.run(1 + shares_, [&](int task) {
+      if (task == 0) return beside();
+      blocks_of(task - 1, [&](int block, int begin, int end) { sum_[block] = part(begin, end); });
     });
     return std::accumulate(sum_.begin(), sum_.end(), 0.0);
   }
 
  private:
-  static constexpr int size = 256, fewest_a_thread = 4;
+  static constexpr int size = 256, fewest_a_share = 4, shares_a_thread = 4;
+  int most_shares() const { return std::max(1, static_cast<int>(sum_.size()) / fewest_a_share); }
   int first_block(int share) const {
-    return static_cast<int>(static_cast<long>(sum_.size()) * share / shares());
+    return static_cast<int>(static_cast<long>(sum_.size()) * share / shares_);
   }
   template <class Task>
   void blocks_of(int share, const Task& task) const {
@@ -76,6 +75,7 @@ class Blocks {
   int elements_;
   std::vector<double> sum_;  // of each block
   base::ThreadPool pool_;
+  int shares_;
   std::vector<int> end_;
 };
 
