@@ -36,9 +36,10 @@ inline void store(Real* p, Pack<Real, Width> x) {
   *reinterpret_cast<typename PackOf<Real, Width>::unaligned*>(p) = x;
 }
 
+/// x in every place. (V{} + x would be an addition, since 0 + (-0) is 0: one more for each number of a beam.)
 template <class V, class Real>
 inline V splat(Real x) {
-  return V{} + x;
+  return x - V{};
 }
 
 template <class V>

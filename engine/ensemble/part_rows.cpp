@@ -357,19 +357,6 @@ class PartOf final : public Part {
 
 }  // namespace
 
-void Part::take_up(int lanes, bool balanced) {
-  std::swap(damping_before, next_damping_before);
-  std::swap(contact_before, next_contact_before);
-  if (!balanced) return;
-  const std::size_t chunk = static_cast<std::size_t>(accounts) * lanes;
-  for (std::size_t at = 0; at < account.size(); at += chunk)
-    for (const auto& [spent, coming] :
-         {std::pair{spent_damping, pending_damping}, std::pair{spent_numerical, pending_numerical},
-          std::pair{spent_contact, pending_contact}, std::pair{spent_grip, coming_grip}})
-      for (int lane = 0; lane < lanes; ++lane)
-        account[at + spent * lanes + lane] += account[at + coming * lanes + lane];
-}
-
 std::vector<int> cut_evenly(const lattice::Lattice& lattice, int parts) {
   const int n = static_cast<int>(lattice.centre.size());
   const int chunks = std::max(1, (n + chunk_size - 1) / chunk_size);

@@ -72,8 +72,6 @@ struct Part {
   /// Evaluates the accounts of this moment and moves the elements to the other rows of state.
   /// @param[out] velocities  of this moment, [element][6][lane], may be null
   virtual void evaluate_energies(StateArrays& state, const StepConstants& constants, double* velocities) = 0;
-  /// Takes up the step that evaluate_energies() has made: what it has before the next one, and its accounts.
-  void take_up(int lanes, bool balanced);
 
   std::vector<int> ghost;  // elements of other parts that it refers to, in the order of their copies' rows
   int first_ghost_row = 0;

@@ -7,6 +7,23 @@
 #include <utility>
 
 namespace rift::ensemble {
+namespace {
+
+/// Takes up the step that evaluate_energies() has made: what the next one finds before it, and its accounts.
+void take_up(Part& part, int lanes, bool balanced) {
+  std::swap(part.damping_before, part.next_damping_before);
+  std::swap(part.contact_before, part.next_contact_before);
+  if (!balanced) return;
+  const std::size_t chunk = static_cast<std::size_t>(accounts) * lanes;
+  for (std::size_t at = 0; at < part.account.size(); at += chunk)
+    for (const auto& [spent, coming] :
+         {std::pair{spent_damping, pending_damping}, std::pair{spent_numerical, pending_numerical},
+          std::pair{spent_contact, pending_contact}, std::pair{spent_grip, coming_grip}})
+      for (int lane = 0; lane < lanes; ++lane)
+        part.account[at + spent * lanes + lane] += part.account[at + coming * lanes + lane];
+}
+
+}  // namespace
 
 State::State(const lattice::Lattice& lattice, std::vector<fracture::DamageableBeam> damageable, int scenarios,
              const EnsembleOptions& options)
@@ -204,7 +221,7 @@ void State::advance(const StepConstants& given) {
   if (ahead_ == constants) {
     std::swap(arrays_.q, arrays_.next_q), std::swap(arrays_.v, arrays_.next_v);
     std::swap(arrays_.rate, arrays_.next_rate);
-    for (const auto& part : part_) part->take_up(lanes_, constants.balanced);
+    for (const auto& part : part_) take_up(*part, lanes_, constants.balanced);
   } else {
     copy_ghosts();
     threads_->run(threads(), [&](int p) { part_[p]->advance(arrays_, constants); });

@@ -63,30 +63,33 @@ inline void walk_lanes(const ViewOf<Form, Real>& p, const Finish& finish) {
   ElementIndex extra{p.extra_element, p.extras}, damped{p.damped_element, p.damped_elements};
   for (int i = p.begin; i < p.end; ++i) {
     const auto qi = position_at<Form, Real, Width>(p.q, i);
-    const long ended = p.halo + p.first[i - p.begin + 1];
+    const long begun = b, ended = p.halo + p.first[i - p.begin + 1];
     Real* own = p.ring + (i & p.mask) * 6L * Width;
-    V f[6], d[6]{}, at_i[6]{};
+    V f[6], d[6]{};
     load_row<6, Width>(own, f);
+    for (; b < ended; ++b) {
+      const auto& beam = p.intact[b];
+      const EndLoads<V> e = F::loads(F::form(beam.form), qi, position_at<Form, Real, Width>(p.q, beam.j));
+      put(f, e);
+      add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
+    }
     const int damped_index = Damped ? damped.of(i) : -1;
     if (damped_index >= 0) {
       Real* own_damping = p.damping_ring + (i & p.mask) * 6L * Width;
       load_row<6, Width>(own_damping, d);
-      rates_at<Width>(p, i, at_i);
       clear(own_damping, 6L * Width);
-    }
-    for (; b < ended; ++b) {
-      const auto& beam = p.intact[b];
-      const auto form = F::form(beam.form);
-      const EndLoads<V> e = F::loads(form, qi, position_at<Form, Real, Width>(p.q, beam.j));
-      put(f, e);
-      add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
-      // In the same loop: a second one over so few beams is mispredicted at its end.
-      if (damped_index < 0 || p.dampers[b].at_surface < 0) continue;
-      const EndLoads<V> taken =
-          damper_loads_at<Real, Width>(p, p.dampers[b], F::initial_axis(form), at_i, beam.j);
-      put(d, taken);
-      add_to<Width>(p.damping_ring + beam.slot * 6L * Width,
-                    [&](V(&other)[6]) { put_opposite(other, taken); });
+      V at_i[6];
+      rates_at<Width>(p, i, at_i);
+      // A loop of their own: with the beams' loads in one there are too few registers, and 16 lanes are a
+      // sixth slower.
+      for (long k = begun; k < ended; ++k) {
+        const auto& beam = p.intact[k];
+        if (p.dampers[k].at_surface < 0) continue;
+        const EndLoads<V> e =
+            damper_loads_at<Real, Width>(p, p.dampers[k], F::initial_axis(F::form(beam.form)), at_i, beam.j);
+        put(d, e);
+        add_to<Width>(p.damping_ring + beam.slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
+      }
     }
     finish(i, f, extra.of(i), damped_index, d);
     clear(own, 6L * Width);

@@ -8,14 +8,12 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
+#include "engine/scene/text_differences.hpp"
 #include "engine/simulation/record.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <map>
-#include <sstream>
 #include <system_error>
 
 namespace rift::experiment {
@@ -41,53 +39,11 @@ bool is_under_way(const fs::path& folder, const std::string& identity) {
   return mark.is_object() && mark.contains("identity") && mark["identity"] == identity;
 }
 
-namespace {
-
-/// The lines of an identity by name: keys of the preset, then "resamples 12".
-std::map<std::string, std::string> values_of(const std::string& identity) {
-  std::map<std::string, std::string> values;
-  std::istringstream lines(identity);
-  std::string table;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line.starts_with('#')) continue;
-    if (line.starts_with('[')) {
-      table = line.substr(1, line.find(']') - 1) + ".";
-      continue;
-    }
-    const std::size_t equals = line.find(" = "), blank = line.rfind(' ');
-    if (equals != std::string::npos)
-      values[table + line.substr(0, equals)] = line.substr(equals + 3);
-    else
-      values[line.substr(0, blank)] = line.substr(std::min(line.size(), blank + 1));
-  }
-  return values;
-}
-
-/// A list of rows is too long to be shown.
-std::string shown(const std::map<std::string, std::string>& values, const std::string& name) {
-  constexpr std::size_t longest = 40;
-  const auto found = values.find(name);
-  if (found == values.end()) return "not given";
-  return found->second.size() <= longest ? found->second : found->second.substr(0, longest) + " ...";
-}
-
-}  // namespace
-
 std::vector<std::string> differences_from(const fs::path& folder, const std::string& identity) {
-  std::vector<std::string> differences;
-  if (!fs::exists(mark_file(folder))) return differences;
+  if (!fs::exists(mark_file(folder))) return {};
   const auto mark = results::json_or_discarded(base::read_whole_file(mark_file(folder)));
-  if (!mark.is_object() || !mark.contains("identity") || !mark["identity"].is_string()) return differences;
-  const auto before = values_of(mark["identity"].get<std::string>()), now = values_of(identity);
-  std::map<std::string, std::string> names = before;
-  names.insert(now.begin(), now.end());
-  for (const auto& [name, value] : names) {
-    if (before.contains(name) && now.contains(name) && before.at(name) == now.at(name)) continue;
-    const std::string was = shown(before, name), is = shown(now, name);
-    differences.push_back(was == is ? fmt::format("{} differs", name)
-                                    : fmt::format("{} was {}, is now {}", name, was, is));
-  }
-  return differences;
+  if (!mark.is_object() || !mark.contains("identity") || !mark["identity"].is_string()) return {};
+  return scene::text_differences(mark["identity"].get<std::string>(), identity);
 }
 
 void begin_experiment(const fs::path& folder, const std::string& identity) {

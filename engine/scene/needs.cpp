@@ -87,14 +87,14 @@ struct Decision {
 };
 
 const std::array<Decision, 10> decisions{{
-    {{"damping", {1.0, 2.7}},
+    {{"damping", {1.1, 2.3}},
      [](const Needs& n) { return n.damping; },
      [](const Scene& scene) {
        return fmt::format("{} = {}, no damped beams are built", scene.damping.alpha == 0 ? "alpha" : "region",
                           scene.damping.alpha == 0 ? "0" : "none");
      },
      "the lanes share a step, which evaluates the damped beams for all of them"},
-    {{"numerical_damping", {1.0, 1.7}},
+    {{"numerical_damping", {1.4, 1.5}},
      [](const Needs& n) { return n.numerical_damping; },
      [](const Scene&) { return std::string("beta = 1"); }},
     {{"damage_zone", unmeasured},
@@ -109,7 +109,7 @@ const std::array<Decision, 10> decisions{{
      [](const Scene&) {
        return std::string("no loading.curve, the grips stand still while the crack runs");
      }},
-    {{"corotation", {1.7, 3.4}},
+    {{"corotation", {2.0, 3.2}},
      [](const Needs& n) { return n.corotation; },
      [](const Scene&) { return std::string("kinematics = linear, the beam axes stay fixed"); }},
     {{"contact", unmeasured},

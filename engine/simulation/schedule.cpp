@@ -1,7 +1,5 @@
 #include "engine/simulation/schedule.hpp"
 
-#include "engine/fracture/release_rate.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>

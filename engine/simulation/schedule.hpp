@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/fracture/release_rate.hpp"
 #include "engine/history/crack_history.hpp"
 #include "engine/lattice/stable_step.hpp"
 #include "engine/scene/preset.hpp"
@@ -44,6 +45,9 @@ struct Schedule {
   std::int64_t crack_start() const { return ramp + hold; }
   std::int64_t total() const { return ramp + hold + fracture; }
 };
+
+/// Samples beside those asked for, which mark the ends and sub-divisions of the measuring window.
+inline constexpr int window_samples = fracture::sub_windows + 1;
 
 /// More steps than any machine takes, and few enough to be counted exactly.
 inline constexpr double most_steps = 1e12;

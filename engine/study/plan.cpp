@@ -96,10 +96,10 @@ StepCount estimated_steps(const scene::Scene& scene) {
 }
 
 double estimated_step_cost(const scene::Scene& scene) {
-  const double damping = scene.damping.region == scene::DampingRegion::all       ? 4.0
-                         : scene.damping.region == scene::DampingRegion::surface ? 1.5
+  const double damping = scene.damping.region == scene::DampingRegion::all       ? 2.0
+                         : scene.damping.region == scene::DampingRegion::surface ? 1.2
                                                                                  : 1.0;
-  const double turning = scene.solver.kinematics == lattice::Kinematics::corotational ? 3.5 : 1.0;
+  const double turning = scene.solver.kinematics == lattice::Kinematics::corotational ? 3.2 : 1.0;
   return damping * turning * expected_size(scene).beams;
 }
 

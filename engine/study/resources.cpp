@@ -1,6 +1,6 @@
 #include "engine/study/resources.hpp"
 
-#include "engine/fracture/release_rate.hpp"
+#include "engine/simulation/schedule.hpp"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ LatticeSize expected_size(const scene::Scene& scene) {
 Moments expected_moments(const scene::Scene& scene) {
   const int phases = scene.loading.method == scene::LoadingMethod::ramp ? 2 : 1;
   return {.frames = static_cast<double>(scene.output.frames),
-          .samples = static_cast<double>(phases * scene.output.samples + fracture::sub_windows + 1)};
+          .samples = static_cast<double>(phases * scene.output.samples + simulation::window_samples)};
 }
 
 namespace {

@@ -261,7 +261,7 @@ ExitCode guard(const BenchOptions& options) {
     table.rows.push_back({name, fmt::format("{:.2f}", ratio), fmt::format("{:.2f}", recorded),
                           fmt::format("{:.2f}{}", share, share < least ? " slower" : "")});
   }
-  if (options.record) base::write_whole_file(options.guard, file.dump(2) + "\n");
+  if (options.record) base::write_whole_file(options.guard, base::json_text(file, 2) + "\n");
   base::print_text(heading(version_text(), false) + "\n" + plain_table(table, false));
   base::print("  {}, one thread, {} elements; medians of {}\n", set, cases.front().elements,
               base::counted(options.runs, "round"));

@@ -67,6 +67,12 @@ void print_plan(const Json& plan, bool color) {
     if (label != "command") base::print("  {:<16}{}\n", label, text);
 }
 
+/// Of the experiment under the dry run of its measured crack, which says what both leave out.
+void print_experiment(Json plan, bool color) {
+  plan.erase("left_out");
+  print_plan(plan, color);
+}
+
 /// A study, a calibration or a reproduction: what is known of it without a lattice.
 ExitCode say_plan(const CheckOptions& options, const PlannedWork& work, const scene::Preset& preset) {
   const Session session("rift check", options);
@@ -106,7 +112,7 @@ ExitCode check_run(const CheckOptions& options, const scene::Preset& preset, boo
     session.print_result(j, [&] {
       print_table(j, prepared.preset.name, session.color());
       if (options.measure) print_measured(j["measured"], session.color());
-      if (is_experiment) base::print("\n"), print_plan(j["experiment"], session.color());
+      if (is_experiment) base::print("\n"), print_experiment(j["experiment"], session.color());
     });
     return ExitCode::done;
   });

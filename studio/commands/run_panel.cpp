@@ -1,5 +1,7 @@
 #include "studio/commands/run_panel.hpp"
 
+#include "studio/commands/graphics_options.hpp"
+#include "studio/commands/plate_pictures.hpp"
 #include "studio/terminal/event_loop.hpp"
 #include "studio/terminal/terminal.hpp"
 #include "studio/workbench/panel_screen.hpp"
@@ -17,6 +19,7 @@ AppContext app_context(int threads) {
   w.cache = base::user_cache();
   w.build = build_info();
   w.threads = threads;
+  w.plate_picture = plate_pictures();
   return w;
 }
 
@@ -39,7 +42,8 @@ std::optional<simulation::Recorded> run_in_panel(RunRequest request, bool color,
     line.show("run", panel.live().done, panel.live().state);
   };
   work_in_terminal(
-      std::move(screen), color, [&] { return stop.received() != 0; }, go_on_unseen);
+      std::move(screen), color, [&] { return stop.received() != 0; }, go_on_unseen,
+      graphics_wish("rift run", {}));
   run->stop();
   return run->result();
 }

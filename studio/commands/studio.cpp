@@ -1,4 +1,5 @@
 #include "studio/commands/commands.hpp"
+#include "studio/commands/graphics_options.hpp"
 #include "studio/commands/run_panel.hpp"
 #include "studio/terminal/event_loop.hpp"
 #include "studio/terminal/terminal.hpp"
@@ -31,7 +32,8 @@ ExitCode open_studio(const StudioOptions& options) {
     return ExitCode::bad_input;
   }
   AppContext context = app_context(options.threads);
-  return work_in_terminal(first_screen(options, context), Session("rift studio", options));
+  return work_in_terminal(first_screen(options, context), Session("rift studio", options),
+                          graphics_wish("rift studio", {}));
 }
 
 }  // namespace

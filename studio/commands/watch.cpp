@@ -1,6 +1,7 @@
 #include "engine/base/world_error.hpp"
 #include "engine/results/run_folder.hpp"
 #include "studio/commands/commands.hpp"
+#include "studio/commands/graphics_options.hpp"
 #include "studio/commands/run_panel.hpp"
 #include "studio/terminal/event_loop.hpp"
 #include "studio/terminal/terminal.hpp"
@@ -31,7 +32,7 @@ ExitCode watch(const WatchOptions& options) {
   }
   AppContext context = app_context(0);
   auto screen = std::make_unique<WatchScreen>(context, options.run);
-  return work_in_terminal(std::move(screen), Session("rift watch", options));
+  return work_in_terminal(std::move(screen), Session("rift watch", options), graphics_wish("rift watch", {}));
 }
 
 }  // namespace

@@ -2,11 +2,12 @@
 #include "studio/commands/commands.hpp"
 #include "studio/commands/draw_claim.hpp"
 #include "studio/commands/film_of_run.hpp"
+#include "studio/commands/plate_pictures.hpp"
 
 #include <CLI/CLI.hpp>
 
-/// What a build without VTK (-DRIFT_VIZ=OFF) has in place of draw_claim.cpp, film_of_run.cpp, render.cpp and
-/// view.cpp.
+/// What a build without VTK (-DRIFT_VIZ=OFF) has in place of draw_claim.cpp, film_of_run.cpp,
+/// plate_pictures.cpp, render.cpp and view.cpp.
 namespace rift::studio {
 namespace {
 
@@ -46,6 +47,8 @@ void add_render(CLI::App& app, ExitCode& exit_code) {
     exit_code = ExitCode::world_failed;
   });
 }
+
+MakePlatePicture plate_pictures() { return {}; }
 
 void add_view(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand("view", "A run's pictures in the terminal (not in this build)");

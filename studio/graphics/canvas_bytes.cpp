@@ -66,7 +66,7 @@ Config config_of(const ScreenPicture& picture, const CanvasKind& kind) {
                                       symbols ? mode_of(kind.terminal.colours) : CHAFA_CANVAS_MODE_TRUECOLOR);
   chafa_canvas_config_set_dither_mode(config.get(), CHAFA_DITHER_MODE_NONE);
   chafa_canvas_config_set_preprocessing_enabled(config.get(), FALSE);
-  chafa_canvas_config_set_work_factor(config.get(), 0.1F);
+  chafa_canvas_config_set_work_factor(config.get(), 0.5F);
   const Symbols map(chafa_symbol_map_new());
   // Half blocks are in every font with any blocks at all.
   const auto blocks = static_cast<ChafaSymbolTags>(CHAFA_SYMBOL_TAG_SPACE | CHAFA_SYMBOL_TAG_SOLID |

@@ -112,14 +112,14 @@ std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x
   const Along corrected = [](const Point& p) { return p.corrected; };
   const bool lines = style == Style::line;
   if (lines) {
-    add("", Style::band, 1, corrected, [](const Point& p) { return p.corrected_uncertainty; });
-    add("", Style::band, 0, paper, [](const Point& p) { return p.uncertainty; });
+    add("", Style::band, 0, corrected, [](const Point& p) { return p.corrected_uncertainty; });
+    add("", Style::band, 1, paper, [](const Point& p) { return p.uncertainty; });
   }
-  add("G_{IDc}, corrected", style, 1, corrected);
-  add("G_{IDc}, uncorrected", style, 0, paper);
+  add("G_{IDc}, corrected", style, 0, corrected);
+  add("G_{IDc}, uncorrected", style, 1, paper);
   add("quasi-static G_{I0}", lines ? Style::dashed : style, 2, [](const Point& p) { return p.quasi_static; });
   if (!lines)
-    all.push_back(series_of("monotone fit (isotonic regression)", Style::line, 0, e.law, [](const auto& at) {
+    all.push_back(series_of("monotone fit of the uncorrected", Style::line, 1, e.law, [](const auto& at) {
       return ChartPoint{at[0], 1e-3 * at[1]};
     }));
   if (!report.truth.row.empty())

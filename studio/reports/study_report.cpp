@@ -243,7 +243,9 @@ void write_study_report(const scene::Preset& preset, const StudyCall& call, cons
   report.sections.push_back({"Schemes", work_precision_table(work)});
   report.sections.push_back({"Release rates", std::move(charts)});
   report.sections.push_back({"Scenarios", in_words(scenario_table(result.rows), result.rows)});
-  report.sections.push_back({"Scenarios that could not be made", not_made_table(result, preset)});
+  Table not_made = not_made_table(result, preset);
+  for (std::string& name : not_made.head) name = axis_in_words(name);
+  report.sections.push_back({"Scenarios that could not be made", std::move(not_made)});
   write_report(report, folder);
 }
 

@@ -108,6 +108,7 @@ enum class Action : std::uint8_t {
   tilt_down,
   ask,
   show_command,
+  picture,
   help,
   back,
 };

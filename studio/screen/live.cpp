@@ -77,19 +77,30 @@ void draw_colours(Canvas& canvas, const Area& area, const Live& live, const Live
 
 }  // namespace
 
-void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs) {
-  if (draw_too_small(canvas)) return;
+LiveLayout layout_of(const Live& live, const LiveLook& look, int width, int height) {
   const bool two = look.beside >= 0 && look.beside < static_cast<int>(live.lanes.size());
   const double aspect = live.height > 0 ? live.length / (live.height + live.pulled) : 1;
-  const LiveLayout layout =
-      live_layout(canvas.width(), canvas.height(), static_cast<int>(live.lanes.size()), two, aspect);
+  return live_layout(width, height, static_cast<int>(live.lanes.size()), two, aspect);
+}
+
+Area place_of_plates(const LiveLayout& layout) {
+  Area place = layout.plate;
+  if (!layout.plate_beside.empty()) place.width = layout.plate_beside.x + layout.plate_beside.width - place.x;
+  return place;
+}
+
+void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs) {
+  if (draw_too_small(canvas)) return;
+  const LiveLayout layout = layout_of(live, look, canvas.width(), canvas.height());
   draw_head(canvas, layout.head, live, glyphs);
   canvas.text(layout.message.x, layout.message.y, live.message, {Ink::good}, layout.message.width);
   canvas.text(layout.foot.x, layout.foot.y, look.foot, {Ink::dim}, layout.foot.width);
   if (live.lanes.empty()) return;
   const LiveLane& lane = live.lanes[look.shown];
-  draw_plate_of(canvas, layout.plate, live, look.shown, look.velocity, Ink::fracture, glyphs);
-  if (two) draw_plate_of(canvas, layout.plate_beside, live, look.beside, look.velocity, Ink::elastic, glyphs);
+  if (!look.picture)
+    draw_plate_of(canvas, layout.plate, live, look.shown, look.velocity, Ink::fracture, glyphs);
+  if (!look.picture && !layout.plate_beside.empty())
+    draw_plate_of(canvas, layout.plate_beside, live, look.beside, look.velocity, Ink::elastic, glyphs);
   draw_colours(canvas, layout.colours, live, look, glyphs);
   draw_balance(canvas, layout.balance, lane, live.ledger_limit, glyphs);
   draw_result(canvas, layout.result, lane, glyphs);

@@ -50,6 +50,7 @@ struct LiveLook {
   int shown = 0;          // the lane that plate, bars and curves are of
   int beside = -1;        // a second one, or none
   bool velocity = false;  // the plates' colours are of the vertical velocity, not of the displacement
+  bool picture = false;   // a picture is shown where the plates are
   std::string_view foot;  // the last line
 };
 
@@ -61,6 +62,10 @@ struct LiveLayout {
 /// Pure arithmetic for any size. @param lanes  of the run: of one there is a result, of several a table;
 /// @param two  plates beside each other; @param aspect  length over height of a plate
 [[nodiscard]] LiveLayout live_layout(int width, int height, int lanes, bool two, double aspect);
+
+/// The layout of this screen, and where its plates are, one beside the other.
+[[nodiscard]] LiveLayout layout_of(const Live& live, const LiveLook& look, int width, int height);
+[[nodiscard]] Area place_of_plates(const LiveLayout& layout);
 
 /// Draws the screen.
 void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs);

@@ -16,6 +16,7 @@ struct PictureRoom {
   double bytes_per_s = 0;                // that the terminal takes, as last measured; 0 where not yet
   double bytes_per_pixel = 0;            // of the last picture
   std::uint64_t shown = 0;               // the number of the last picture that it was sent
+  bool rough = false;                    // that picture was sent in letters, for it moved on a slow line
 };
 
 /// A picture in a rectangle of cells, which the screen leaves blank.
@@ -24,6 +25,7 @@ struct ScreenPicture {
   int width = 0, height = 0;          // [px]
   std::span<const std::uint8_t> rgb;  // rows from the top
   std::uint64_t number = 0;           // another one with each picture
+  bool moves = false;                 // it will be over soon: better rough than late
 };
 
 }  // namespace rift::studio

@@ -39,20 +39,37 @@ std::string TerminalPictures::ask() {
     room_.cell_width = found.cell_width, room_.cell_height = found.cell_height;
   if (graphics == Graphics::sixel) room_.most_width = found.most_width, room_.most_height = found.most_height;
   encoder_.emplace(graphics, kind_, room_.cell_width, room_.cell_height);
+  letters_.emplace(Graphics::symbols, kind_, room_.cell_width, room_.cell_height);
+  in_letters_ = false;
   if (!pace_) pace_.emplace(answers_, wish_.most_bytes_per_s);
   return asked.typed;
 }
 
 const PictureRoom& TerminalPictures::room() {
   room_.shown = number_;
+  room_.rough = in_letters_;
   room_.bytes_per_s = pace_ ? pace_->bytes_per_s() : 0;
   return room_;
+}
+
+/// A moving picture in pixels would take longer than one bears to wait.
+bool TerminalPictures::too_slow_for_pixels() const {
+  constexpr double bearable_s = 0.4;
+  return pace_->bytes_per_s() > 0 && pixels_bytes_ / pace_->bytes_per_s() > bearable_s;
+}
+
+void TerminalPictures::use_letters(bool wanted) {
+  if (wanted == in_letters_) return;
+  take_away();
+  in_letters_ = wanted;
 }
 
 void TerminalPictures::show(const std::optional<ScreenPicture>& picture) {
   if (!picture || !encoder_ || !room_.pictures) return take_away();
   if (picture->number == number_ || !pace_->may_send(now_s())) return;
-  const std::string bytes = encoder_->show(*picture);
+  use_letters(picture->moves && !room_.symbols && too_slow_for_pixels());
+  const std::string bytes = (in_letters_ ? *letters_ : *encoder_).show(*picture);
+  if (!in_letters_) pixels_bytes_ = static_cast<double>(bytes.size());
   if (!bytes.empty()) {
     pace_->begin(bytes.size(), now_s());
     write_to_terminal(bytes + (answers_ ? have_you_got_it : ""));
@@ -66,7 +83,7 @@ void TerminalPictures::show(const std::optional<ScreenPicture>& picture) {
 void TerminalPictures::write(const std::string& codes) { write_to_terminal(codes); }
 
 void TerminalPictures::take_away() {
-  if (number_ != 0) write_to_terminal(encoder_->clear(shown_));
+  if (number_ != 0) write_to_terminal((in_letters_ ? *letters_ : *encoder_).clear(shown_));
   number_ = 0;
 }
 

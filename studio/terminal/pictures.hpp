@@ -45,9 +45,14 @@ class TerminalPictures {
   [[nodiscard]] std::string restore() const { return encoder_ ? encoder_->restore() : ""; }
 
  private:
+  [[nodiscard]] bool too_slow_for_pixels() const;
+  void use_letters(bool wanted);
+
   GraphicsWish wish_;
   TerminalKind kind_;
-  std::optional<PictureEncoder> encoder_;
+  std::optional<PictureEncoder> encoder_, letters_;  // letters: while it moves on a slow line
+  bool in_letters_ = false;
+  double pixels_bytes_ = 0;  // of the last picture in pixels
   std::optional<PicturePace> pace_;
   bool answers_ = true;
   PictureRoom room_;

@@ -71,6 +71,8 @@ void ViewScreen::take_room(const PictureRoom& room) {
 }
 
 int ViewScreen::patience_ms() const {
+  constexpr int waits_to_be_sent_ms = 5;
+  if (player_.playing() && room_.shown != number_) return waits_to_be_sent_ms;
   if (player_.playing()) return std::clamp(static_cast<int>(std::ceil(1e3 * player_.due_in(now_s()))), 1, 50);
   return Clock::now() - touched_ < rests_after ? 20 : 95;
 }
@@ -136,10 +138,12 @@ void ViewScreen::follow_runs() try {
   message_ = error.what();
 }
 
+bool ViewScreen::moves_now() const {
+  return (player_.playing() || Clock::now() - touched_ < rests_after) && !asked_;
+}
+
 double ViewScreen::share_now() const {
-  const bool moves = player_.playing() || Clock::now() - touched_ < rests_after;
-  return moves && !asked_ ? one_of_few(share_while_moving(layout_.picture, room_, drawn_s_, shown_within_s))
-                          : 1.0;
+  return moves_now() ? one_of_few(share_while_moving(layout_.picture, room_, drawn_s_, shown_within_s)) : 1.0;
 }
 
 viz::Job ViewScreen::job_of_size(double share) const {
@@ -153,10 +157,15 @@ viz::Job ViewScreen::job_of_size(double share) const {
 /// of a moment that will be over is drawn.
 void ViewScreen::order() {
   if (player_.playing() && room_.shown != number_) return;
+  const bool moves = moves_now();
   viz::Order order{job_of_size(share_now()), plan_.times_s[static_cast<std::size_t>(player_.moment())], {}};
   const std::string text = viz::to_json(order);
   const bool asks = asked_ && !asking_;
-  if (text == ordered_ && !asks) return;
+  if (text == ordered_ && !asks) {
+    if (!moves && room_.rough && !server_.busy()) show_at_rest();
+    return;
+  }
+  moves_ = moves;
   if (asked_) order.asked = {(*asked_)[0] * order.job.width, (*asked_)[1] * order.job.height};
   asking_ = asked_.has_value();
   ordered_ = text;
@@ -164,11 +173,18 @@ void ViewScreen::order() {
   server_.want(std::move(order));
 }
 
+/// The picture that is there was sent roughly, and stays.
+void ViewScreen::show_at_rest() {
+  if (!moves_) return;
+  moves_ = false;
+  show_crosshair();
+}
+
 std::optional<ScreenPicture> ViewScreen::picture() const {
   const Area &a = image_for_, &b = layout_.picture;
   const bool fits = a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
   if (number_ == 0 || b.empty() || !fits) return {};
-  return ScreenPicture{b, server_.image().width, server_.image().height, pixels_, number_};
+  return ScreenPicture{b, server_.image().width, server_.image().height, pixels_, number_, moves_};
 }
 
 void ViewScreen::draw(Canvas& canvas, Glyphs glyphs) {

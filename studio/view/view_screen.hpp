@@ -47,11 +47,13 @@ class ViewScreen : public Screen {
   void take_news();
   void follow_runs();
   void order();
+  [[nodiscard]] bool moves_now() const;
   [[nodiscard]] double share_now() const;
   [[nodiscard]] viz::Job job_of_size(double share) const;
   void take_picture();
   void take_answer();
   void show_crosshair();
+  void show_at_rest();
   void draw_cells(Canvas& canvas, Glyphs glyphs);
 
   // view_keys.cpp: what keys do
@@ -88,6 +90,7 @@ class ViewScreen : public Screen {
   ViewLayout layout_;
 
   std::string ordered_, shown_order_;  // without what was asked: the last order, that of the picture
+  bool moves_ = false;                 // the picture was asked for while something moved
   bool asking_ = false;                // it asks
   Area ordered_for_, image_for_;       // the places of that order and of the picture that is there
   std::uint64_t number_ = 0;           // of the picture

@@ -12,11 +12,45 @@
 namespace rift::studio {
 
 void PanelScreen::draw(Canvas& canvas, Glyphs glyphs) {
-  draw_live(
-      canvas, live(),
-      {.shown = shown_, .beside = beside_, .velocity = velocity_, .foot = foot_of(where(), canvas.width())},
-      glyphs);
+  width_ = canvas.width(), height_ = canvas.height();
+  LiveLook look = look_of_panel();
+  const std::string foot = foot_of(where(), canvas.width());
+  look.foot = foot;
+  draw_live(canvas, live(), look, glyphs);
+  if (plate_ && !plate_->picture()) {
+    const Area place = place_of_plates(layout_of(live(), look, width_, height_));
+    const std::string trouble =
+        !room_.pictures ? "this terminal gets no pictures: p shows cells" : plate_->trouble();
+    canvas.text(place.x + 1, place.y + place.height / 2, trouble, {Ink::dim}, place.width - 1);
+  }
   draw_question(canvas, glyphs);
+}
+
+LiveLook PanelScreen::look_of_panel() const {
+  return {
+      .shown = shown_, .beside = beside_, .velocity = velocity_, .picture = plate_ != nullptr, .foot = {}};
+}
+
+void PanelScreen::take_room(const PictureRoom& room) {
+  room_ = room;
+  if (!plate_ || !room.pictures || live().lanes.empty()) return;
+  std::vector<int> lanes{shown_};
+  if (beside_ >= 0) lanes.push_back(beside_);
+  plate_->look(place_of_plates(layout_of(live(), look_of_panel(), width_, height_)), room, lanes, velocity_);
+}
+
+std::optional<ScreenPicture> PanelScreen::picture() const {
+  return plate_ && !typing() ? plate_->picture() : std::nullopt;
+}
+
+std::string PanelScreen::toggle_picture(const std::filesystem::path& run) {
+  if (plate_) {
+    plate_.reset();
+    return "plate: cells";
+  }
+  if (!make_plate_) return "this rift was built without its renderer: the plate stays in cells";
+  plate_ = make_plate_(run);
+  return "plate: picture of the last stored moment";
 }
 
 bool PanelScreen::choose(const KeyEvent& event) {
@@ -47,6 +81,9 @@ WatchScreen::WatchScreen(AppContext& context, const std::filesystem::path& run)
 Navigation WatchScreen::press(const KeyEvent& event) {
   if (choose(event)) return {};
   switch (action_of(Where::watch, event.key)) {
+    case Action::picture:
+      live_.message = toggle_picture(folder_);
+      return {};
     case Action::frame:
       live_.message = jobs_.picture(folder_, shown_);
       return {};
@@ -178,6 +215,9 @@ Navigation RunScreen::act(Action action) {
       return {};
     case Action::change:
       begin_change();
+      return {};
+    case Action::picture:
+      say(toggle_picture(run_->folder()));
       return {};
     case Action::frame:
       take_frame();

@@ -19,9 +19,15 @@ class PanelScreen : public Screen {
   void draw(Canvas& canvas, Glyphs glyphs) override;
   [[nodiscard]] virtual const Live& live() const = 0;
   void show_velocity(bool wanted) { velocity_ = wanted; }
+  [[nodiscard]] bool wants_picture() const override { return plate_ != nullptr; }
+  void take_room(const PictureRoom& room) override;
+  [[nodiscard]] std::optional<ScreenPicture> picture() const override;
+  [[nodiscard]] int wakened_by() const override { return plate_ ? plate_->descriptor() : -1; }
 
  protected:
-  explicit PanelScreen(AppContext& context) : jobs_(context.program) {}
+  explicit PanelScreen(AppContext& context) : jobs_(context.program), make_plate_(context.plate_picture) {}
+  /// Switches between cells and picture. @return what to say
+  std::string toggle_picture(const std::filesystem::path& run);
   /// Drawn over the last line where something is asked.
   virtual void draw_question(Canvas&, Glyphs) {}
   /// @return whether the key was about what is shown
@@ -31,6 +37,14 @@ class PanelScreen : public Screen {
   BackgroundJobs jobs_;
   int shown_ = 0, beside_ = -1;
   bool velocity_ = false;
+
+ private:
+  [[nodiscard]] LiveLook look_of_panel() const;
+
+  MakePlatePicture make_plate_;
+  std::unique_ptr<PlatePicture> plate_;  // where the plate is a picture
+  PictureRoom room_;
+  int width_ = 0, height_ = 0;
 };
 
 /// The panel of a run that goes on elsewhere, or has ended: read only.

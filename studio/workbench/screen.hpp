@@ -6,6 +6,7 @@
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/keymap.hpp"
 #include "studio/screen/screen_picture.hpp"
+#include "studio/workbench/plate_picture.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -61,6 +62,7 @@ struct AppContext {
   base::Cache cache = {};
   simulation::BuildInfo build = {};
   int threads = 0;
+  MakePlatePicture plate_picture = {};
 };
 
 struct RunRequest;

@@ -33,6 +33,7 @@ TEST(ViewInATerminal, KittyIsShownThePictureWithTheTipWhereItIs) {
   screen.type("...");
   ASSERT_TRUE(screen.rests());
   const viz::Image& image = screen.image();
+  ASSERT_EQ(image.rgb.size(), std::size_t{3} * 1000 * 520);
   EXPECT_EQ(image.width, 1000);
   EXPECT_EQ(image.height, 520) << "26 rows of 20 pixels";
   viz::Job job = plate::job_for(folder / "run");
@@ -131,6 +132,32 @@ TEST(ViewInATerminal, OneThatAnswersNothingGetsSymbolsAndALateAnswerIsNoKey) {
   EXPECT_TRUE(terminal.shows("keys of this screen"));
   terminal.type("qq");
   EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ViewInATerminal, APanelSwitchesItsPlateBetweenCellsAndPicture) {
+  const TemporaryFolder folder;
+  const auto run = plate::write_run(folder / "run");
+  KittyScreen screen("env -u TMUX -u STY LC_ALL=C.UTF-8 '" RIFT_EXE "' watch '" + run.string() + "'");
+  ASSERT_TRUE(screen.shows("G_ID/G_I0"));
+  screen.type("p");
+  ASSERT_TRUE(screen.shows_picture(1));
+  EXPECT_EQ(screen.image().width, 1000) << "the width of the screen";
+  screen.type("p");
+  ASSERT_TRUE(screen.reads_until([&] { return screen.images_there() == 0; }));
+  screen.type("q");
+  EXPECT_EQ(screen.exit_code(), 0);
+}
+
+TEST(ViewInATerminal, OnASlowLineAMovingPictureIsInLettersAndARestingOneInPixels) {
+  const TemporaryFolder folder;
+  KittyScreen screen(view_of_run(plate::write_run(folder / "run")), 2.0);
+  ASSERT_TRUE(screen.rests());
+  const int before = screen.pictures();
+  screen.type(".");
+  ASSERT_TRUE(screen.shows("\xE2\x96")) << "a block";
+  EXPECT_EQ(screen.pictures(), before);
+  ASSERT_TRUE(screen.shows_picture(before + 1));
+  EXPECT_EQ(screen.image().width, 1000);
 }
 
 TEST(ViewInATerminal, AForcedWayIsTaken) {

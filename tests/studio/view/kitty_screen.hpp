@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <deque>
 #include <functional>
 #include <set>
 #include <string>
@@ -15,7 +16,8 @@ namespace rift::studio {
 /// questions, and keeps the last image.
 class KittyScreen {
  public:
-  explicit KittyScreen(const std::string& command) : terminal_(command) {}
+  /// @param slow_s  that it takes to say that it has a picture
+  explicit KittyScreen(const std::string& command, double slow_s = 0) : slow_s_(slow_s), terminal_(command) {}
 
   [[nodiscard]] bool reads_until(const std::function<bool()>& is_so) {
     return terminal_.reads_until([&] {
@@ -37,13 +39,12 @@ class KittyScreen {
   }
   /// A picture is there, and for a while no other one comes.
   [[nodiscard]] bool rests() {
-    using Clock = std::chrono::steady_clock;
     int seen = 0;
     auto since = Clock::now();
     return reads_until([&] {
       if (seen != pictures_) since = Clock::now();
       seen = pictures_;
-      return pictures_ > 0 && Clock::now() - since > std::chrono::milliseconds(900);
+      return pictures_ > 0 && due_.empty() && Clock::now() - since > std::chrono::milliseconds(900);
     });
   }
   void type(const std::string& keys) { terminal_.type(keys); }
@@ -63,9 +64,15 @@ class KittyScreen {
   [[nodiscard]] pid_t process() const { return terminal_.process(); }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   /// Reads what has come since, sequence by sequence.
   void take() {
     const std::string& said = terminal_.said();
+    while (!due_.empty() && due_.front() <= Clock::now()) {
+      terminal_.type("\033[0n");
+      due_.pop_front();
+    }
     for (;;) {
       const std::size_t start = said.find('\033', read_);
       if (start == std::string::npos || start + 1 >= said.size()) break;
@@ -88,7 +95,7 @@ class KittyScreen {
   void answer(const std::string& question) {
     if (question == "\033[16t") terminal_.type("\033[6;20;10t");
     if (question == "\033[c") terminal_.type("\033[?62;c");
-    if (question == "\033[5n") terminal_.type("\033[0n");
+    if (question == "\033[5n") due_.push_back(Clock::now() + std::chrono::duration<double>(slow_s_));
   }
   static int number(const std::string& keys, const std::string& key) {
     const std::size_t at = (',' + keys).find(',' + key + '=');
@@ -119,7 +126,10 @@ class KittyScreen {
     unsigned collected = 0;
     int bits = 0;
     for (const char c : base64_) {
-      if (c == '=') break;
+      if (c == '=') {  // ends a piece
+        bits = 0;
+        continue;
+      }
       collected = collected << 6 | static_cast<unsigned>(value[static_cast<unsigned char>(c)]);
       if ((bits += 6) < 8) continue;
       bits -= 8;
@@ -133,6 +143,8 @@ class KittyScreen {
     ++pictures_;
   }
 
+  double slow_s_;
+  std::deque<std::chrono::time_point<Clock, std::chrono::duration<double>>> due_;
   PseudoTerminal terminal_;
   std::size_t read_ = 0, looked_ = 0;
   viz::Image image_, coming_;

@@ -1,0 +1,101 @@
+#include "studio/view/run_plate.hpp"
+
+#include "engine/base/world_error.hpp"
+#include "studio/view/view_layout.hpp"
+#include "viz/frame_server.hpp"
+#include "viz/plan.hpp"
+
+#include <chrono>
+
+namespace rift::studio {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto between_looks = std::chrono::milliseconds(250);
+
+class RunPlate : public PlatePicture {
+ public:
+  explicit RunPlate(const std::filesystem::path& run) {
+    request_.runs = {run};
+    request_.chart = false;
+    server_.start();
+  }
+
+  void look(const Area& place, const PictureRoom& room, const std::vector<int>& lanes,
+            bool velocity) override {
+    if (server_.look()) ++number_, shown_at_ = ordered_at_;
+    const std::string field = velocity ? "vy" : "uy";
+    const bool other = lanes != request_.lanes || field != request_.field || room.symbols == request_.texts;
+    request_.lanes = lanes, request_.field = field, request_.texts = !room.symbols;
+    request_.range_of_moment = velocity;  // nobody knows before how fast it will be
+    place_ = place;
+    if (!other && Clock::now() - looked_ < between_looks && has_order_for(place)) return;
+    looked_ = Clock::now();
+    if (other) plan_.reset();
+    read();
+    if (plan_ && !place.empty()) order(room);
+  }
+
+  [[nodiscard]] std::optional<ScreenPicture> picture() const override {
+    if (number_ == 0 || place_.empty() || !same(shown_at_, place_)) return {};
+    const viz::Image& image = server_.image();
+    return ScreenPicture{place_, image.width, image.height, image.rgb, number_};
+  }
+  [[nodiscard]] int descriptor() const override { return server_.descriptor(); }
+  [[nodiscard]] std::string trouble() const override {
+    return server_.trouble().empty() ? trouble_ : server_.trouble();
+  }
+
+ private:
+  static bool same(const Area& a, const Area& b) {
+    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+  }
+  [[nodiscard]] bool has_order_for(const Area& place) const { return same(ordered_at_, place); }
+
+  /// The run's moments so far; one that has just begun has none yet.
+  void read() try {
+    if (!plan_) {
+      std::vector<std::string> notes;
+      lanes_ = viz::open_lanes(request_, notes);
+      plan_ = viz::plan_of(request_, lanes_);
+    }
+    for (const viz::Shown& lane : lanes_)
+      if (!lane.journal->summary_json()) lane.journal->extend();
+    viz::choose_clock(*plan_, lanes_);
+    trouble_.clear();
+  } catch (const viz::BadRequest& mistake) {
+    trouble_ = mistake.what();
+    plan_.reset();
+  } catch (const base::WorldError& error) {
+    trouble_ = error.what();
+    plan_.reset();
+  }
+
+  void order(const PictureRoom& room) {
+    viz::Order order{plan_->job, plan_->times_s.back(), {}};
+    const auto size = pixels_for(place_, room, 1);
+    order.job.width = size[0], order.job.height = size[1];
+    std::string text = viz::to_json(order);
+    if (text == ordered_ && has_order_for(place_)) return;
+    ordered_ = std::move(text);
+    ordered_at_ = place_;
+    server_.want(std::move(order));
+  }
+
+  viz::Request request_;
+  std::vector<viz::Shown> lanes_;
+  std::optional<viz::Plan> plan_;
+  viz::FrameServer server_{viz::Gl::any, true};
+  Area place_, ordered_at_, shown_at_;
+  std::string ordered_, trouble_;
+  std::uint64_t number_ = 0;
+  Clock::time_point looked_{};
+};
+
+}  // namespace
+
+std::unique_ptr<PlatePicture> plate_of_run(const std::filesystem::path& run) {
+  return std::make_unique<RunPlate>(run);
+}
+
+}  // namespace rift::studio

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "studio/workbench/plate_picture.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace rift::studio {
+
+/// The plate of a run as `rift render` draws it, without its chart; drawn when nobody else wants the
+/// processor.
+[[nodiscard]] std::unique_ptr<PlatePicture> plate_of_run(const std::filesystem::path& run);
+
+}  // namespace rift::studio

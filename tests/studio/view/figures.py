@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""Measures rift view against a terminal that reads at once and answers at once, for the table of docs/view.md.
+
+usage: figures.py RIFT RUN [--line BYTES_PER_S] [--memory]
+Prints pictures and bytes a second while it plays, the delay from a key to its picture, and the time to the first one.
+"""
+import argparse
+import fcntl
+import os
+import pty
+import select
+import struct
+import termios
+import time
+
+
+class Terminal:
+    """Counts pictures by the question that follows each."""
+
+    def __init__(self, words, kind, columns, rows, cell, environment, line=0.0):
+        self.pid, self.master = pty.fork()
+        if self.pid == 0:
+            for name in ("TMUX", "STY", "COLORTERM"):
+                os.environ.pop(name, None)
+            os.environ.update({"TERM": "xterm-256color", "LC_ALL": "C.UTF-8", **environment})
+            os.execv(words[0], words)
+        fcntl.ioctl(self.master, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+        self.start, self.bytes, self.pictures, self.line = time.time(), 0, [], line
+        kitty = b"\x1b_Gi=31;OK\x1b\\" if kind == "kitty" else b""
+        attributes = b"\x1b[?62;4c" if kind == "sixel" else b"\x1b[?62;c"
+        self.answers = [(b"\x1b_Gi=31,", kitty), (b"\x1b[16t", b"\x1b[6;%d;%dt" % (cell[1], cell[0])),
+                        (b"\x1b[c", attributes), (b"\x1b[5n", b"\x1b[0n")]
+
+    def now(self):
+        return time.time() - self.start
+
+    def read_for(self, seconds):
+        until = self.now() + seconds
+        while self.now() < until:
+            if not select.select([self.master], [], [], 0.005)[0]:
+                continue
+            try:
+                piece = os.read(self.master, 4096 if self.line else 65536)
+            except OSError:  # it has ended
+                return
+            if self.line:
+                time.sleep(len(piece) / self.line)
+            self.bytes += len(piece)
+            for question, answer in self.answers:
+                for _ in range(piece.count(question)):
+                    if question == b"\x1b[5n":
+                        self.pictures.append((self.now(), self.bytes))
+                    os.write(self.master, answer)
+
+    def type(self, keys):
+        os.write(self.master, keys)
+        return self.now()
+
+    def rate(self, start, end):
+        shown = [p for p in self.pictures if start <= p[0] <= end]
+        if len(shown) < 2:
+            return 0.0, 0.0
+        seconds = shown[-1][0] - shown[0][0]
+        return (len(shown) - 1) / seconds, (shown[-1][1] - shown[0][1]) / seconds
+
+    def memory_kb(self):
+        children = open(f"/proc/{self.pid}/task/{self.pid}/children").read().split()
+        sizes = []
+        for process in [str(self.pid)] + children:
+            for row in open(f"/proc/{process}/status"):
+                if row.startswith("VmRSS"):
+                    sizes.append(int(row.split()[1]))
+        return sizes
+
+    def close(self):
+        os.write(self.master, b"q")
+        self.read_for(0.5)
+        os.close(self.master)
+        os.waitpid(self.pid, 0)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("rift")
+    parser.add_argument("run")
+    parser.add_argument("--line", type=float, default=0.0, help="bytes a second")
+    parser.add_argument("--memory", action="store_true", help="over 2,000 pictures")
+    options = parser.parse_args()
+    cases = [("sixel", 96, 31, (10, 20), {}), ("kitty", 96, 31, (10, 20), {}),
+             ("symbols", 120, 44, (8, 16), {"COLORTERM": "truecolor"})]
+    for kind, columns, rows, cell, environment in cases:
+        terminal = Terminal([options.rift, "view", options.run], kind, columns, rows, cell, environment, options.line)
+        terminal.read_for(8 if options.line else 3)
+        first, size = terminal.pictures[0]
+        terminal.type(b">>>>> ")
+        start = terminal.now()
+        terminal.read_for(8 if options.line else 2.5)
+        pictures, rate = terminal.rate(start, terminal.now())
+        terminal.type(b" ")
+        terminal.read_for(5 if options.line else 1)
+        delays = []
+        for key in (b"+", b"d", b"D", b"-", b"+", b"d", b"A", b"-"):
+            pressed = terminal.type(key)
+            terminal.read_for(6 if options.line else 1)
+            delays += [t - pressed for t, _ in terminal.pictures if t > pressed][:1]
+        print(f"{kind}: first picture {first:.2f} s, {pictures:.1f} pictures/s, {rate / 1e3:.0f} kB/s, key to picture "
+              f"{1e3 * sum(delays) / len(delays):.0f} ms, at most {1e3 * max(delays):.0f} ms", flush=True)
+        if options.memory and kind == "sixel":
+            while len(terminal.pictures) < 2000:
+                terminal.type(b"> " if len(terminal.pictures) % 2 else b" ")
+                terminal.read_for(2)
+                if len(terminal.pictures) % 200 < 40:
+                    print(len(terminal.pictures), terminal.memory_kb(), flush=True)
+        terminal.close()
+
+
+if __name__ == "__main__":
+    main()
