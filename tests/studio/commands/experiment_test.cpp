@@ -93,7 +93,7 @@ TEST(ExperimentCommand, StoppedByItsBudgetGoesOnByTheSameCommandToTheSameBytes) 
   std::filesystem::rename(plate.path() / "out", plate.path() / "whole");
   int stops = 0;
   Ran ran;
-  for (double budget = 0.2;
+  for (double budget = 0.05;
        (ran = plate.experiment(wishes + "--budget '" + std::to_string(budget) + " s'")).exit_code == 4;
        budget *= 1.2) {  // until it bears what cannot be kept: preparation, on the slowest machine too
     ++stops;
