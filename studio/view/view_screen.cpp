@@ -47,7 +47,7 @@ void draw_crosshair(std::vector<std::uint8_t>& rgb, int width, int height, const
 
 ViewScreen::ViewScreen(viz::Request request, viz::Gl gl, std::filesystem::path program)
     : request_(std::move(request)),
-      server_(gl, false, program.parent_path()),
+      server_(gl, program.parent_path()),
       jobs_(std::move(program)),
       player_(1, 1) {
   std::vector<std::string> notes;

@@ -52,12 +52,7 @@ class PseudoTerminal {
   [[nodiscard]] bool reads_until(const std::function<bool()>& is_so) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(patience_s);
     while (!is_so()) {
-      pollfd master{master_, POLLIN, 0};
-      char buffer[4096];
-      const bool ready = poll(&master, 1, 100) > 0;
-      const ssize_t count = ready ? read(master_, buffer, sizeof buffer) : 0;
-      if (count > 0) said_.append(buffer, static_cast<std::size_t>(count));
-      if (count < 0 || std::chrono::steady_clock::now() > until) return false;
+      if (read_some() < 0 || std::chrono::steady_clock::now() > until) return false;
     }
     return true;
   }
@@ -81,15 +76,27 @@ class PseudoTerminal {
     if (master_ >= 0) close(master_);
     master_ = -1;
   }
-  /// Waits for the command's end; 128 + n where signal n ended it.
+  /// Waits for the command's end, reading what it still writes; 128 + n where signal n ended it.
   int exit_code() {
     int status = 0;
-    if (waitpid(child_, &status, 0) < 0) return -1;
+    pid_t ended = 0;
+    while ((ended = waitpid(child_, &status, WNOHANG)) == 0) read_some();
+    if (ended < 0) return -1;
     child_ = -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
 
  private:
+  /// What the command writes in the next tenth of a second at most. @return bytes, or -1 where it has ended
+  ssize_t read_some() {
+    pollfd master{master_, POLLIN, 0};
+    char buffer[4096];
+    const bool ready = poll(&master, 1, 100) > 0;
+    const ssize_t count = ready ? read(master_, buffer, sizeof buffer) : 0;
+    if (count > 0) said_.append(buffer, static_cast<std::size_t>(count));
+    return count;
+  }
+
   int master_ = -1;
   pid_t child_ = -1;
   std::string said_;

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 /// The same run twice over: one goes through, the other is stopped and resumed, as often as asked.
 struct Twice {
   TinyPlate plate;
-  std::string slow = "--quiet --threads 1 --set 'crack.velocity=0.002 c_r' ";  // a second and more
+  std::string slow = "--quiet --threads 1 --set 'crack.velocity=0.001 c_r' ";  // a second and more
   fs::path whole() const { return plate.path() / "whole"; }
 
   Twice() {
@@ -75,7 +75,7 @@ TEST(Resume, StoppedAgainAndAgainItStillComesToTheSameEnd) {
   twice.plate.run_under("timeout -s INT 0.4", twice.slow);
   for (int k = 0; k < 2; ++k)
     run_shell("env " + twice.plate.environment() + " timeout -s INT 0.4 '" RIFT_EXE "' resume '" +
-              twice.plate.out().string() + "' --quiet");
+              twice.plate.out().string() + "' --threads 1 --quiet");
   EXPECT_EQ(twice.resume().exit_code, 0);
   twice.expect_same();
 }

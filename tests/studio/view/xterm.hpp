@@ -33,7 +33,7 @@ class Xterm {
   explicit Xterm(const std::string& command) {
     start_display();
     start_xterm();
-    command_ = start({"/bin/sh", "-c", "read id; exec " + command}, [&] {
+    command_ = start({"/bin/sh", "-c", "read id; " + command + "; exec sleep 1000"}, [&] {
       setsid();
       const int terminal = open(name_.c_str(), O_RDWR);  // becomes the session's
       for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(terminal, descriptor);
