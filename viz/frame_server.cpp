@@ -20,8 +20,7 @@ bool has_something(int descriptor) {
 
 }  // namespace
 
-FrameServer::FrameServer(Gl gl, bool idle, std::filesystem::path programs)
-    : gl_(gl), idle_(idle), programs_(std::move(programs)) {}
+FrameServer::FrameServer(Gl gl, std::filesystem::path programs) : gl_(gl), programs_(std::move(programs)) {}
 
 void FrameServer::want(Order order) {
   wanted_ = std::move(order);
@@ -77,7 +76,7 @@ void FrameServer::begin() {
   if (Clock::now() - started_ < between_starts) return;
   started_ = Clock::now();
   program_.emplace(gl_, programs_, serve_option,
-                   base::ChildOptions{.piped = true, .idle = idle_, .shared = shared_.descriptor()});
+                   base::ChildOptions{.piped = true, .shared = shared_.descriptor()});
 }
 
 void FrameServer::send() try {

@@ -17,7 +17,7 @@ namespace rift::viz {
 /// again, at most once a second, for the order that is wanted then.
 class FrameServer {
  public:
-  explicit FrameServer(Gl gl = Gl::any, bool idle = false, std::filesystem::path programs = own_folder());
+  explicit FrameServer(Gl gl = Gl::any, std::filesystem::path programs = own_folder());
 
   /// Starts the program before the first order, which it then answers sooner.
   void start();
@@ -47,7 +47,6 @@ class FrameServer {
   void note_end();
 
   Gl gl_;
-  bool idle_;
   std::filesystem::path programs_;
   SharedFrame shared_;
   std::optional<DrawingProgram> program_;

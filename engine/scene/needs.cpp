@@ -87,7 +87,7 @@ struct Decision {
 };
 
 const std::array<Decision, 10> decisions{{
-    {{"damping", {1.1, 2.3}},
+    {{"damping", {1.1, 2.4}},
      [](const Needs& n) { return n.damping; },
      [](const Scene& scene) {
        return fmt::format("{} = {}, no damped beams are built", scene.damping.alpha == 0 ? "alpha" : "region",

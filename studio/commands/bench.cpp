@@ -335,9 +335,11 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
       ->check(CLI::Range(0.001, 100.0));
   command.add_flag("--needs", options->needs,
                    "Cost of each part that a scene may leave out (damping, corotational beams, ...)");
-  CLI::Option* guard = command.add_option("--guard", options->guard,
-                                          "Compares each kernel's ratio to plain with those recorded in this "
-                                          "file: exit 1 where one has lost a fifth");
+  CLI::Option* guard = command
+                           .add_option("--guard", options->guard,
+                                       "Compares each kernel's ratio to plain with those recorded in this "
+                                       "file: exit 1 where one has lost a fifth")
+                           ->type_name("FILE");
   command.add_flag("--record", options->record, "Records the ratios of this instruction set in that file")
       ->needs(guard);
   command.add_flag("-j,--json", options->json, "The result as JSON on stdout");

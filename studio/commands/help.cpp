@@ -30,7 +30,8 @@ constexpr std::array<Explained, 7> code_table{
 constexpr std::array<Explained, 6> variable_table{
     {{"NO_COLOR", "If set, there are no colours but those of --color always."},
      {"RIFT_GRAPHICS",
-      "How pictures reach the terminal, in place of what it answers: see --graphics of rift view."},
+      "How pictures reach the terminal, in place of what it answers: auto, kitty, sixel, iterm, symbols or "
+      "cells."},
      {"RIFT_PRESETS", "The folder of presets, in place of the one that was installed."},
      {"RIFT_SIMD",
       "The instruction set of the kernels, baseline or AVX2, in place of the widest that the processor has."},

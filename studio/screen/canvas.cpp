@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace rift::studio {
 
@@ -26,6 +28,17 @@ std::string Canvas::row(int y) const {
   for (int x = 0; x < width_; ++x) base::append_letter(out, at(x, y).glyph);
   out.erase(out.find_last_not_of(' ') + 1);
   return out;
+}
+
+std::string letters_for(Glyphs glyphs, std::string_view text) {
+  std::string spelt(text);
+  if (glyphs == Glyphs::unicode) return spelt;
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> words{
+      {{"α", "alpha"}, {"β", "beta"}, {"η", "eta"}, {"µ", "u"}, {"ν", "nu"}}};
+  for (const auto& [letter, word] : words)
+    for (std::size_t at = 0; (at = spelt.find(letter, at)) != std::string::npos;)
+      spelt.replace(at, letter.size(), word);
+  return spelt;
 }
 
 void clear(Canvas& canvas, const Area& area, const Style& style) {

@@ -89,6 +89,9 @@ Area draw_box(Canvas& canvas, int width, int height, std::string_view title, Gly
 /// The text broken at blanks into lines of the area. @return the lines it took
 int draw_paragraph(Canvas& canvas, const Area& area, std::string_view text, const Style& style = {});
 
+/// The text with its Greek letters spelt out where the terminal has none: "damping alpha".
+std::string letters_for(Glyphs glyphs, std::string_view text);
+
 /// On a screen that is too small: says how large it should be. @return whether it is
 bool draw_too_small(Canvas& canvas);
 

@@ -85,7 +85,7 @@ class RunPlate : public PlatePicture {
   viz::Request request_;
   std::vector<viz::Shown> lanes_;
   std::optional<viz::Plan> plan_;
-  viz::FrameServer server_{viz::Gl::any, true};
+  viz::FrameServer server_;
   Area place_, ordered_at_, shown_at_;
   std::string ordered_, trouble_;
   std::uint64_t number_ = 0;

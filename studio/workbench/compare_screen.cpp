@@ -58,12 +58,12 @@ void CompareScreen::draw(Canvas& canvas, Glyphs glyphs) {
   for (int k = 0; k < layout.titles.height; ++k)
     canvas.text(layout.titles.x, layout.titles.y + k, fmt::format("{} {}", k + 1, columns_[k].title),
                 {inks[k], true}, layout.titles.width);
-  draw_table(canvas, layout.table);
+  draw_table(canvas, layout.table, glyphs);
   if (!layout.rates.empty()) draw_rates(canvas, layout.rates, glyphs);
   canvas.text(layout.foot.x, layout.foot.y, foot_of(Where::compare, layout.foot.width), {Ink::dim});
 }
 
-void CompareScreen::draw_table(Canvas& canvas, const Area& area) const {
+void CompareScreen::draw_table(Canvas& canvas, const Area& area, Glyphs glyphs) const {
   constexpr int names = 22, numbers = 9;
   for (int k = 0; k < static_cast<int>(columns_.size()); ++k)
     canvas.text(area.x + names + numbers * k, area.y, fmt::format("{:>{}}", k + 1, numbers - 1),
@@ -71,7 +71,7 @@ void CompareScreen::draw_table(Canvas& canvas, const Area& area) const {
   for (int y = 1; y < area.height; ++y) {
     const std::size_t row = static_cast<std::size_t>(y - 1 + first_row_);
     if (row >= compared_quantities().size()) return;
-    canvas.text(area.x, area.y + y, compared_quantities()[row].name, {Ink::dim}, names);
+    canvas.text(area.x, area.y + y, letters_for(glyphs, compared_quantities()[row].name), {Ink::dim}, names);
     for (int k = 0; k < static_cast<int>(columns_.size()); ++k)
       canvas.text(area.x + names + numbers * k, area.y + y,
                   fmt::format("{:>{}}",

@@ -25,7 +25,7 @@ class CompareScreen : public Screen {
     LiveLane lane;
     results::LaneSummary summary;  // undefined where the run has not ended
   };
-  void draw_table(Canvas& canvas, const Area& area) const;
+  void draw_table(Canvas& canvas, const Area& area, Glyphs glyphs) const;
   void draw_rates(Canvas& canvas, const Area& area, Glyphs glyphs) const;
 
   std::vector<Column> columns_;

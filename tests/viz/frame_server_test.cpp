@@ -47,7 +47,7 @@ pid_t child_of_this_process() {
 TEST(FrameServer, ShowsThePictureThatIsWrittenToFiles) {
   const TemporaryFolder folder;
   Job job = job_for(write_run(folder / "run"));
-  FrameServer server(Gl::any, false, programs());
+  FrameServer server(Gl::any, programs());
   for (const int moment : {0, 3, 5, 2})
     EXPECT_TRUE(served(server, order_for(job, moment)).rgb == drawn(job, moment).rgb) << "moment " << moment;
   std::vector<Job> jobs(9, job);
@@ -68,7 +68,7 @@ TEST(FrameServer, ShowsThePictureThatIsWrittenToFiles) {
 TEST(FrameServer, OfOrdersThatWaitTheNewestWins) {
   const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
-  FrameServer server(Gl::any, false, programs());
+  FrameServer server(Gl::any, programs());
   for (int moment = 0; moment < 6; ++moment) server.want(order_for(job, moment));
   int pictures = 0;
   ASSERT_TRUE(looks_until(server, [&] {
@@ -83,7 +83,7 @@ TEST(FrameServer, SaysWhatItShows) {
   const TemporaryFolder folder;
   Job job = job_for(write_run(folder / "run"));
   job.look.range_of_moment = true;
-  FrameServer server(Gl::any, false, programs());
+  FrameServer server(Gl::any, programs());
   served(server, order_for(job, 5));
   EXPECT_EQ(server.answer().panes, 1);
   EXPECT_TRUE(server.answer().pane[0].is_last);
@@ -94,7 +94,7 @@ TEST(FrameServer, SaysWhatItShows) {
 TEST(FrameServer, ThatIsKilledCostsOnePictureAndIsStartedAgain) {
   const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
-  FrameServer server(Gl::any, false, programs());
+  FrameServer server(Gl::any, programs());
   served(server, order_for(job, 1));
   ASSERT_EQ(kill(child_of_this_process(), SIGKILL), 0);
   server.want(order_for(job, 4));
@@ -109,7 +109,7 @@ TEST(FrameServer, ThatAlwaysFailsIsStartedOnceASecond) {
   const TemporaryFolder folder;
   write_script(folder / "rift-frames-osmesa",
                "echo started >> '" + (folder / "starts").string() + "'; exit 1");
-  FrameServer server(Gl::any, false, folder.path());
+  FrameServer server(Gl::any, folder.path());
   server.want(order_for(job_for(folder / "nothing"), 0));
   const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(700);
   while (std::chrono::steady_clock::now() < until) server.look();
@@ -120,7 +120,7 @@ TEST(FrameServer, ThatAlwaysFailsIsStartedOnceASecond) {
 
 TEST(FrameServer, WithoutAProgramSaysSo) {
   const TemporaryFolder folder;
-  FrameServer server(Gl::osmesa, false, folder.path());
+  FrameServer server(Gl::osmesa, folder.path());
   server.want(order_for(job_for(folder / "nothing"), 0));
   EXPECT_TRUE(contains(server.trouble(), "cannot start "));
 }
@@ -130,7 +130,7 @@ TEST(FrameServer, TurnsToEglWhereOsmesaIsNotToBeHad) {
   const Job job = job_for(write_run(folder / "run"));
   write_script(folder / "rift-frames-osmesa", "read order; exit 3");
   std::filesystem::create_symlink(programs() / "rift-frames-osmesa", folder / "rift-frames-egl");
-  FrameServer server(Gl::any, false, folder.path());
+  FrameServer server(Gl::any, folder.path());
   EXPECT_EQ(served(server, order_for(job, 2)).rgb, drawn(job, 2).rgb);
 }
 
@@ -145,7 +145,7 @@ TEST(FrameServer, FollowsARunThatGoesOn) {
   journal.flush();
   Job job = job_for(run);
   job.look.chart = false;
-  FrameServer server(Gl::any, false, programs());
+  FrameServer server(Gl::any, programs());
   served(server, order_for(job, 3));
   EXPECT_DOUBLE_EQ(server.answer().pane[0].tip_m, 0);
   for (int k = 1; k <= 3; ++k) journal.write(frame(k));
@@ -157,7 +157,7 @@ TEST(FrameServer, FollowsARunThatGoesOn) {
 TEST(FrameServer, NamesTheElementAtAPixel) {
   const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
-  FrameServer server(Gl::any, false, programs());
+  FrameServer server(Gl::any, programs());
   const int i = element(30, 6);
   const results::Frame shown = frame(3);
   Order order = order_for(job, 3);
@@ -183,7 +183,7 @@ TEST(FrameServer, NamesABeamWhereNoElementIs) {
   Job job = job_for(write_run(folder / "run"));
   job.look.beams = Beams::crossing;
   job.look.magnification = 5;  // opens the crack
-  FrameServer server(Gl::any, false, programs());
+  FrameServer server(Gl::any, programs());
   Order order = order_for(job, 3);
   order.asked = place_of(job, {0.0055, 0.5 * height + 2.5 * pulled}, {0, 0});  // column 5, which is broken
   served(server, order);

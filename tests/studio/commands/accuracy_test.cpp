@@ -82,7 +82,7 @@ TEST(AccuracyCommand, TellsWhatCannotBeAndGoesOn) {
   write_text(plate.preset(), read_text(plate.preset()) + "[damping]\nregion = \"all\"\nalpha = 0.2\n");
   const Ran ran = accuracy(plate);
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_TRUE(contains(ran.out, "not computed: solver.dt_fraction makes a step of"));
+  EXPECT_TRUE(contains(ran.out, "not computed: solver.dt_fraction = 0.98: makes a step of"));
 }
 
 struct AccuracyMistake {

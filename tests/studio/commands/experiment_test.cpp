@@ -88,12 +88,12 @@ TEST(ExperimentCommand, ThatWasKilledDoesNotBlockItsFolder) {
 
 TEST(ExperimentCommand, StoppedByItsBudgetGoesOnByTheSameCommandToTheSameBytes) {
   const MeasuredPlate plate;
-  const std::string wishes = "--resamples 2 --specimens 2 --quiet ";
+  const std::string wishes = "--resamples 2 --specimens 2 --quiet --set solver.dt_fraction=0.1 ";
   ASSERT_EQ(plate.experiment(wishes).exit_code, 0);
   std::filesystem::rename(plate.path() / "out", plate.path() / "whole");
   int stops = 0;
   Ran ran;
-  for (double budget = 0.2;
+  for (double budget = 0.05;
        (ran = plate.experiment(wishes + "--budget '" + std::to_string(budget) + " s'")).exit_code == 4;
        budget *= 1.2) {  // until it bears what cannot be kept: preparation, on the slowest machine too
     ++stops;
@@ -136,14 +136,16 @@ TEST(ExperimentCommand, EndsWithTheNumberToPublish) {
 
 TEST(ExperimentCommand, InterruptedSaysWhichOptionsDiffer) {
   const MeasuredPlate plate;
-  double budget = 0.5;
+  double budget = 0.2;
   Ran stopped;
-  while ((stopped = plate.experiment("--resamples 2 --quiet --budget '" + std::to_string(budget) + " s'"))
+  while ((stopped = plate.experiment("--resamples 2 --quiet --set solver.dt_fraction=0.1 --budget '" +
+                                     std::to_string(budget) + " s'"))
                  .exit_code == 4 &&
          !std::filesystem::exists(plate.path() / "out"))
-    budget *= 2.0;
+    budget *= 1.3;
   ASSERT_EQ(stopped.exit_code, 4) << stopped.err;
-  const Ran other = plate.experiment("--resamples 3 --set specimen.seed=7 --quiet");
+  const Ran other =
+      plate.experiment("--resamples 3 --set solver.dt_fraction=0.1 --set specimen.seed=7 --quiet");
   EXPECT_EQ(other.exit_code, 2);
   for (const char* part : {"holds an interrupted experiment with other options: ",
                            "resamples was 2, is now 3", "specimen.seed was 1, is now 7", "--force starts it"})

@@ -11,6 +11,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -79,7 +80,9 @@ class Xterm {
     if (pipe(ends) != 0) throw std::runtime_error("no pipe");
     display_ = start(
         {"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1000x700x24", "-nolisten", "tcp"},
-        [] { (void)freopen("/dev/null", "w", stderr); });
+        [] {
+          if (freopen("/dev/null", "w", stderr) == nullptr) _exit(127);
+        });
     close(ends[1]);
     for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';) number_ += c;
     close(ends[0]);

@@ -13,7 +13,7 @@ namespace {
 namespace plate = viz::drawn_plate;
 
 /// The picture within the screen: 36 rows above four of text.
-viz::Job job_shown(const std::filesystem::path& run) {
+viz::Job job_of_window(const std::filesystem::path& run) {
   viz::Job job = plate::job_for(run);
   job.width = Xterm::columns * Xterm::cell_width, job.height = (Xterm::rows - 4) * Xterm::cell_height;
   return job;
@@ -47,7 +47,7 @@ TEST(Xterm, ShowsThePictureWhereItIsAndTakesItAwayOnLeaving) {
   if (!Xterm::there()) GTEST_SKIP() << "no xterm, Xvfb or import";
   const TemporaryFolder folder;
   const auto run = plate::write_run(folder / "run");
-  const viz::Job job = job_shown(run);
+  const viz::Job job = job_of_window(run);
   const Xterm xterm("'" RIFT_EXE "' view '" + run.string() + "'");
   const int i = plate::element(33, 6);
   const auto colour_of = [&](int moment) {
@@ -69,7 +69,7 @@ TEST(Xterm, HelpAndAZoomReplaceThePicture) {
   if (!Xterm::there()) GTEST_SKIP() << "no xterm, Xvfb or import";
   const TemporaryFolder folder;
   const auto run = plate::write_run(folder / "run");
-  const viz::Job job = job_shown(run);
+  const viz::Job job = job_of_window(run);
   const Xterm xterm("'" RIFT_EXE "' view '" + run.string() + "' --no-chart");
   viz::Job shown = job;
   shown.look.chart = false;
