@@ -42,10 +42,17 @@ std::uint64_t packed(std::uint32_t round, int next, int end) {
 }  // namespace
 
 ThreadPool::ThreadPool(int threads, int most) : threads_(count_threads(threads, most)), share_(threads_) {
-  for (int thread = 1; thread < threads_; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
+  try {
+    for (int thread = 1; thread < threads_; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
+  } catch (...) {  // the system has no more threads: those that were begun end
+    end();
+    throw;
+  }
 }
 
-ThreadPool::~ThreadPool() {
+ThreadPool::~ThreadPool() { end(); }
+
+void ThreadPool::end() {
   ends_.store(true, std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
@@ -68,7 +75,8 @@ void ThreadPool::dispatch(int tasks, const void* task, Call call) {
   for (int h = 0; h < threads_; ++h)
     share_[h].pieces.store(packed(round, pieces_ * h / threads_, pieces_ * (h + 1) / threads_),
                            std::memory_order_release);
-  round_.store(round, std::memory_order_release);
+  // Sequentially consistent, or the count of those who sleep may be read before it: one would miss the round.
+  round_.store(round, std::memory_order_seq_cst);
   if (threads_ > 1) round_.notify_all();
   work(0, round);
   for (int left = left_.load(std::memory_order_acquire); left != 0;

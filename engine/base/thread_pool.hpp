@@ -39,6 +39,8 @@ class ThreadPool {
     std::atomic<std::uint64_t> pieces = 0;
   };
   void dispatch(int tasks, const void* task, Call call);
+  /// Tells the helpers to end.
+  void end();
   void help(int thread);
   void work(int thread, std::uint32_t round);
   static std::optional<int> take_piece(Share& share, std::uint32_t round);

@@ -183,7 +183,7 @@ double damping_bound(const Lattice& lattice, const ViscousDamping& damping) {
 
 /// The larger root of mu^2 = lambda + slope (mu - at).
 double crossing_of(double lambda, double slope, double at) {
-  return 0.5 * slope + std::sqrt(0.25 * slope * slope + lambda - slope * at);
+  return 0.5 * slope + std::sqrt(std::max(0.0, 0.25 * slope * slope + lambda - slope * at));
 }
 
 }  // namespace

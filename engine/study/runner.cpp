@@ -6,6 +6,7 @@
 #include "engine/base/ownership.hpp"
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/results/series.hpp"
+#include "engine/scene/derived.hpp"
 #include "engine/scene/scenarios.hpp"
 #include "engine/simulation/kept_march.hpp"
 #include "engine/simulation/summary.hpp"
@@ -162,8 +163,9 @@ void march_pass(Study& study, const simulation::Prepared& prepared, std::span<co
   };
   std::vector<std::int64_t> steps;
   for (const simulation::LanePlan& lane : prepared.lane) steps.push_back(lane.schedule.total());
-  const bool ramp = prepared.lane.front().schedule.ramp > 0;
-  const int lanes = ramp ? 0 : soonest(steps, prepared.preset.scene.solver.precision).lanes;
+  const scene::Scene& scene = prepared.preset.scene;
+  const bool all_at_once = prepared.lane.front().schedule.ramp > 0 || scene::grip_moves(scene);
+  const int lanes = all_at_once ? 0 : soonest(steps, scene.solver.precision).lanes;
   const simulation::RunResult marched = simulation::march_and_keep(
       prepared, observer,
       {.threads = study.options.threads, .lanes = lanes, .checkpoint_s = study.options.checkpoint_s}, keeping,
@@ -274,8 +276,12 @@ void compute_group(Study& study, std::vector<StudyItem> items) {
     std::vector<simulation::LanePlan> lanes;
     std::vector<StudyItem> marching;
     for (const std::size_t k : pass) lanes.push_back(plans[k]), marching.push_back(items[k]);
-    simulation::take_lanes(prepared, std::move(lanes));
-    march_pass(study, prepared, marching, started);
+    try {
+      simulation::take_lanes(prepared, std::move(lanes));
+      march_pass(study, prepared, marching, started);
+    } catch (const scene::InputError& error) {  // the other passes are computed all the same
+      add_not_made(study.result.not_made, marching, error.issues);
+    }
   }
 }
 

@@ -124,6 +124,18 @@ void expect_as_run_alone(const scene::Preset& preset, const StudyResult& result,
   }
 }
 
+TEST(Study, ScenariosOfALoadCurveMarchSideBySide) {  // they have one grip
+  std::string text = undamped_text();
+  text.replace(text.find("displacement = \"0.6 mm\""), std::string("displacement = \"0.6 mm\"").size(),
+               "curve = [[0, \"0.6 mm\"], [\"12 us\", \"0.7 mm\"]]");
+  text.replace(text.find("[study]"), std::string::npos,
+               "[study]\ncrack_velocity = [\"0.3 c_r\", \"0.5 c_r\"]\n");
+  const TemporaryFolder folder;
+  const StudyResult result = run_study(preset_from(text), into(folder.path()), shared_cache(), build, {});
+  EXPECT_TRUE(result.not_made.empty());
+  EXPECT_EQ(result.computed, 2);
+}
+
 TEST(Study, ACallThatIsStoppedInAPassIsGoneOnWithFromThere) {
   std::string text = undamped_text();
   text.replace(text.find("[study]"), std::string::npos,
