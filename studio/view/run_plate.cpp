@@ -1,6 +1,5 @@
 #include "studio/view/run_plate.hpp"
 
-#include "engine/base/world_error.hpp"
 #include "studio/view/view_layout.hpp"
 #include "viz/frame_server.hpp"
 #include "viz/plan.hpp"
@@ -15,7 +14,8 @@ constexpr auto between_looks = std::chrono::milliseconds(250);
 
 class RunPlate : public PlatePicture {
  public:
-  explicit RunPlate(const std::filesystem::path& run) {
+  RunPlate(const std::filesystem::path& run, const std::filesystem::path& programs)
+      : server_(viz::Gl::any, programs) {
     request_.runs = {run};
     request_.chart = false;
     server_.start();
@@ -63,10 +63,7 @@ class RunPlate : public PlatePicture {
       if (!lane.journal->summary_json()) lane.journal->extend();
     viz::choose_clock(*plan_, lanes_);
     trouble_.clear();
-  } catch (const viz::BadRequest& mistake) {
-    trouble_ = mistake.what();
-    plan_.reset();
-  } catch (const base::WorldError& error) {
+  } catch (const std::exception& error) {
     trouble_ = error.what();
     plan_.reset();
   }
@@ -94,8 +91,9 @@ class RunPlate : public PlatePicture {
 
 }  // namespace
 
-std::unique_ptr<PlatePicture> plate_of_run(const std::filesystem::path& run) {
-  return std::make_unique<RunPlate>(run);
+std::unique_ptr<PlatePicture> plate_of_run(const std::filesystem::path& run,
+                                           const std::filesystem::path& programs) {
+  return std::make_unique<RunPlate>(run, programs);
 }
 
 }  // namespace rift::studio

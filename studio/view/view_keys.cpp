@@ -1,5 +1,4 @@
 #include "engine/base/clock.hpp"
-#include "engine/base/world_error.hpp"
 #include "engine/scene/units.hpp"
 #include "studio/view/camera.hpp"
 #include "studio/view/view_screen.hpp"
@@ -264,9 +263,7 @@ bool ViewScreen::change(const std::function<void(viz::Request&)>& what) {
     plan_ = viz::plan_of(request_, shown_);
     message_.clear();
     return true;
-  } catch (const viz::BadRequest& mistake) {
-    message_ = mistake.what();
-  } catch (const base::WorldError& error) {
+  } catch (const std::exception& error) {
     message_ = error.what();
   }
   request_ = before;

@@ -1,7 +1,6 @@
 #include "studio/view/view_screen.hpp"
 
 #include "engine/base/clock.hpp"
-#include "engine/base/world_error.hpp"
 #include "engine/results/records.hpp"
 #include "studio/screen/plate.hpp"
 #include "studio/view/camera.hpp"
@@ -61,9 +60,12 @@ ViewScreen::ViewScreen(viz::Request request, viz::Gl gl, std::filesystem::path p
 void ViewScreen::take_room(const PictureRoom& room) {
   room_ = room;
   if (!has_room_ && room.symbols) {  // texts could not be read
-    request_.texts = false;
-    if (!request_.chart) request_.chart = false;
-    plan_ = viz::plan_of(request_, shown_);
+    const std::string said = message_;
+    const bool can = change([](viz::Request& request) {
+      request.texts = false;
+      request.chart = request.chart.value_or(false);
+    });
+    if (can) message_ = said;
   }
   if (!has_room_ && !room.pictures)
     message_ = "this terminal gets no pictures: the plate is in cells, by vertical displacement";
@@ -134,7 +136,7 @@ void ViewScreen::follow_runs() try {
     if (!pane.journal->summary_json()) pane.journal->extend();
   viz::choose_clock(plan_, shown_);
   if (plan_.times_s.size() != before) player_.grow(static_cast<int>(plan_.times_s.size()));
-} catch (const base::WorldError& error) {
+} catch (const std::exception& error) {
   message_ = error.what();
 }
 
@@ -213,7 +215,7 @@ void ViewScreen::draw(Canvas& canvas, Glyphs glyphs) {
 }
 
 /// What a terminal without pictures gets: vertical displacement or velocity of the first lane.
-void ViewScreen::draw_cells(Canvas& canvas, Glyphs glyphs) {
+void ViewScreen::draw_cells(Canvas& canvas, Glyphs glyphs) try {
   const viz::Shown& pane = shown_.front();
   const auto at = std::min(static_cast<std::size_t>(player_.moment()), pane.frames().size() - 1);
   if (cells_moment_ != static_cast<int>(at)) cells_frame_ = pane.journal->frame(pane.frames()[at]);
@@ -225,6 +227,8 @@ void ViewScreen::draw_cells(Canvas& canvas, Glyphs glyphs) {
               .pulled = pane.header.value("displacement_m", 0.0),
               .tips = tips},
              glyphs);
+} catch (const std::exception& error) {
+  message_ = error.what();
 }
 
 }  // namespace rift::studio

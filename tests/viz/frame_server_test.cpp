@@ -125,6 +125,15 @@ TEST(FrameServer, WithoutAProgramSaysSo) {
   EXPECT_TRUE(contains(server.trouble(), "cannot start "));
 }
 
+TEST(FrameServer, WithoutMemoryForAPictureSaysSo) {
+  const TemporaryFolder folder;
+  Job job = job_for(folder / "nothing");
+  job.width = job.height = 2'000'000'000;
+  FrameServer server(Gl::any, programs());
+  EXPECT_NO_THROW(server.want(order_for(job, 0)));
+  EXPECT_TRUE(contains(server.trouble(), "no room in shared memory"));
+}
+
 TEST(FrameServer, TurnsToEglWhereOsmesaIsNotToBeHad) {
   const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run"));
