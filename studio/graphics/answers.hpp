@@ -23,6 +23,7 @@ class TerminalAnswers {
 
  private:
   void read(std::string_view sequence);
+  void read_cell(int width, int height);
   void read_control(std::string_view parameters, char final);
 
   int columns_, rows_;

@@ -68,9 +68,9 @@ Asked ask_terminal(int in, int out, const TerminalKind& kind, std::chrono::milli
   if (write_whole(out, question_for(kind))) read_answers(in, answers, Clock::now() + patience);
   Capabilities found = answers.capabilities();
   found.iterm = kind.iterm;
-  if (found.cell_width == 0 && size.ws_xpixel > 0 && size.ws_col > 0 && size.ws_row > 0) {
-    found.cell_width = size.ws_xpixel / size.ws_col;
-    found.cell_height = size.ws_ypixel / size.ws_row;
+  if (found.cell_width == 0 && size.ws_col > 0 && size.ws_row > 0) {
+    const int width = size.ws_xpixel / size.ws_col, height = size.ws_ypixel / size.ws_row;
+    if (is_cell(width, height)) found.cell_width = width, found.cell_height = height;
   }
   return {found, answers.typed()};
 }

@@ -7,13 +7,13 @@ namespace rift::studio {
 namespace {
 
 // As `rift render --size` has it.
-constexpr int least_width_px = 320, least_height_px = 180;
+constexpr int least_width_px = 320, least_height_px = 180, most_px = 8192;
 
 int limited(int cells, int cell_px, int most_px) {
   return most_px > 0 ? std::min(cells, most_px / cell_px) : cells;
 }
 
-int even(double pixels) { return 2 * static_cast<int>(std::ceil(0.5 * pixels)); }
+int even(double pixels) { return 2 * static_cast<int>(std::lround(0.5 * pixels)); }
 
 }  // namespace
 
@@ -31,7 +31,8 @@ ViewLayout view_layout(int width, int height, const PictureRoom& room) {
 std::array<int, 2> pixels_for(const Area& area, const PictureRoom& room, double share) {
   const double width = share * area.width * room.cell_width, height = share * area.height * room.cell_height;
   const double larger = std::max({1.0, least_width_px / width, least_height_px / height});
-  return {even(larger * width), even(larger * height)};
+  const double scale = std::min({larger, most_px / width, most_px / height});
+  return {even(scale * width), even(scale * height)};
 }
 
 double share_while_moving(const Area& area, const PictureRoom& room, double drawn_s, double wished_s) {

@@ -43,6 +43,8 @@ TEST(ViewLayout, PixelsAreThoseOfTheCellsEvenAndNeverTooFew) {
   const auto least = pixels_for({0, 0, 60, 12}, room, 0.1);
   EXPECT_GE(least[0], 320);
   EXPECT_GE(least[1], 180);
+  const PictureRoom large{.pictures = true, .cell_width = 100, .cell_height = 200};
+  EXPECT_EQ(pixels_for({0, 0, 200, 60}, large, 1), (std::array{8192, 4916})) << "as large as can be drawn";
 }
 
 TEST(ViewLayout, WhileItMovesAPictureHasAsManyPixelsAsCanBeDrawnAndSent) {
