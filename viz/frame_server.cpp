@@ -26,7 +26,7 @@ void FrameServer::want(Order order) {
   send();
 }
 
-int FrameServer::descriptor() const { return program_ ? program_->child().output() : -1; }
+int FrameServer::descriptor() const { return program_ && sent_ ? program_->child().output() : -1; }
 
 bool FrameServer::look() try {
   bool is_new = false;
