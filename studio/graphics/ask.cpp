@@ -51,7 +51,10 @@ void read_answers(int in, TerminalAnswers& answers, Clock::time_point until) {
   while (!answers.complete()) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
     pollfd one{in, POLLIN, 0};
-    if (left <= 0 || (poll(&one, 1, static_cast<int>(left)) <= 0 && errno != EINTR)) return;
+    if (left <= 0) return;
+    const int ready = poll(&one, 1, static_cast<int>(left));
+    if (ready < 0 && errno == EINTR) continue;  // another size, say
+    if (ready <= 0) return;
     const ssize_t count = ::read(in, buffer.data(), buffer.size());
     if (count > 0) answers.take({buffer.data(), static_cast<std::size_t>(count)});
     if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) return;

@@ -28,10 +28,11 @@ void write_to_terminal(std::string_view bytes) {
 }  // namespace
 
 std::string TerminalPictures::ask() {
-  Asked asked;
-  if (answers_) asked = ask_terminal(STDIN_FILENO, STDOUT_FILENO, kind_, patience);
-  const Capabilities& found = asked.capabilities;
-  answers_ = found.answers;
+  const Asked asked = ask_terminal(STDIN_FILENO, STDOUT_FILENO, kind_, patience);
+  // One that has answered before is late this time.
+  if (asked.capabilities.answers || !found_.answers) found_ = asked.capabilities;
+  answers_ = found_.answers;
+  const Capabilities& found = found_;
   const Graphics graphics = chosen_graphics(wish_.asked, found);
   room_.pictures = graphics != Graphics::cells && PictureEncoder::there();
   room_.symbols = graphics == Graphics::symbols;

@@ -54,6 +54,7 @@ class TerminalPictures {
   bool in_letters_ = false;
   double pixels_bytes_ = 0;  // of the last picture in pixels
   std::optional<PicturePace> pace_;
+  Capabilities found_;  // as last answered
   bool answers_ = true;
   PictureRoom room_;
   Area shown_;

@@ -58,6 +58,8 @@ TEST(TerminalAnswers, KeysTypedMeanwhileAreKept) {
   EXPECT_EQ(answers.typed(), "q\033[Axy\033OB");
   EXPECT_TRUE(answers.capabilities().kitty);
   EXPECT_TRUE(answers.capabilities().sixel);
+  EXPECT_EQ(read("q\033").typed(), "q\033");
+  EXPECT_EQ(read("q\033[?62").typed(), "q") << "half an answer is no keys";
 }
 
 TEST(TerminalAnswers, ARefusalAndJunkAreNoPictures) {

@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <pthread.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <termios.h>
 #include <unistd.h>
@@ -56,6 +58,25 @@ TEST(AskTerminal, WaitsNoLongerThanForTheLastAnswer) {
   EXPECT_TRUE(asked.capabilities.kitty);
   EXPECT_EQ(asked.capabilities.cell_height, 18);
   EXPECT_EQ(asked.typed, "xy");
+}
+
+TEST(AskTerminal, WaitsOnWhereASignalComesBetween) {
+  const Ends ends;
+  struct sigaction action {}, before {};
+  action.sa_handler = [](int) {};
+  ASSERT_EQ(sigaction(SIGWINCH, &action, &before), 0);
+  const pthread_t asking = pthread_self();
+  std::thread screen([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    pthread_kill(asking, SIGWINCH);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ends.type("\033_Gi=31;OK\033\\\033[?62;4c");
+  });
+  const Asked asked = ask_terminal(ends.terminal, ends.terminal, {}, std::chrono::seconds(20));
+  screen.join();
+  ASSERT_EQ(sigaction(SIGWINCH, &before, nullptr), 0);
+  EXPECT_TRUE(asked.capabilities.kitty);
+  EXPECT_TRUE(asked.capabilities.sixel);
 }
 
 TEST(AskTerminal, ThatAnswersNothingHasNothingAndItsModesAreAsBefore) {
