@@ -47,9 +47,6 @@ class RunPlate : public PlatePicture {
   }
 
  private:
-  static bool same(const Area& a, const Area& b) {
-    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
-  }
   [[nodiscard]] bool has_order_for(const Area& place) const { return same(ordered_at_, place); }
 
   /// The run's moments so far; one that has just begun has none yet.

@@ -17,6 +17,10 @@ int even(double pixels) { return 2 * static_cast<int>(std::lround(0.5 * pixels))
 
 }  // namespace
 
+bool same(const Area& a, const Area& b) {
+  return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
 ViewLayout view_layout(int width, int height, const PictureRoom& room) {
   if (width < least_width || height < least_height) return {};
   constexpr int below = 4;

@@ -12,6 +12,8 @@ struct ViewLayout {
   Area picture, numbers, message, foot;
 };
 
+[[nodiscard]] bool same(const Area& a, const Area& b);
+
 /// Pure arithmetic for any size; empty where the terminal is too small.
 /// @param room  whose largest picture limits the picture's area
 [[nodiscard]] ViewLayout view_layout(int width, int height, const PictureRoom& room);

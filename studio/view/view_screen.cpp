@@ -101,9 +101,9 @@ void ViewScreen::take_picture() {
   viz::Order order = server_.order();
   order.asked.reset();
   const std::string text = viz::to_json(order);
+  image_for_ = ordered_for_;
   if (text == shown_order_) return;
   shown_order_ = text;
-  image_for_ = ordered_for_;
   const auto all = pixels_for(image_for_, room_, 1);
   if (answer.width == all[0] && answer.height == all[1]) drawn_s_ = answer.seconds;
   show_crosshair();
@@ -158,12 +158,12 @@ viz::Job ViewScreen::job_of_size(double share) const {
 /// Asks for the picture that should be there now. While the terminal still takes one and the next waits, none
 /// of a moment that will be over is drawn.
 void ViewScreen::order() {
-  if (player_.playing() && room_.shown != number_) return;
+  if (player_.playing() && room_.shown != number_ && picture()) return;
   const bool moves = moves_now();
   viz::Order order{job_of_size(share_now()), plan_.times_s[static_cast<std::size_t>(player_.moment())], {}};
   const std::string text = viz::to_json(order);
   const bool asks = asked_ && !asking_;
-  if (text == ordered_ && !asks) {
+  if (text == ordered_ && same(ordered_for_, layout_.picture) && !asks) {
     if (!moves && room_.rough && !server_.busy()) show_at_rest();
     return;
   }
@@ -183,10 +183,9 @@ void ViewScreen::show_at_rest() {
 }
 
 std::optional<ScreenPicture> ViewScreen::picture() const {
-  const Area &a = image_for_, &b = layout_.picture;
-  const bool fits = a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
-  if (number_ == 0 || b.empty() || !fits) return {};
-  return ScreenPicture{b, server_.image().width, server_.image().height, pixels_, number_, moves_};
+  const Area& place = layout_.picture;
+  if (number_ == 0 || place.empty() || !same(image_for_, place)) return {};
+  return ScreenPicture{place, server_.image().width, server_.image().height, pixels_, number_, moves_};
 }
 
 void ViewScreen::draw(Canvas& canvas, Glyphs glyphs) {
