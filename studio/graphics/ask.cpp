@@ -1,5 +1,7 @@
 #include "studio/graphics/ask.hpp"
 
+#include "studio/graphics/write_whole.hpp"
+
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -36,16 +38,6 @@ class QuietModes {
   bool known_;
 };
 
-bool write_whole(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
 void read_answers(int in, TerminalAnswers& answers, Clock::time_point until) {
   std::array<char, 512> buffer{};
   while (!answers.complete()) {
@@ -68,7 +60,7 @@ Asked ask_terminal(int in, int out, const TerminalKind& kind, std::chrono::milli
   (void)ioctl(out, TIOCGWINSZ, &size);
   TerminalAnswers answers(size.ws_col, size.ws_row);
   const QuietModes quiet(in);
-  if (write_whole(out, question_for(kind))) read_answers(in, answers, Clock::now() + patience);
+  if (write_whole(out, question_for(kind), patience)) read_answers(in, answers, Clock::now() + patience);
   Capabilities found = answers.capabilities();
   found.iterm = kind.iterm;
   if (found.cell_width == 0 && size.ws_col > 0 && size.ws_row > 0) {

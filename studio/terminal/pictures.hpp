@@ -55,7 +55,7 @@ class TerminalPictures {
   double pixels_bytes_ = 0;  // of the last picture in pixels
   std::optional<PicturePace> pace_;
   Capabilities found_;  // as last answered
-  bool answers_ = true;
+  bool answers_ = true, cut_off_ = false;  // cut off: the last codes were not written to their end
   PictureRoom room_;
   Area shown_;
   std::uint64_t number_ = 0;
