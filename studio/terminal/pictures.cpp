@@ -91,4 +91,8 @@ void TerminalPictures::taken() {
   if (pace_) pace_->taken(now_s());
 }
 
+void TerminalPictures::forget_answer() {
+  if (pace_) pace_->forget();
+}
+
 }  // namespace rift::studio

@@ -39,6 +39,10 @@ class TerminalPictures {
   void forget_size();
   /// It has answered that it took the picture.
   void taken();
+  /// Whether that answer is still to come.
+  [[nodiscard]] bool awaits_answer() const { return pace_ && pace_->waits(); }
+  /// It is no longer waited for.
+  void forget_answer();
   /// Control codes that ncurses does not know.
   void write(const std::string& codes);
   /// What takes a picture away in a crash.
