@@ -306,7 +306,8 @@ Terminal::Hold Terminal::hold() {
     pictures_->take_away();
     if (!isendwin()) endwin();  // stopped by a signal that leaves no time to give the terminal back
     clearok(curscr, TRUE);
-    refresh();  // the program's modes, and all that was shown
+    refresh();       // the program's modes, and all that was shown
+    drags_ = false;  // which is no mode that ncurses knows
   }
   away_ = now != Hold::ours;
   return now;
