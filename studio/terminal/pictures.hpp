@@ -58,7 +58,7 @@ class TerminalPictures {
   bool in_letters_ = false;
   double pixels_bytes_ = 0;  // of the last picture in pixels
   std::optional<PicturePace> pace_;
-  Capabilities found_;  // as last answered
+  Capabilities found_;                     // as last answered
   bool answers_ = true, cut_off_ = false;  // cut off: the last codes were not written to their end
   PictureRoom room_;
   Area shown_;

@@ -9,7 +9,7 @@ namespace {
 // As `rift render --size` has it.
 constexpr int least_width_px = 320, least_height_px = 180, most_px = 8192;
 
-int limited(int cells, int cell_px, int most_px) {
+int limited_cells(int cells, int cell_px, int most_px) {
   return most_px > 0 ? std::min(cells, most_px / cell_px) : cells;
 }
 
@@ -21,12 +21,16 @@ bool same(const Area& a, const Area& b) {
   return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
 }
 
+Area limited(const Area& area, const PictureRoom& room) {
+  const int columns = limited_cells(area.width, room.cell_width, room.most_width);
+  const int rows = limited_cells(area.height, room.cell_height, room.most_height);
+  return {area.x + (area.width - columns) / 2, area.y, columns, rows};
+}
+
 ViewLayout view_layout(int width, int height, const PictureRoom& room) {
   if (width < least_width || height < least_height) return {};
   constexpr int below = 4;
-  const int columns = limited(width, room.cell_width, room.most_width);
-  const int rows = limited(height - below, room.cell_height, room.most_height);
-  return {{(width - columns) / 2, 0, columns, rows},
+  return {limited({0, 0, width, height - below}, room),
           {1, height - 4, width - 2, 1},
           {1, height - 3, width - 2, 2},
           {1, height - 1, width - 2, 1}};

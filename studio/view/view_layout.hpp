@@ -14,6 +14,9 @@ struct ViewLayout {
 
 [[nodiscard]] bool same(const Area& a, const Area& b);
 
+/// The part of an area that the largest picture of the terminal fills: at its top, in the middle.
+[[nodiscard]] Area limited(const Area& area, const PictureRoom& room);
+
 /// Pure arithmetic for any size; empty where the terminal is too small.
 /// @param room  whose largest picture limits the picture's area
 [[nodiscard]] ViewLayout view_layout(int width, int height, const PictureRoom& room);

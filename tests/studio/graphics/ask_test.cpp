@@ -32,7 +32,8 @@ TEST(AskTerminal, WaitsNoLongerThanForTheLastAnswer) {
 
 TEST(AskTerminal, WaitsOnWhereASignalComesBetween) {
   const Ends ends;
-  struct sigaction action {}, before {};
+  struct sigaction action {
+  }, before{};
   action.sa_handler = [](int) {};
   ASSERT_EQ(sigaction(SIGWINCH, &action, &before), 0);
   const pthread_t asking = pthread_self();

@@ -35,6 +35,14 @@ TEST(ViewLayout, PartsAreApartAndOnTheScreenAtEverySize) {
       }
 }
 
+TEST(ViewLayout, ThePartForTheLargestPictureIsInTheMiddle) {
+  const PictureRoom room{
+      .pictures = true, .cell_width = 10, .cell_height = 20, .most_width = 800, .most_height = 200};
+  const Area area = limited({5, 3, 100, 30}, room);
+  EXPECT_TRUE(same(area, {15, 3, 80, 10}));
+  EXPECT_TRUE(same(limited({5, 3, 70, 9}, room), {5, 3, 70, 9}));
+}
+
 TEST(ViewLayout, PixelsAreThoseOfTheCellsEvenAndNeverTooFew) {
   const PictureRoom room{.pictures = true, .cell_width = 9, .cell_height = 17};
   EXPECT_EQ(pixels_for({0, 0, 100, 30}, room, 1), (std::array{900, 510}));
