@@ -26,14 +26,6 @@ std::optional<double> number_of(std::string_view text) {
   return number;
 }
 
-/// The first of stem.ending, stem_2.ending, ... that does not exist yet.
-std::filesystem::path free_path(const std::filesystem::path& folder, const std::string& stem,
-                                const std::string& ending) {
-  std::filesystem::path path = folder / (stem + ending);
-  for (int k = 2; std::filesystem::exists(path); ++k) path = folder / fmt::format("{}_{}{}", stem, k, ending);
-  return path;
-}
-
 /// The name after the present one, round and round.
 template <typename Rows>
 std::string next_name(const Rows& rows, std::string_view now) {
@@ -374,7 +366,7 @@ viz::Job ViewScreen::saved_job() const {
 }
 
 std::vector<std::string> ViewScreen::command_of_picture() const {
-  std::vector<std::string> words = render_arguments(saved_job());
+  std::vector<std::string> words = render_arguments(saved_job(), request_.lanes);
   const auto last = static_cast<double>(plan_.times_s.size() - 1);
   words.insert(words.end(), {"--at", fmt::format("{:.8g}", last > 0 ? player_.moment() / last : 0.0)});
   return words;
@@ -385,13 +377,13 @@ bool ViewScreen::act_on_files(Action action) {
   switch (action) {
     case Action::frame: {
       std::vector<std::string> words = command_of_picture();
-      words.insert(words.end(), {"--picture", free_path(run, "view", ".png").string(), "--quiet"});
+      words.insert(words.end(), {"--picture", jobs_.free_file(run, "view", ".png").string(), "--quiet"});
       message_ = jobs_.start(words, "picture");
       return true;
     }
     case Action::film: {
-      std::vector<std::string> words = render_arguments(saved_job());
-      words.insert(words.end(), {"--film", free_path(run, "view", ".mp4").string(), "--quiet"});
+      std::vector<std::string> words = render_arguments(saved_job(), request_.lanes);
+      words.insert(words.end(), {"--film", jobs_.free_file(run, "view", ".mp4").string(), "--quiet"});
       message_ = jobs_.start(words, "film");
       return true;
     }

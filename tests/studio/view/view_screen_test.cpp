@@ -268,6 +268,17 @@ TEST(ViewScreen, SymbolsHaveNoTextsInThePictureAndFilesDo) {
   EXPECT_TRUE(contains(viewer.commands.back(), "--size 1280x720"));
 }
 
+TEST(ViewScreen, TwoPicturesThatAreSavedAtOnceHaveFilesOfTheirOwn) {
+  const TemporaryFolder folder;
+  const auto run = plate::write_run(folder / "run");
+  Viewer viewer(run);
+  viewer.press('p');
+  viewer.press('p');
+  EXPECT_TRUE(viewer.until([&] {
+    return std::filesystem::exists(run / "view.png") && std::filesystem::exists(run / "view_2.png");
+  }));
+}
+
 TEST(ViewScreen, WithoutPicturesThePlateIsInCells) {
   const TemporaryFolder folder;
   Viewer viewer(Viewer::request_for(plate::write_run(folder / "run")), false, false);
@@ -279,10 +290,15 @@ TEST(ViewScreen, WithoutPicturesThePlateIsInCells) {
 
 TEST(ViewScreen, UpToFourLanesAreSideBySide) {
   const TemporaryFolder folder;
-  Viewer viewer(plate::write_run(folder / "run", 6, 4));
+  viz::Request request = Viewer::request_for(plate::write_run(folder / "run", 6, 4));
+  Viewer viewer(request);
   ASSERT_TRUE(viewer.picture());
   viewer.press('c');
-  EXPECT_TRUE(contains(viewer.commands.back(), "--lane 0 --lane 1 --lane 2 --lane 3"));
+  EXPECT_FALSE(contains(viewer.commands.back(), "--lane"));
+  request.lanes = {1, 3};
+  Viewer two(request);
+  two.press('c');
+  EXPECT_TRUE(contains(two.commands.back(), "--lane 1 --lane 3 --field"));
   EXPECT_THROW(Viewer(plate::write_run(folder / "five", 6, 5)), viz::BadRequest);
 }
 
