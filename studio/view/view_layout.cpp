@@ -7,7 +7,7 @@ namespace rift::studio {
 namespace {
 
 // As `rift render --size` has it.
-constexpr int least_width_px = 320, least_height_px = 180, most_px = 8192;
+constexpr int least_width_px = 320, least_height_px = 180, drawable_px = 8192;
 
 int limited_cells(int cells, int cell_px, int most_px) {
   return most_px > 0 ? std::min(cells, most_px / cell_px) : cells;
@@ -39,7 +39,7 @@ ViewLayout view_layout(int width, int height, const PictureRoom& room) {
 std::array<int, 2> pixels_for(const Area& area, const PictureRoom& room, double share) {
   const double width = share * area.width * room.cell_width, height = share * area.height * room.cell_height;
   const double larger = std::max({1.0, least_width_px / width, least_height_px / height});
-  const double scale = std::min({larger, most_px / width, most_px / height});
+  const double scale = std::min({larger, drawable_px / width, drawable_px / height});
   return {even(scale * width), even(scale * height)};
 }
 

@@ -18,7 +18,7 @@ TEST(WriteWhole, ReachesATerminalThatReads) {
   std::thread screen([&] {
     std::array<char, 4096> buffer{};
     while (taken < picture.size()) {
-      const ssize_t count = read(ends.master, buffer.data(), buffer.size());
+      const ssize_t count = ::read(ends.master, buffer.data(), buffer.size());
       if (count <= 0) return;
       taken += static_cast<std::size_t>(count);
     }
