@@ -1,11 +1,10 @@
 #include "viz/frame_server.hpp"
 
-#include "engine/base/world_error.hpp"
-
 #include <poll.h>
 
 #include <array>
 #include <cstring>
+#include <exception>
 #include <span>
 
 namespace rift::viz {
@@ -27,9 +26,9 @@ void FrameServer::want(Order order) {
   send();
 }
 
-int FrameServer::descriptor() const { return program_ ? program_->child().output() : -1; }
+int FrameServer::descriptor() const { return program_ && sent_ ? program_->child().output() : -1; }
 
-bool FrameServer::look() {
+bool FrameServer::look() try {
   bool is_new = false;
   if (sent_ && has_something(descriptor())) {
     std::array<std::uint8_t, 1> done{};
@@ -41,6 +40,10 @@ bool FrameServer::look() {
   }
   send();
   return is_new;
+} catch (const std::exception& error) {  // the picture cannot be read
+  trouble_ = error.what();
+  sent_.reset();
+  return false;
 }
 
 void FrameServer::take() {
@@ -60,14 +63,14 @@ void FrameServer::note_end() try {
   if (!wanted_) wanted_ = std::move(sent_);
   sent_.reset();
   program_->go_on_after_end();
-} catch (const base::WorldError& error) {
+} catch (const std::exception& error) {
   trouble_ = error.what();
   program_.reset();
 }
 
 void FrameServer::start() try {
   if (!program_) begin();
-} catch (const base::WorldError& error) {
+} catch (const std::exception& error) {
   trouble_ = error.what();
 }
 
@@ -89,7 +92,7 @@ void FrameServer::send() try {
   wanted_.reset();
   // Where it has ended, its output ends too, and look() sees that.
   (void)program_->child().write({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()});
-} catch (const base::WorldError& error) {
+} catch (const std::exception& error) {
   trouble_ = error.what();
 }
 

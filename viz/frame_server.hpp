@@ -26,7 +26,7 @@ class FrameServer {
   /// Takes the answer that has arrived, if one has, and sends the order that waits. @return whether there is
   /// a new picture
   bool look();
-  /// Readable when look() has something to do; -1 where no program runs.
+  /// Readable when look() has something to do; -1 where no picture is being drawn.
   [[nodiscard]] int descriptor() const;
   /// Whether a picture is being drawn or waits to be.
   [[nodiscard]] bool busy() const { return sent_ || wanted_; }

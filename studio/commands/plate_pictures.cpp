@@ -4,6 +4,8 @@
 
 namespace rift::studio {
 
-MakePlatePicture plate_pictures() { return plate_of_run; }
+MakePlatePicture plate_pictures(const std::filesystem::path& programs) {
+  return [programs](const std::filesystem::path& run) { return plate_of_run(run, programs); };
+}
 
 }  // namespace rift::studio

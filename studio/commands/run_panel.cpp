@@ -19,7 +19,7 @@ AppContext app_context(int threads) {
   w.cache = base::user_cache();
   w.build = build_info();
   w.threads = threads;
-  w.plate_picture = plate_pictures();
+  w.plate_picture = plate_pictures(w.program.parent_path());
   return w;
 }
 

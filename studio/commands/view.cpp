@@ -1,3 +1,4 @@
+#include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/film_of_run.hpp"
@@ -38,7 +39,7 @@ ExitCode view(ViewOptions& options) try {
   std::vector<std::string> commands;
   screen->commands_go_to(commands);
   const ExitCode code = work_in_terminal(std::move(screen), session, wish);
-  for (const std::string& command : commands) base::print_text(command + "\n");
+  for (const std::string& command : commands) base::print_text(base::escaped(command) + "\n");
   return code;
 } catch (const viz::BadRequest& mistake) {
   base::message("rift view: {}\n", mistake.what());

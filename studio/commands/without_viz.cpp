@@ -48,7 +48,7 @@ void add_render(CLI::App& app, ExitCode& exit_code) {
   });
 }
 
-MakePlatePicture plate_pictures() { return {}; }
+MakePlatePicture plate_pictures(const std::filesystem::path&) { return {}; }
 
 void add_view(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand("view", "A run's pictures in the terminal (not in this build)");

@@ -83,6 +83,10 @@ void TerminalAnswers::read(std::string_view sequence) {
   }
 }
 
+void TerminalAnswers::read_cell(int width, int height) {
+  if (is_cell(width, height)) found_.cell_width = width, found_.cell_height = height;
+}
+
 void TerminalAnswers::read_control(std::string_view parameters, char final) {
   const bool is_private = parameters.starts_with('?');
   const std::vector<int> n = numbers_of(is_private ? parameters.substr(1) : parameters);
@@ -91,9 +95,9 @@ void TerminalAnswers::read_control(std::string_view parameters, char final) {
     for (std::size_t k = 1; k < n.size(); ++k) found_.sixel = found_.sixel || n[k] == 4;
   } else if (final == 't' && n.size() == 3 && is_size(n[1]) && is_size(n[2])) {
     found_.answers = true;
-    if (n[0] == 6) found_.cell_height = n[1], found_.cell_width = n[2];
+    if (n[0] == 6) read_cell(n[2], n[1]);
     if (n[0] == 4 && found_.cell_width == 0 && columns_ > 0 && rows_ > 0)
-      found_.cell_height = n[1] / rows_, found_.cell_width = n[2] / columns_;
+      read_cell(n[2] / columns_, n[1] / rows_);
   } else if (final == 'S' && is_private && n.size() == 4 && n[0] == 2 && n[1] == 0) {
     found_.answers = true;
     if (is_size(n[2]) && is_size(n[3])) found_.most_width = n[2], found_.most_height = n[3];

@@ -18,11 +18,12 @@ class TerminalAnswers {
   /// The last answer has come.
   [[nodiscard]] bool complete() const { return complete_; }
   [[nodiscard]] const Capabilities& capabilities() const { return found_; }
-  /// What was no answer: keys that were typed meanwhile.
-  [[nodiscard]] const std::string& typed() const { return typed_; }
+  /// What was no answer: keys that were typed meanwhile, an escape at the end among them.
+  [[nodiscard]] std::string typed() const { return rest_ == "\033" ? typed_ + rest_ : typed_; }
 
  private:
   void read(std::string_view sequence);
+  void read_cell(int width, int height);
   void read_control(std::string_view parameters, char final);
 
   int columns_, rows_;

@@ -1,5 +1,7 @@
 #include "studio/graphics/ask.hpp"
 
+#include "studio/graphics/write_whole.hpp"
+
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -36,22 +38,15 @@ class QuietModes {
   bool known_;
 };
 
-bool write_whole(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
 void read_answers(int in, TerminalAnswers& answers, Clock::time_point until) {
   std::array<char, 512> buffer{};
   while (!answers.complete()) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
     pollfd one{in, POLLIN, 0};
-    if (left <= 0 || (poll(&one, 1, static_cast<int>(left)) <= 0 && errno != EINTR)) return;
+    if (left <= 0) return;
+    const int ready = poll(&one, 1, static_cast<int>(left));
+    if (ready < 0 && errno == EINTR) continue;  // another size, say
+    if (ready <= 0) return;
     const ssize_t count = ::read(in, buffer.data(), buffer.size());
     if (count > 0) answers.take({buffer.data(), static_cast<std::size_t>(count)});
     if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) return;
@@ -65,12 +60,12 @@ Asked ask_terminal(int in, int out, const TerminalKind& kind, std::chrono::milli
   (void)ioctl(out, TIOCGWINSZ, &size);
   TerminalAnswers answers(size.ws_col, size.ws_row);
   const QuietModes quiet(in);
-  if (write_whole(out, question_for(kind))) read_answers(in, answers, Clock::now() + patience);
+  if (write_whole(out, question_for(kind), patience)) read_answers(in, answers, Clock::now() + patience);
   Capabilities found = answers.capabilities();
   found.iterm = kind.iterm;
-  if (found.cell_width == 0 && size.ws_xpixel > 0 && size.ws_col > 0 && size.ws_row > 0) {
-    found.cell_width = size.ws_xpixel / size.ws_col;
-    found.cell_height = size.ws_ypixel / size.ws_row;
+  if (found.cell_width == 0 && size.ws_col > 0 && size.ws_row > 0) {
+    const int width = size.ws_xpixel / size.ws_col, height = size.ws_ypixel / size.ws_row;
+    if (is_cell(width, height)) found.cell_width = width, found.cell_height = height;
   }
   return {found, answers.typed()};
 }

@@ -19,6 +19,10 @@ class PicturePace {
   void written(double now_s);
   /// The terminal has answered.
   void taken(double now_s);
+  /// Its answer is no longer waited for.
+  void forget() { waits_ = false; }
+  /// Whether it still takes the last picture.
+  [[nodiscard]] bool waits() const { return waits_; }
   [[nodiscard]] bool may_send(double now_s) const;
   /// As measured, and no more than the limit; 0 where nothing was measured yet.
   [[nodiscard]] double bytes_per_s() const;

@@ -27,6 +27,11 @@ struct Capabilities {
   int most_width = 0, most_height = 0;  // of a picture; 0 where not limited
 };
 
+/// Whether a letter of a terminal can have this size. [px]
+[[nodiscard]] constexpr bool is_cell(int width, int height) {
+  return width > 0 && width <= 256 && height > 0 && height <= 256;
+}
+
 /// What the environment says.
 struct TerminalKind {
   std::string term;          // $TERM

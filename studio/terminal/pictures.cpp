@@ -2,36 +2,28 @@
 
 #include "engine/base/clock.hpp"
 #include "studio/graphics/ask.hpp"
+#include "studio/graphics/write_whole.hpp"
 
 #include <unistd.h>
-
-#include <cerrno>
-#include <string_view>
 
 namespace rift::studio {
 namespace {
 
 constexpr auto patience = std::chrono::milliseconds(300);
+constexpr auto write_patience = std::chrono::seconds(2);
+constexpr const char* ends_string = "\033\\";
 constexpr const char* have_you_got_it = "\033[5n";
 
 double now_s() { return base::seconds_since(base::Clock::time_point{}); }
 
-void write_to_terminal(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
-    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-    if (count <= 0) return;  // it is gone, which others notice
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
-
 }  // namespace
 
 std::string TerminalPictures::ask() {
-  Asked asked;
-  if (answers_) asked = ask_terminal(STDIN_FILENO, STDOUT_FILENO, kind_, patience);
-  const Capabilities& found = asked.capabilities;
-  answers_ = found.answers;
+  const Asked asked = ask_terminal(STDIN_FILENO, STDOUT_FILENO, kind_, patience);
+  // One that has answered before is late this time.
+  if (asked.capabilities.answers || !found_.answers) found_ = asked.capabilities;
+  answers_ = found_.answers;
+  const Capabilities& found = found_;
   const Graphics graphics = chosen_graphics(wish_.asked, found);
   room_.pictures = graphics != Graphics::cells && PictureEncoder::there();
   room_.symbols = graphics == Graphics::symbols;
@@ -72,7 +64,7 @@ void TerminalPictures::show(const std::optional<ScreenPicture>& picture) {
   if (!in_letters_) pixels_bytes_ = static_cast<double>(bytes.size());
   if (!bytes.empty()) {
     pace_->begin(bytes.size(), now_s());
-    write_to_terminal(bytes + (answers_ ? have_you_got_it : ""));
+    write(bytes + (answers_ ? have_you_got_it : ""));
     pace_->written(now_s());
   }
   room_.bytes_per_pixel = static_cast<double>(bytes.size()) / picture->width / picture->height;
@@ -80,10 +72,13 @@ void TerminalPictures::show(const std::optional<ScreenPicture>& picture) {
   number_ = picture->number;
 }
 
-void TerminalPictures::write(const std::string& codes) { write_to_terminal(codes); }
+/// After codes that were cut off, whatever they had begun is ended first.
+void TerminalPictures::write(const std::string& codes) {
+  cut_off_ = !write_whole(STDOUT_FILENO, cut_off_ ? ends_string + codes : codes, write_patience);
+}
 
 void TerminalPictures::take_away() {
-  if (number_ != 0) write_to_terminal((in_letters_ ? *letters_ : *encoder_).clear(shown_));
+  if (number_ != 0) write((in_letters_ ? *letters_ : *encoder_).clear(shown_));
   number_ = 0;
 }
 
@@ -94,6 +89,10 @@ void TerminalPictures::forget_size() {
 
 void TerminalPictures::taken() {
   if (pace_) pace_->taken(now_s());
+}
+
+void TerminalPictures::forget_answer() {
+  if (pace_) pace_->forget();
 }
 
 }  // namespace rift::studio

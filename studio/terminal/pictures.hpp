@@ -39,6 +39,10 @@ class TerminalPictures {
   void forget_size();
   /// It has answered that it took the picture.
   void taken();
+  /// Whether that answer is still to come.
+  [[nodiscard]] bool awaits_answer() const { return pace_ && pace_->waits(); }
+  /// It is no longer waited for.
+  void forget_answer();
   /// Control codes that ncurses does not know.
   void write(const std::string& codes);
   /// What takes a picture away in a crash.
@@ -54,7 +58,8 @@ class TerminalPictures {
   bool in_letters_ = false;
   double pixels_bytes_ = 0;  // of the last picture in pixels
   std::optional<PicturePace> pace_;
-  bool answers_ = true;
+  Capabilities found_;                     // as last answered
+  bool answers_ = true, cut_off_ = false;  // cut off: the last codes were not written to their end
   PictureRoom room_;
   Area shown_;
   std::uint64_t number_ = 0;

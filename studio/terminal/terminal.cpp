@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -266,12 +267,25 @@ void Terminal::report_drags(bool wanted) {
   pictures_->write(wanted ? "\033[?1002h" : "\033[?1002l\033[?1000h");
 }
 
+void Terminal::give_back() {
+  report_drags(false);
+  pictures_->take_away();
+  await_answer();
+  endwin();
+}
+
+/// The answer to the last picture would be typed into the shell.
+void Terminal::await_answer() {
+  using Clock = std::chrono::steady_clock;
+  if (!pictures_->awaits_answer()) return;
+  const auto until = Clock::now() + std::chrono::milliseconds(500);
+  while (pictures_->awaits_answer() && Clock::now() < until) (void)key_event(20);
+  pictures_->forget_answer();
+  drop_typed();
+}
+
 Terminal::~Terminal() {
-  if (hold_now() == Hold::ours) {
-    report_drags(false);
-    pictures_->take_away();
-    endwin();
-  }
+  if (hold_now() == Hold::ours) give_back();
   unguard_terminal();
   if (std::signal(SIGTSTP, SIG_DFL) == SIG_IGN) std::signal(SIGTSTP, SIG_IGN);
 }
@@ -279,17 +293,11 @@ Terminal::~Terminal() {
 void Terminal::stop_if_asked() {
   if (stop_asked == 0) return;
   stop_asked = 0;
-  const bool drags = drags_;
-  if (hold_now() == Hold::ours) {
-    report_drags(false);
-    pictures_->take_away();
-    endwin();
-  }
+  if (hold_now() == Hold::ours) give_back();
   away_ = true;
   std::signal(SIGTSTP, SIG_DFL);
   std::raise(SIGTSTP);  // comes back from here after fg or bg
   std::signal(SIGTSTP, note_stop);
-  if (hold_now() == Hold::ours) report_drags(drags);
 }
 
 Terminal::Hold Terminal::hold() {
@@ -298,7 +306,8 @@ Terminal::Hold Terminal::hold() {
     pictures_->take_away();
     if (!isendwin()) endwin();  // stopped by a signal that leaves no time to give the terminal back
     clearok(curscr, TRUE);
-    refresh();  // the program's modes, and all that was shown
+    refresh();       // the program's modes, and all that was shown
+    drags_ = false;  // which is no mode that ncurses knows
   }
   away_ = now != Hold::ours;
   return now;

@@ -78,6 +78,8 @@ class Terminal {
   void set_style(const Style& style);
   void guard();
   [[nodiscard]] KeyEvent escape();
+  void give_back();
+  void await_answer();
 
   bool color_, away_ = false, drags_ = false;
   Glyphs glyphs_;

@@ -1,21 +1,23 @@
 #include "studio/view/run_plate.hpp"
 
-#include "engine/base/world_error.hpp"
 #include "studio/view/view_layout.hpp"
 #include "viz/frame_server.hpp"
 #include "viz/plan.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace rift::studio {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto between_looks = std::chrono::milliseconds(250);
+constexpr auto between_looks = std::chrono::milliseconds(250),
+               after_failure = std::chrono::milliseconds(1000);
 
 class RunPlate : public PlatePicture {
  public:
-  explicit RunPlate(const std::filesystem::path& run) {
+  RunPlate(const std::filesystem::path& run, const std::filesystem::path& programs)
+      : server_(viz::Gl::any, programs) {
     request_.runs = {run};
     request_.chart = false;
     server_.start();
@@ -25,15 +27,17 @@ class RunPlate : public PlatePicture {
             bool velocity) override {
     if (server_.look()) ++number_, shown_at_ = ordered_at_;
     const std::string field = velocity ? "vy" : "uy";
+    if (lanes != request_.lanes) lanes_.clear();
     const bool other = lanes != request_.lanes || field != request_.field || room.symbols == request_.texts;
     request_.lanes = lanes, request_.field = field, request_.texts = !room.symbols;
     request_.range_of_moment = velocity;  // nobody knows before how fast it will be
-    place_ = place;
-    if (!other && Clock::now() - looked_ < between_looks && has_order_for(place)) return;
+    place_ = limited(place, room);
+    const bool soon = Clock::now() - looked_ < (trouble_.empty() ? between_looks : after_failure);
+    if (!other && soon && (!plan_ || same(ordered_at_, place_))) return;
     looked_ = Clock::now();
     if (other) plan_.reset();
     read();
-    if (plan_ && !place.empty()) order(room);
+    if (plan_ && !place_.empty()) order(room);
   }
 
   [[nodiscard]] std::optional<ScreenPicture> picture() const override {
@@ -47,28 +51,30 @@ class RunPlate : public PlatePicture {
   }
 
  private:
-  static bool same(const Area& a, const Area& b) {
-    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
-  }
-  [[nodiscard]] bool has_order_for(const Area& place) const { return same(ordered_at_, place); }
-
   /// The run's moments so far; one that has just begun has none yet.
   void read() try {
-    if (!plan_) {
-      std::vector<std::string> notes;
-      lanes_ = viz::open_lanes(request_, notes);
-      plan_ = viz::plan_of(request_, lanes_);
-    }
+    std::vector<std::string> notes;
+    if (lanes_.empty()) lanes_ = viz::open_lanes(request_, notes);
     for (const viz::Shown& lane : lanes_)
       if (!lane.journal->summary_json()) lane.journal->extend();
+    if (std::any_of(lanes_.begin(), lanes_.end(), may_get_frames)) {
+      trouble_ = "no frame is stored yet";
+      return;
+    }
+    if (!plan_) plan_ = viz::plan_of(request_, lanes_);
     viz::choose_clock(*plan_, lanes_);
     trouble_.clear();
-  } catch (const viz::BadRequest& mistake) {
+  } catch (const viz::BadRequest& mistake) {  // of the field, say: the lanes stay open
     trouble_ = mistake.what();
     plan_.reset();
-  } catch (const base::WorldError& error) {
+  } catch (const std::exception& error) {
     trouble_ = error.what();
     plan_.reset();
+    lanes_.clear();
+  }
+
+  static bool may_get_frames(const viz::Shown& lane) {
+    return lane.frames().empty() && !lane.journal->summary_json();
   }
 
   void order(const PictureRoom& room) {
@@ -76,7 +82,7 @@ class RunPlate : public PlatePicture {
     const auto size = pixels_for(place_, room, 1);
     order.job.width = size[0], order.job.height = size[1];
     std::string text = viz::to_json(order);
-    if (text == ordered_ && has_order_for(place_)) return;
+    if (text == ordered_ && same(ordered_at_, place_)) return;
     ordered_ = std::move(text);
     ordered_at_ = place_;
     server_.want(std::move(order));
@@ -94,8 +100,9 @@ class RunPlate : public PlatePicture {
 
 }  // namespace
 
-std::unique_ptr<PlatePicture> plate_of_run(const std::filesystem::path& run) {
-  return std::make_unique<RunPlate>(run);
+std::unique_ptr<PlatePicture> plate_of_run(const std::filesystem::path& run,
+                                           const std::filesystem::path& programs) {
+  return std::make_unique<RunPlate>(run, programs);
 }
 
 }  // namespace rift::studio

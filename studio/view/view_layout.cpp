@@ -7,22 +7,30 @@ namespace rift::studio {
 namespace {
 
 // As `rift render --size` has it.
-constexpr int least_width_px = 320, least_height_px = 180;
+constexpr int least_width_px = 320, least_height_px = 180, drawable_px = 8192;
 
-int limited(int cells, int cell_px, int most_px) {
+int limited_cells(int cells, int cell_px, int most_px) {
   return most_px > 0 ? std::min(cells, most_px / cell_px) : cells;
 }
 
-int even(double pixels) { return 2 * static_cast<int>(std::ceil(0.5 * pixels)); }
+int even(double pixels) { return 2 * static_cast<int>(std::lround(0.5 * pixels)); }
 
 }  // namespace
+
+bool same(const Area& a, const Area& b) {
+  return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
+Area limited(const Area& area, const PictureRoom& room) {
+  const int columns = limited_cells(area.width, room.cell_width, room.most_width);
+  const int rows = limited_cells(area.height, room.cell_height, room.most_height);
+  return {area.x + (area.width - columns) / 2, area.y, columns, rows};
+}
 
 ViewLayout view_layout(int width, int height, const PictureRoom& room) {
   if (width < least_width || height < least_height) return {};
   constexpr int below = 4;
-  const int columns = limited(width, room.cell_width, room.most_width);
-  const int rows = limited(height - below, room.cell_height, room.most_height);
-  return {{(width - columns) / 2, 0, columns, rows},
+  return {limited({0, 0, width, height - below}, room),
           {1, height - 4, width - 2, 1},
           {1, height - 3, width - 2, 2},
           {1, height - 1, width - 2, 1}};
@@ -31,7 +39,8 @@ ViewLayout view_layout(int width, int height, const PictureRoom& room) {
 std::array<int, 2> pixels_for(const Area& area, const PictureRoom& room, double share) {
   const double width = share * area.width * room.cell_width, height = share * area.height * room.cell_height;
   const double larger = std::max({1.0, least_width_px / width, least_height_px / height});
-  return {even(larger * width), even(larger * height)};
+  const double scale = std::min({larger, drawable_px / width, drawable_px / height});
+  return {even(scale * width), even(scale * height)};
 }
 
 double share_while_moving(const Area& area, const PictureRoom& room, double drawn_s, double wished_s) {

@@ -12,11 +12,16 @@ struct ViewLayout {
   Area picture, numbers, message, foot;
 };
 
+[[nodiscard]] bool same(const Area& a, const Area& b);
+
+/// The part of an area that the largest picture of the terminal fills: at its top, in the middle.
+[[nodiscard]] Area limited(const Area& area, const PictureRoom& room);
+
 /// Pure arithmetic for any size; empty where the terminal is too small.
 /// @param room  whose largest picture limits the picture's area
 [[nodiscard]] ViewLayout view_layout(int width, int height, const PictureRoom& room);
 
-/// The pixels of a picture for an area, even numbers as films need them.
+/// The pixels of a picture for an area, even numbers as films need them, and no more than can be drawn.
 /// @param share  of the pixels along each side, in (0, 1]
 [[nodiscard]] std::array<int, 2> pixels_for(const Area& area, const PictureRoom& room, double share);
 

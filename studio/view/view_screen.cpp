@@ -1,7 +1,6 @@
 #include "studio/view/view_screen.hpp"
 
 #include "engine/base/clock.hpp"
-#include "engine/base/world_error.hpp"
 #include "engine/results/records.hpp"
 #include "studio/screen/plate.hpp"
 #include "studio/view/camera.hpp"
@@ -61,9 +60,12 @@ ViewScreen::ViewScreen(viz::Request request, viz::Gl gl, std::filesystem::path p
 void ViewScreen::take_room(const PictureRoom& room) {
   room_ = room;
   if (!has_room_ && room.symbols) {  // texts could not be read
-    request_.texts = false;
-    if (!request_.chart) request_.chart = false;
-    plan_ = viz::plan_of(request_, shown_);
+    const std::string said = message_;
+    const bool can = change([](viz::Request& request) {
+      request.texts = false;
+      request.chart = request.chart.value_or(false);
+    });
+    if (can) message_ = said;
   }
   if (!has_room_ && !room.pictures)
     message_ = "this terminal gets no pictures: the plate is in cells, by vertical displacement";
@@ -99,9 +101,9 @@ void ViewScreen::take_picture() {
   viz::Order order = server_.order();
   order.asked.reset();
   const std::string text = viz::to_json(order);
+  image_for_ = ordered_for_;
   if (text == shown_order_) return;
   shown_order_ = text;
-  image_for_ = ordered_for_;
   const auto all = pixels_for(image_for_, room_, 1);
   if (answer.width == all[0] && answer.height == all[1]) drawn_s_ = answer.seconds;
   show_crosshair();
@@ -134,7 +136,7 @@ void ViewScreen::follow_runs() try {
     if (!pane.journal->summary_json()) pane.journal->extend();
   viz::choose_clock(plan_, shown_);
   if (plan_.times_s.size() != before) player_.grow(static_cast<int>(plan_.times_s.size()));
-} catch (const base::WorldError& error) {
+} catch (const std::exception& error) {
   message_ = error.what();
 }
 
@@ -156,12 +158,12 @@ viz::Job ViewScreen::job_of_size(double share) const {
 /// Asks for the picture that should be there now. While the terminal still takes one and the next waits, none
 /// of a moment that will be over is drawn.
 void ViewScreen::order() {
-  if (player_.playing() && room_.shown != number_) return;
+  if (player_.playing() && room_.shown != number_ && picture()) return;
   const bool moves = moves_now();
   viz::Order order{job_of_size(share_now()), plan_.times_s[static_cast<std::size_t>(player_.moment())], {}};
   const std::string text = viz::to_json(order);
   const bool asks = asked_ && !asking_;
-  if (text == ordered_ && !asks) {
+  if (text == ordered_ && same(ordered_for_, layout_.picture) && !asks) {
     if (!moves && room_.rough && !server_.busy()) show_at_rest();
     return;
   }
@@ -181,10 +183,9 @@ void ViewScreen::show_at_rest() {
 }
 
 std::optional<ScreenPicture> ViewScreen::picture() const {
-  const Area &a = image_for_, &b = layout_.picture;
-  const bool fits = a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
-  if (number_ == 0 || b.empty() || !fits) return {};
-  return ScreenPicture{b, server_.image().width, server_.image().height, pixels_, number_, moves_};
+  const Area& place = layout_.picture;
+  if (number_ == 0 || place.empty() || !same(image_for_, place)) return {};
+  return ScreenPicture{place, server_.image().width, server_.image().height, pixels_, number_, moves_};
 }
 
 void ViewScreen::draw(Canvas& canvas, Glyphs glyphs) {
@@ -213,7 +214,7 @@ void ViewScreen::draw(Canvas& canvas, Glyphs glyphs) {
 }
 
 /// What a terminal without pictures gets: vertical displacement or velocity of the first lane.
-void ViewScreen::draw_cells(Canvas& canvas, Glyphs glyphs) {
+void ViewScreen::draw_cells(Canvas& canvas, Glyphs glyphs) try {
   const viz::Shown& pane = shown_.front();
   const auto at = std::min(static_cast<std::size_t>(player_.moment()), pane.frames().size() - 1);
   if (cells_moment_ != static_cast<int>(at)) cells_frame_ = pane.journal->frame(pane.frames()[at]);
@@ -225,6 +226,8 @@ void ViewScreen::draw_cells(Canvas& canvas, Glyphs glyphs) {
               .pulled = pane.header.value("displacement_m", 0.0),
               .tips = tips},
              glyphs);
+} catch (const std::exception& error) {
+  message_ = error.what();
 }
 
 }  // namespace rift::studio

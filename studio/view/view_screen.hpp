@@ -59,23 +59,26 @@ class ViewScreen : public Screen {
   // view_keys.cpp: what keys do
   void act(Action action);
   bool act_on_time(Action action);
-  bool act_on_camera(Action action);
   bool act_on_look(Action action);
   bool act_on_files(Action action);
-  void press_mouse(const KeyEvent& event);
-  bool move_crosshair(const KeyEvent& event);
   void take_typed();
   void jump(const std::string& text);
   bool change(const std::function<void(viz::Request&)>& what);
-  void look_by(const viz::View& view);
-  [[nodiscard]] viz::View view_now() const;
-  void zoom(double factor, std::optional<std::array<double, 2>> pixel);
-  void next_camera();
   void next_field();
   void next_range();
-  void ask_at(const std::array<double, 2>& fraction);
   [[nodiscard]] viz::Job saved_job() const;
   [[nodiscard]] std::vector<std::string> command_of_picture() const;
+
+  // view_camera.cpp: what moves the camera, and what is pointed at
+  bool act_on_camera(Action action);
+  [[nodiscard]] viz::View view_now() const;
+  void look_by(const viz::View& view);
+  void zoom(double factor, std::optional<std::array<double, 2>> pixel);
+  void next_camera();
+  void ask_at(const std::array<double, 2>& fraction);
+  bool move_crosshair(const KeyEvent& event);
+  void press_mouse(const KeyEvent& event);
+
   void touch() { touched_ = Clock::now(); }
 
   viz::Request request_;

@@ -86,19 +86,17 @@ std::string distance_between(const viz::Picked& a, const viz::Picked& b) {
   return text;
 }
 
-std::vector<std::string> render_arguments(const viz::Job& job) {
+std::vector<std::string> render_arguments(const viz::Job& job, const std::vector<int>& lanes) {
   std::vector<std::string> words{"render"};
-  std::vector<std::string> lanes;
   for (const viz::Pane& pane : job.panes) {
-    const std::string run = pane.run.string(), lane = fmt::format("{}", pane.lane);
-    if (std::find(words.begin(), words.end(), run) == words.end()) words.push_back(run);
-    if (std::find(lanes.begin(), lanes.end(), lane) == lanes.end()) lanes.push_back(lane);
+    const std::string run = pane.run.string();
+    if (std::find(words.begin() + 1, words.end(), run) == words.end()) words.push_back(run);
   }
   const viz::Look& look = job.look;
   const auto add = [&](const char* option, std::string value) {
     words.insert(words.end(), {option, std::move(value)});
   };
-  for (const std::string& lane : lanes) add("--lane", lane);
+  for (const int lane : lanes) add("--lane", fmt::format("{}", lane));
   add("--field", look.field);
   add("--colours", look.colours.empty() ? std::string(viz::colour_map_of(*viz::find_field(look.field)).name)
                                         : look.colours);

@@ -20,8 +20,8 @@ namespace rift::studio {
 [[nodiscard]] std::string distance_between(const viz::Picked& a, const viz::Picked& b);
 
 /// The arguments of the `rift render` that makes this picture, without the program's name and what is to be
-/// written.
-[[nodiscard]] std::vector<std::string> render_arguments(const viz::Job& job);
+/// written. @param lanes  that were asked for; none: all
+[[nodiscard]] std::vector<std::string> render_arguments(const viz::Job& job, const std::vector<int>& lanes);
 
 /// Words as a shell reads them.
 [[nodiscard]] std::string shell_line(const std::vector<std::string>& words);

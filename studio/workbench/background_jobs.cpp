@@ -7,16 +7,15 @@
 namespace rift::studio {
 
 namespace fs = std::filesystem;
-namespace {
 
-/// The first of stem.png, stem_2.png, ... that does not exist yet.
-fs::path free_file(const fs::path& folder, const std::string& stem, const std::string& ending) {
+fs::path BackgroundJobs::free_file(const fs::path& folder, const std::string& stem,
+                                   const std::string& ending) {
   fs::path path = folder / (stem + ending);
-  for (int k = 2; fs::exists(path); ++k) path = folder / fmt::format("{}_{}{}", stem, k, ending);
+  for (int k = 2; fs::exists(path) || given_.contains(path); ++k)
+    path = folder / fmt::format("{}_{}{}", stem, k, ending);
+  given_.insert(path);
   return path;
 }
-
-}  // namespace
 
 std::string BackgroundJobs::start(const std::vector<std::string>& arguments, const std::string& what) try {
   std::vector<std::string> command{program_.string()};

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ class BackgroundJobs {
   /// What to say of those that have ended since; empty: nothing.
   std::string report_ended();
 
+  /// The first of folder/stem.ending, folder/stem_2.ending, ... that neither exists nor was given before: a
+  /// job writes its file later.
+  [[nodiscard]] std::filesystem::path free_file(const std::filesystem::path& folder, const std::string& stem,
+                                                const std::string& ending);
+
   // What rift is asked for of a run's folder.
   std::string picture(const std::filesystem::path& run, int lane);
   /// @param from_us  of the crack's time; to_us at or before it: all of the run
@@ -34,6 +40,7 @@ class BackgroundJobs {
     std::unique_ptr<base::ChildProcess> child;
   };
   std::filesystem::path program_;
+  std::set<std::filesystem::path> given_;
   std::vector<Job> jobs_;
 };
 

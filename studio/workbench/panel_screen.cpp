@@ -43,7 +43,7 @@ std::optional<ScreenPicture> PanelScreen::picture() const {
   return plate_ && !typing() ? plate_->picture() : std::nullopt;
 }
 
-std::string PanelScreen::toggle_picture(const std::filesystem::path& run) {
+std::string PanelScreen::toggle_picture(const std::filesystem::path& run) try {
   if (plate_) {
     plate_.reset();
     return "plate: cells";
@@ -51,6 +51,8 @@ std::string PanelScreen::toggle_picture(const std::filesystem::path& run) {
   if (!make_plate_) return "this rift was built without its renderer: the plate stays in cells";
   plate_ = make_plate_(run);
   return "plate: picture of the last stored moment";
+} catch (const std::exception& error) {
+  return error.what();
 }
 
 bool PanelScreen::choose(const KeyEvent& event) {

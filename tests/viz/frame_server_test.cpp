@@ -105,6 +105,20 @@ TEST(FrameServer, ThatIsKilledCostsOnePictureAndIsStartedAgain) {
   EXPECT_EQ(server.image().rgb, drawn(job, 4).rgb);
 }
 
+TEST(FrameServer, AtRestWakensNobodyAlsoWhereItsProgramEnds) {
+  const TemporaryFolder folder;
+  const Job job = job_for(write_run(folder / "run"));
+  FrameServer server(Gl::any, programs());
+  server.want(order_for(job, 1));
+  EXPECT_GE(server.descriptor(), 0);
+  ASSERT_TRUE(looks_until(server, [&] { return !server.busy(); }));
+  EXPECT_EQ(server.descriptor(), -1);
+  ASSERT_EQ(kill(child_of_this_process(), SIGKILL), 0);
+  server.look();
+  EXPECT_EQ(server.descriptor(), -1);
+  EXPECT_EQ(server.trouble(), "");
+}
+
 TEST(FrameServer, ThatAlwaysFailsIsStartedOnceASecond) {
   const TemporaryFolder folder;
   write_script(folder / "rift-frames-osmesa",
@@ -123,6 +137,15 @@ TEST(FrameServer, WithoutAProgramSaysSo) {
   FrameServer server(Gl::osmesa, folder.path());
   server.want(order_for(job_for(folder / "nothing"), 0));
   EXPECT_TRUE(contains(server.trouble(), "cannot start "));
+}
+
+TEST(FrameServer, WithoutMemoryForAPictureSaysSo) {
+  const TemporaryFolder folder;
+  Job job = job_for(folder / "nothing");
+  job.width = job.height = 2'000'000'000;
+  FrameServer server(Gl::any, programs());
+  EXPECT_NO_THROW(server.want(order_for(job, 0)));
+  EXPECT_TRUE(contains(server.trouble(), "no room in shared memory"));
 }
 
 TEST(FrameServer, TurnsToEglWhereOsmesaIsNotToBeHad) {

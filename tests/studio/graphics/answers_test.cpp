@@ -58,12 +58,16 @@ TEST(TerminalAnswers, KeysTypedMeanwhileAreKept) {
   EXPECT_EQ(answers.typed(), "q\033[Axy\033OB");
   EXPECT_TRUE(answers.capabilities().kitty);
   EXPECT_TRUE(answers.capabilities().sixel);
+  EXPECT_EQ(read("q\033").typed(), "q\033");
+  EXPECT_EQ(read("q\033[?62").typed(), "q") << "half an answer is no keys";
 }
 
 TEST(TerminalAnswers, ARefusalAndJunkAreNoPictures) {
   EXPECT_FALSE(read("\033_Gi=31;ENOTSUPPORTED\033\\\033[?62c").capabilities().kitty);
   EXPECT_FALSE(read("\033[?2;3;0S\033[?62;c").capabilities().most_width > 0);
   EXPECT_EQ(read("\033[6;0;-7t\033[6;99999999999;1t").capabilities().cell_width, 0);
+  EXPECT_EQ(read("\033[6;300;10t").capabilities().cell_width, 0) << "no letter is so high";
+  EXPECT_EQ(read("\033[4;10;800t").capabilities().cell_width, 0) << "24 rows of no pixel each";
   EXPECT_FALSE(read("\033[").complete());
   EXPECT_FALSE(read("\033_G never ends").capabilities().answers);
   EXPECT_FALSE(read("").capabilities().answers);

@@ -1,44 +1,16 @@
 #include "studio/graphics/ask.hpp"
 
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <poll.h>
-#include <stdlib.h>
-#include <termios.h>
-#include <unistd.h>
+#include "tests/studio/graphics/ends.hpp"
 
-#include <chrono>
-#include <functional>
-#include <stdexcept>
-#include <string>
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <signal.h>
+#include <termios.h>
+
 #include <thread>
 
 namespace rift::studio {
 namespace {
-
-/// The two ends of a terminal: the test is its screen and keyboard.
-class Ends {
- public:
-  Ends() : master(posix_openpt(O_RDWR | O_NOCTTY)) {
-    if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0)
-      throw std::runtime_error("no pseudo-terminal");
-    terminal = open(ptsname(master), O_RDWR | O_NOCTTY);
-  }
-  ~Ends() { close(master), close(terminal); }
-  Ends(const Ends&) = delete;
-  Ends& operator=(const Ends&) = delete;
-
-  void type(const std::string& text) const {
-    ASSERT_EQ(write(master, text.data(), text.size()), std::ssize(text));
-  }
-  int master, terminal = -1;
-};
-
-double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 TEST(AskTerminal, WaitsNoLongerThanForTheLastAnswer) {
   const Ends ends;
@@ -56,6 +28,26 @@ TEST(AskTerminal, WaitsNoLongerThanForTheLastAnswer) {
   EXPECT_TRUE(asked.capabilities.kitty);
   EXPECT_EQ(asked.capabilities.cell_height, 18);
   EXPECT_EQ(asked.typed, "xy");
+}
+
+TEST(AskTerminal, WaitsOnWhereASignalComesBetween) {
+  const Ends ends;
+  struct sigaction action {
+  }, before{};
+  action.sa_handler = [](int) {};
+  ASSERT_EQ(sigaction(SIGWINCH, &action, &before), 0);
+  const pthread_t asking = pthread_self();
+  std::thread screen([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    pthread_kill(asking, SIGWINCH);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ends.type("\033_Gi=31;OK\033\\\033[?62;4c");
+  });
+  const Asked asked = ask_terminal(ends.terminal, ends.terminal, {}, std::chrono::seconds(20));
+  screen.join();
+  ASSERT_EQ(sigaction(SIGWINCH, &before, nullptr), 0);
+  EXPECT_TRUE(asked.capabilities.kitty);
+  EXPECT_TRUE(asked.capabilities.sixel);
 }
 
 TEST(AskTerminal, ThatAnswersNothingHasNothingAndItsModesAreAsBefore) {

@@ -47,5 +47,17 @@ TEST(PicturePace, AFewBytesSayNothingOfTheSpeed) {
   EXPECT_EQ(pace.bytes_per_s(), 0);
 }
 
+TEST(PicturePace, AnAnswerThatIsForgottenIsNotWaitedFor) {
+  PicturePace pace(true, 0);
+  pace.begin(5000, 1);
+  pace.written(1);
+  EXPECT_TRUE(pace.waits());
+  EXPECT_FALSE(pace.may_send(2));
+  pace.forget();
+  EXPECT_FALSE(pace.waits());
+  EXPECT_TRUE(pace.may_send(2));
+  EXPECT_EQ(pace.bytes_per_s(), 0) << "nothing was measured";
+}
+
 }  // namespace
 }  // namespace rift::studio

@@ -76,6 +76,15 @@ TEST(ViewInATerminal, ThePictureFollowsTheSize) {
   EXPECT_EQ(screen.images_there(), 0);
 }
 
+TEST(ViewInATerminal, WhatItOnceAnsweredHoldsWhereItIsLateAfterAnotherSize) {
+  const TemporaryFolder folder;
+  KittyScreen screen(view_of_run(plate::write_run(folder / "run")));
+  ASSERT_TRUE(screen.rests());
+  screen.be_silent();
+  screen.resize(80, 24);
+  EXPECT_TRUE(screen.reads_until([&] { return screen.image().width == 800; }));
+}
+
 TEST(ViewInATerminal, HelpIsNotBehindThePicture) {
   const TemporaryFolder folder;
   KittyScreen screen(view_of_run(plate::write_run(folder / "run")));

@@ -52,6 +52,8 @@ class KittyScreen {
     terminal_.resize(columns, rows);
     kill(terminal_.process(), SIGWINCH);
   }
+  /// It no longer says what it is.
+  void be_silent() { silent_ = true; }
   void hang_up() { terminal_.hang_up(); }
   int exit_code() {
     (void)reads_until([] { return false; });  // until the command closes it
@@ -93,6 +95,7 @@ class KittyScreen {
     }
   }
   void answer(const std::string& question) {
+    if (silent_ && question != "\033[5n") return;
     if (question == "\033[16t") terminal_.type("\033[6;20;10t");
     if (question == "\033[c") terminal_.type("\033[?62;c");
     if (question == "\033[5n") due_.push_back(Clock::now() + std::chrono::duration<double>(slow_s_));
@@ -104,7 +107,8 @@ class KittyScreen {
   void picture_command(const std::string& text) {
     if (text.empty() || text[0] != 'G') return;
     const std::string keys = text.substr(1, text.find(';') - 1);
-    if (keys.find("a=q") != std::string::npos) return terminal_.type("\033_Gi=31;OK\033\\");
+    if (keys.find("a=q") != std::string::npos)
+      return silent_ ? void() : terminal_.type("\033_Gi=31;OK\033\\");
     if (keys.find("a=d") != std::string::npos) {
       there_.erase(number(keys, "i"));
       return;
@@ -144,6 +148,7 @@ class KittyScreen {
   }
 
   double slow_s_;
+  bool silent_ = false;
   std::deque<std::chrono::time_point<Clock, std::chrono::duration<double>>> due_;
   PseudoTerminal terminal_;
   std::size_t read_ = 0, looked_ = 0;

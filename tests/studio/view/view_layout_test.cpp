@@ -35,6 +35,14 @@ TEST(ViewLayout, PartsAreApartAndOnTheScreenAtEverySize) {
       }
 }
 
+TEST(ViewLayout, ThePartForTheLargestPictureIsInTheMiddle) {
+  const PictureRoom room{
+      .pictures = true, .cell_width = 10, .cell_height = 20, .most_width = 800, .most_height = 200};
+  const Area area = limited({5, 3, 100, 30}, room);
+  EXPECT_TRUE(same(area, {15, 3, 80, 10}));
+  EXPECT_TRUE(same(limited({5, 3, 70, 9}, room), {5, 3, 70, 9}));
+}
+
 TEST(ViewLayout, PixelsAreThoseOfTheCellsEvenAndNeverTooFew) {
   const PictureRoom room{.pictures = true, .cell_width = 9, .cell_height = 17};
   EXPECT_EQ(pixels_for({0, 0, 100, 30}, room, 1), (std::array{900, 510}));
@@ -43,6 +51,8 @@ TEST(ViewLayout, PixelsAreThoseOfTheCellsEvenAndNeverTooFew) {
   const auto least = pixels_for({0, 0, 60, 12}, room, 0.1);
   EXPECT_GE(least[0], 320);
   EXPECT_GE(least[1], 180);
+  const PictureRoom large{.pictures = true, .cell_width = 100, .cell_height = 200};
+  EXPECT_EQ(pixels_for({0, 0, 200, 60}, large, 1), (std::array{8192, 4916})) << "as large as can be drawn";
 }
 
 TEST(ViewLayout, WhileItMovesAPictureHasAsManyPixelsAsCanBeDrawnAndSent) {

@@ -33,12 +33,27 @@ class Viewer {
   void round() {
     screen_.take_room(room_);
     (void)screen_.look();
-    Canvas canvas(100, 34);
+    Canvas canvas(width_, 34);
     screen_.draw(canvas, Glyphs::unicode);
     text_.clear();
     for (int y = 0; y < 34; ++y) text_ += canvas.row(y) + "\n";
-    if (const auto picture = screen_.picture())
-      room_.shown = picture->number;  // the terminal takes all at once
+    const auto picture = screen_.picture();
+    if (picture && takes_) room_.shown = picture->number;
+  }
+  /// The terminal has another width.
+  void resize(int width) {
+    width_ = width;
+    round();
+  }
+  /// The terminal takes no more pictures, or each at once.
+  void take_pictures(bool wanted) { takes_ = wanted; }
+  /// Of pictures.
+  void limit_width(int pixels) {
+    room_.most_width = pixels;
+    round();
+  }
+  [[nodiscard]] testing::AssertionResult has_picture() {
+    return until([&] { return screen_.picture().has_value(); });
   }
   void press(int key) {
     (void)screen_.press({key});
@@ -79,6 +94,8 @@ class Viewer {
  private:
   ViewScreen screen_;
   PictureRoom room_;
+  int width_ = 100;
+  bool takes_ = true;
   std::string text_;
 };
 
@@ -221,6 +238,27 @@ TEST(ViewScreen, KeysChangeTheLookAndPassOverWhatIsNotStored) {
                        "--camera tip --close-up 0.02 --beams crossing --magnification 4 --no-chart"));
 }
 
+TEST(ViewScreen, AnotherSizeIsDrawnAlsoWhileAPictureWaitsToBeSent) {
+  const TemporaryFolder folder;
+  Viewer viewer(plate::write_run(folder / "run"));
+  ASSERT_TRUE(viewer.picture());
+  for (int k = 0; k < 12; ++k) viewer.press('<');  // minutes until it has been played
+  viewer.press(' ');
+  viewer.take_pictures(false);
+  viewer.press('i');  // a new picture that is not sent
+  viewer.resize(80);
+  EXPECT_TRUE(viewer.has_picture());
+}
+
+TEST(ViewScreen, APictureOfTheSamePixelsIsThereAlsoAtAnotherPlace) {
+  const TemporaryFolder folder;
+  Viewer viewer(plate::write_run(folder / "run"));
+  viewer.limit_width(720);
+  ASSERT_TRUE(viewer.has_picture());
+  viewer.resize(98);
+  EXPECT_TRUE(viewer.has_picture()) << "one cell further to the left";
+}
+
 TEST(ViewScreen, SymbolsHaveNoTextsInThePictureAndFilesDo) {
   const TemporaryFolder folder;
   Viewer viewer(Viewer::request_for(plate::write_run(folder / "run")), true);
@@ -228,6 +266,17 @@ TEST(ViewScreen, SymbolsHaveNoTextsInThePictureAndFilesDo) {
   viewer.press('c');
   EXPECT_FALSE(contains(viewer.commands.back(), "--no-text"));
   EXPECT_TRUE(contains(viewer.commands.back(), "--size 1280x720"));
+}
+
+TEST(ViewScreen, TwoPicturesThatAreSavedAtOnceHaveFilesOfTheirOwn) {
+  const TemporaryFolder folder;
+  const auto run = plate::write_run(folder / "run");
+  Viewer viewer(run);
+  viewer.press('p');
+  viewer.press('p');
+  EXPECT_TRUE(viewer.until([&] {
+    return std::filesystem::exists(run / "view.png") && std::filesystem::exists(run / "view_2.png");
+  }));
 }
 
 TEST(ViewScreen, WithoutPicturesThePlateIsInCells) {
@@ -241,10 +290,15 @@ TEST(ViewScreen, WithoutPicturesThePlateIsInCells) {
 
 TEST(ViewScreen, UpToFourLanesAreSideBySide) {
   const TemporaryFolder folder;
-  Viewer viewer(plate::write_run(folder / "run", 6, 4));
+  viz::Request request = Viewer::request_for(plate::write_run(folder / "run", 6, 4));
+  Viewer viewer(request);
   ASSERT_TRUE(viewer.picture());
   viewer.press('c');
-  EXPECT_TRUE(contains(viewer.commands.back(), "--lane 0 --lane 1 --lane 2 --lane 3"));
+  EXPECT_FALSE(contains(viewer.commands.back(), "--lane"));
+  request.lanes = {1, 3};
+  Viewer two(request);
+  two.press('c');
+  EXPECT_TRUE(contains(two.commands.back(), "--lane 1 --lane 3 --field"));
   EXPECT_THROW(Viewer(plate::write_run(folder / "five", 6, 5)), viz::BadRequest);
 }
 

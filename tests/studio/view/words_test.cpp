@@ -53,13 +53,19 @@ TEST(ViewWords, TheCommandHasTheWholeLook) {
   job.look.view = {0.1, 0.02, 0.05, 0, 0.5};
   job.look.chart = false;
   job.width = 960, job.height = 540;
-  const std::string line = shell_line(render_arguments(job));
+  const std::string line = shell_line(render_arguments(job, {0, 2}));
   EXPECT_TRUE(
       line.starts_with("render 'runs/a b' --lane 0 --lane 2 --field vy --colours coolwarm --range -10,10"))
       << line;
   EXPECT_TRUE(contains(line, "--view 100,20,50,0,28.64789"));
   EXPECT_TRUE(contains(line, " --no-chart "));
   EXPECT_TRUE(contains(line, "--title 'it'\\''s a plate' --size 960x540"));
+}
+
+TEST(ViewWords, TheCommandNamesLanesWhereTheyWereAskedForAndARunThatIsCalledRender) {
+  viz::Job job;
+  job.panes = {{"render", 0, ""}, {"render", 1, ""}};
+  EXPECT_TRUE(shell_line(render_arguments(job, {})).starts_with("render render --field "));
 }
 
 }  // namespace
