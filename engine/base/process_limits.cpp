@@ -126,15 +126,18 @@ std::uint64_t available_memory_bytes(const fs::path& root) {
   return static_cast<std::uint64_t>(least);
 }
 
+std::string processor_text(const fs::path& root) {
+  std::ifstream processors(root / "proc/cpuinfo");
+  for (std::string line; std::getline(processors, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
+  return "";
+}
+
 std::string machine_text(const fs::path& root) {
   std::array<char, 256> host{};
   std::string text = gethostname(host.data(), host.size() - 1) == 0 ? host.data() : "";
-  std::ifstream processors(root / "proc/cpuinfo");
-  for (std::string line; std::getline(processors, line);) {
-    if (!line.starts_with("model name")) continue;
-    text += (text.empty() ? "" : ", ") + line.substr(std::min(line.size(), line.find(':') + 2));
-    break;
-  }
+  const std::string processor = processor_text(root);
+  if (!processor.empty()) text += (text.empty() ? "" : ", ") + processor;
   const int cpus = available_cpus(root);
   return text + (text.empty() ? "" : ", ") + std::to_string(cpus) + (cpus == 1 ? " CPU" : " CPUs");
 }

@@ -26,6 +26,10 @@ int threads_or_all_cpus(int threads);
 /// @param root  as above
 std::uint64_t available_memory_bytes(const std::filesystem::path& root = "/");
 
+/// The model of the processor as the system names it, "AMD EPYC"; empty where it does not.
+/// @param root  as above
+std::string processor_text(const std::filesystem::path& root = "/");
+
 /// The machine in words: "node12, Intel(R) Xeon(R) CPU @ 2.20GHz, 2 CPUs".
 /// @param root  as above
 std::string machine_text(const std::filesystem::path& root = "/");

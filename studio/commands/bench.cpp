@@ -239,13 +239,15 @@ std::string name_of(const ensemble::BenchCase& c) {
 }
 
 /// Compares each kernel's ratio to the readable step, both timed by turns in this process, with the recorded
-/// one of this instruction set; or records the ratios. Exit 1 where one has lost more than a fifth.
+/// one of this processor and instruction set; or records the ratios. Exit 1 where one has lost more than a
+/// fifth.
 ExitCode guard(const BenchOptions& options) {
   constexpr double least = 0.8;
   const Cases cases = guarded_cases(options);
   const std::vector<std::vector<double>> ratios =
       ensemble::ratios_to_first(cases, options.runs, options.seconds);
-  const std::string set(ensemble::name_of(ensemble::instruction_set()));
+  const std::string set =
+      fmt::format("{}, {}", base::processor_text(), ensemble::name_of(ensemble::instruction_set()));
   Json file = options.record && !std::filesystem::exists(options.guard)
                   ? Json::object()
                   : results::read_json(base::read_whole_file(options.guard), options.guard);
@@ -258,13 +260,15 @@ ExitCode guard(const BenchOptions& options) {
     const double recorded = file.contains(set) ? file[set].value(name, 0.0) : 0.0;
     const double share = recorded > 0.0 ? ratio / recorded : 1.0;
     slower = slower || share < least;
-    table.rows.push_back({name, fmt::format("{:.2f}", ratio), fmt::format("{:.2f}", recorded),
-                          fmt::format("{:.2f}{}", share, share < least ? " slower" : "")});
+    table.rows.push_back(
+        {name, fmt::format("{:.2f}", ratio), recorded > 0.0 ? fmt::format("{:.2f}", recorded) : "-",
+         recorded > 0.0 ? fmt::format("{:.2f}{}", share, share < least ? " slower" : "") : "-"});
   }
   if (options.record) base::write_whole_file(options.guard, base::json_text(file, 2) + "\n");
   base::print_text(heading(version_text(), false) + "\n" + plain_table(table, false));
   base::print("  {}, one thread, {} elements; medians of {}\n", set, cases.front().elements,
               base::counted(options.runs, "round"));
+  if (!file.contains(set)) base::print("  nothing is recorded for this processor: nothing is compared\n");
   if (slower) base::message("rift bench: a kernel has lost more than a fifth of its speed against plain\n");
   return slower ? ExitCode::world_failed : ExitCode::done;
 }

@@ -42,6 +42,24 @@ TEST(Bench, TellsWhatEachPieceCosts) {
     EXPECT_TRUE(contains(ran.out, piece)) << piece;
 }
 
+TEST(Bench, GuardComparesWithThisProcessorOnly) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "ratios.json").string(),
+                    guard = "bench --elements 1000 --runs 1 --seconds 0.001 --guard '" + file + "'";
+  ASSERT_EQ(run_rift(guard + " --record").exit_code, 0);
+  Json recorded = Json::parse(read_text(file));
+  const std::string here = recorded.begin().key();
+  for (auto& [kernel, ratio] : recorded.at(here).items()) ratio = 1e3 * ratio.get<double>();
+  write_text(file, recorded.dump());
+  const Ran slower = run_rift(guard);
+  EXPECT_EQ(slower.exit_code, 1);
+  EXPECT_TRUE(contains(slower.err, "has lost more than a fifth")) << slower.err;
+  write_text(file, Json{{"Another processor, AVX2", recorded.at(here)}}.dump());
+  const Ran elsewhere = run_rift(guard);
+  EXPECT_EQ(elsewhere.exit_code, 0) << elsewhere.err;
+  EXPECT_TRUE(contains(elsewhere.out, "nothing is recorded for this processor")) << elsewhere.out;
+}
+
 TEST(Bench, RefusesASizeOutOfRange) {
   const Ran ran = run_rift("bench --elements 10");
   EXPECT_EQ(ran.exit_code, 2);
