@@ -19,7 +19,7 @@ class RunPlate : public PlatePicture {
   RunPlate(const std::filesystem::path& run, const std::filesystem::path& programs)
       : server_(viz::Gl::any, programs) {
     request_.runs = {run};
-    request_.chart = false;
+    request_.chart = false, request_.texts = false;  // the panel has its own
     server_.start();
   }
 
@@ -28,8 +28,8 @@ class RunPlate : public PlatePicture {
     if (server_.look()) ++number_, shown_at_ = ordered_at_;
     const std::string field = velocity ? "vy" : "uy";
     if (lanes != request_.lanes) lanes_.clear();
-    const bool other = lanes != request_.lanes || field != request_.field || room.symbols == request_.texts;
-    request_.lanes = lanes, request_.field = field, request_.texts = !room.symbols;
+    const bool other = lanes != request_.lanes || field != request_.field;
+    request_.lanes = lanes, request_.field = field;
     request_.range_of_moment = velocity;  // nobody knows before how fast it will be
     place_ = limited(place, room);
     const bool soon = Clock::now() - looked_ < (trouble_.empty() ? between_looks : after_failure);
