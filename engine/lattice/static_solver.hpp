@@ -14,7 +14,7 @@ class StaticSolver {
   StaticSolver(const StaticRows<Row>& system, int threads);
 
   /// The unknowns under a load, [element][6] both. Throws StaticsError where the relative residual stays
-  /// above the tolerance, Interrupted. What is told is done by the digits of the residual.
+  /// above the tolerance, Interrupted. Progress counts the digits of the residual.
   Eigen::VectorXd solve(const Eigen::VectorXd& load, double tolerance,
                         const base::ProgressCallback& told = {});
 

@@ -49,7 +49,7 @@ std::string listed(std::span<const std::string> names, std::string_view last) {
 
 namespace {
 
-/// The letters and digits by which names are told apart: in lower case, without underscores and dashes.
+/// The letters and digits that distinguish names: in lower case, without underscores and dashes.
 std::string letters_of(std::string_view name) {
   std::string letters;
   for (const char c : name)

@@ -312,7 +312,7 @@ TEST(Prepare, RefusesWhatFollowsFromTheLatticeAndIsOutOfItsRange) {
   EXPECT_EQ(refusal({"crack.velocity=1e-6 c_r"}), "not refused");
 }
 
-/// How often the stage of the damped critical step is told of while these lanes are prepared.
+/// How often the stage of the damped critical step reports progress while these lanes are prepared.
 int rounds_of_the_damped_limit(const std::vector<scene::Scene>& lanes, base::Cache& cache) {
   int told = 0;
   prepare(small_preset(), lanes, cache, [&](std::string_view stage, double) {
