@@ -106,7 +106,7 @@ TEST(ViewInATerminal, AKilledDrawingProgramIsStartedAgain) {
   const int before = screen.pictures();
   ASSERT_EQ(kill(program, SIGKILL), 0);
   screen.type(".");
-  EXPECT_TRUE(screen.shows("was killed by signal 9"));
+  EXPECT_TRUE(screen.shows("(Killed)")) << "one word: the message's lines break by the program's path";
   EXPECT_TRUE(screen.shows_picture(before + 1));
   screen.type("q");
   EXPECT_EQ(screen.exit_code(), 0);
