@@ -29,6 +29,7 @@ struct Rows {
   const Preset& preset;
   std::string key;
   std::vector<Issue> issues = {};
+  std::string scatter_text = {};  // behind what is first said of noisy rows
   void say(std::size_t row, std::string text) {
     issues.push_back(issue_at_row(preset, key, row, std::move(text)));
     if (issues.size() == most_of_rows)
@@ -58,7 +59,8 @@ void check_position(Rows& r, std::size_t k, const history::HistoryPoint& before,
     text +=
         fmt::format(", more than {:g} standard uncertainties of the step, {}", forgiven, length_text(noise));
   if (noise > 0.0 && !smoothed) text += ": noisy rows need crack.smoothing = \"monotone\"";
-  if (noise == 0.0 && smoothed) text += ": noisy rows need a column uncertainty";
+  if (noise == 0.0 && smoothed)
+    text += ": noisy rows need a column uncertainty" + std::exchange(r.scatter_text, {});
   r.say(k, std::move(text));
 }
 
@@ -82,6 +84,31 @@ void check_gaps(Rows& r, const std::vector<history::HistoryPoint>& rows) {
                            "crack.history_gap ({:g})",
                            time_text(gap), time_text(rows[k - 1].time), gap / usual, time_text(usual), most));
   }
+}
+
+/// Standard deviation of independent noise on the rows [m], from how far each lies from the straight line
+/// through its neighbours (Gasser, Sroka and Jennen-Steinmetz 1986).
+double scatter_of(const std::vector<history::HistoryPoint>& rows) {
+  double squares = 0.0;
+  for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
+    const history::HistoryPoint &before = rows[i - 1], &row = rows[i], &after = rows[i + 1];
+    const double w = (row.time - before.time) / (after.time - before.time);
+    const double off = row.position - std::lerp(before.position, after.position, w);
+    squares += off * off / (1.0 + w * w + (1.0 - w) * (1.0 - w));
+  }
+  return std::sqrt(squares / static_cast<double>(rows.size() - 2));
+}
+
+/// An estimate of the uncertainty that the rows lack; of a few rows, or of rows out of time, there is none.
+std::string scatter_text(const std::vector<history::HistoryPoint>& rows) {
+  constexpr std::size_t fewest = 10;
+  const auto out_of_time = [](const history::HistoryPoint& before, const history::HistoryPoint& after) {
+    return after.time <= before.time;
+  };
+  if (rows.size() < fewest || std::adjacent_find(rows.begin(), rows.end(), out_of_time) != rows.end())
+    return {};
+  return fmt::format(" (the rows scatter by about {:.2g} mm, one standard deviation)",
+                     1e3 * scatter_of(rows));
 }
 
 /// The first row says where the notch ends; crack.start may say it better, within the noise.
@@ -126,6 +153,7 @@ std::vector<Issue> history_issues(const Preset& preset) {
     r.say(0, std::move(trouble));
     return std::move(r.issues);
   }
+  r.scatter_text = scatter_text(rows);
   for (std::size_t k = 0; k < rows.size() && !r.is_full(); ++k) {
     if (rows[k].position < 0.0)
       r.say(k, fmt::format("position {} must not lie below 0", length_text(rows[k].position)));

@@ -95,6 +95,21 @@ TEST(HistoryFile, NamesEveryDefectWithItsLine) {
   }
 }
 
+TEST(HistoryFile, OfNoisyRowsWithoutUncertaintiesSaysOnceHowTheyScatter) {
+  std::string rows = head;  // ± 1 mm on 1 mm a row, by turns
+  for (int k = 0; k < 12; ++k)
+    rows += std::to_string(k) + ";" + std::to_string(5 + k + (k % 2 == 0 ? 1 : -1)) + "\n";
+  const std::string said = complaints_of_rows("history", rows);
+  const std::string hint = " (the rows scatter by about 1.6 mm, one standard deviation)\n";
+  EXPECT_TRUE(
+      said.starts_with("x.csv:3: position falls from 6 mm to 5 mm: noisy rows need a column "
+                       "uncertainty" +
+                       hint))
+      << said;
+  EXPECT_EQ(said.find(hint), said.rfind(hint));
+  EXPECT_NE(said.find("x.csv:5: position falls from 8 mm to 7 mm" + std::string(noise_hint)), said.npos);
+}
+
 TEST(HistoryFile, ThatLeavesThePlateIsNamed) {
   EXPECT_EQ(
       complaints_of_rows("history", head + "0;1\n100;99\n200;120\n", "smoothing = \"none\"\n"),
