@@ -126,6 +126,20 @@ Span axis_ends(const AxisRange& range, const Span& span, bool log) {
           range.max.value_or(log ? span.max * 1.25 : span.max + margin)};
 }
 
+AxisRange range_below_levels(const Chart& chart) {
+  const Span data = y_span(chart);
+  AxisRange range = chart.y_range;
+  for (const ChartSeries& s : chart.series) {
+    const std::vector<std::size_t> points = drawable_points(s);
+    if (points.size() < 2) continue;
+    const double y = s.y[points.front()];
+    const bool is_level =
+        y != 0.0 && std::all_of(points.begin(), points.end(), [&](std::size_t k) { return s.y[k] == y; });
+    if (is_level && y == data.min) range.min = axis_ends(chart.y_range, data, chart.log_y).min;
+  }
+  return range;
+}
+
 std::vector<KeyEntry> key_entries(const std::vector<ChartSeries>& series) {
   std::vector<KeyEntry> entries;
   add_entries(entries, series);

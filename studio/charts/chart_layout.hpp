@@ -28,6 +28,10 @@ Span y_span(const ChartGrid& grid);
 /// Where an axis ends: a little beyond its data, unless an end is given.
 Span axis_ends(const AxisRange& range, const Span& span, bool log);
 
+/// The chart's range of y, with room below a level other than 0 that is the lowest of its data: gnuplot would
+/// begin the axis on it and draw one upon the other.
+AxisRange range_below_levels(const Chart& chart);
+
 /// How a series looks [chart_script.hpp, look_of]; the n-th reference differs from the others.
 struct KeyEntry {
   ChartSeries series;  // without its points

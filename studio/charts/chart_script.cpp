@@ -120,7 +120,10 @@ std::vector<double> short_log_ticks(double low, double high) {
   double step = std::pow(10.0, std::floor(std::log10((high - low) / 3.0)));
   for (const double more : {2.0, 2.5, 2.0})
     if ((high - low) / step > 6.0) step *= more;
-  for (double k = std::ceil(low / step); k * step <= high; ++k) ticks.push_back(k * step);
+  constexpr double nearest = 0.155;  // parts of the axis: their texts have room in a narrow panel too
+  for (double k = std::ceil(low / step); k * step <= high; ++k)
+    if (ticks.empty() || std::log(k * step / ticks.back()) > nearest * std::log(high / low))
+      ticks.push_back(k * step);
   return ticks;
 }
 
@@ -331,7 +334,7 @@ std::string chart_script(const Chart& chart, const std::string& name) {
   std::string out = script_head(chart.title, name, height);
   out += functions;
   out += axis_lines('x', chart.x_label, chart.x_range, chart.log_x, x);
-  out += axis_lines('y', chart.y_label, chart.y_range, chart.log_y, y_span(chart));
+  out += axis_lines('y', chart.y_label, range_below_levels(chart), chart.log_y, y_span(chart));
   out += fmt::format(
       "set rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
       area.right / chart_width, area.bottom / height, area.top / height);

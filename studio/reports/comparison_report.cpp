@@ -30,7 +30,7 @@ ChartSeries along_crack(const ComparedScenario& scenario, std::size_t number) {
   ChartSeries series{.label = label_of(scenario, number), .colour = static_cast<int>(number % most_compared)};
   const std::vector<double>&lane = table.at("lane"), &tip = table.at("tip_m"), &ratio = table.at("ratio");
   for (std::size_t k = 0; k < tip.size(); ++k) {
-    if (lane[k] != scenario.series_lane || !std::isfinite(ratio[k])) continue;
+    if (lane[k] != scenario.series_lane || !(tip[k] >= 0.0) || !std::isfinite(ratio[k])) continue;
     series.x.push_back(1e3 * tip[k]);
     series.y.push_back(ratio[k]);
   }

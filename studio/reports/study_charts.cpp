@@ -205,8 +205,9 @@ ChartSeries against_tip(const fs::path& csv) {
   const study::SeriesTable table = study::read_series(csv);
   if (table.empty()) throw base::WorldError("read", csv, "it holds no series");
   ChartSeries series{.x = {}, .y = {}};
+  // A crack begins a damage zone before its start: outside the plate, where there is no notch.
   for (std::size_t k = 0; k < table.phase.size(); ++k)
-    if (std::isfinite(table.at("tip_m")[k]) && std::isfinite(table.at("ratio")[k]))
+    if (table.at("tip_m")[k] >= 0.0 && std::isfinite(table.at("ratio")[k]))
       series.add(1e3 * table.at("tip_m")[k], table.at("ratio")[k]);
   series.error.clear();
   return series;

@@ -56,6 +56,36 @@ TEST(ChartLook, OrderedSeriesHaveSequentialColoursAndSolidLines) {
   for (ChartSeries& s : series) EXPECT_EQ(look_of(s, 0).dash, 1);
 }
 
+TEST(Axis, LeavesRoomBelowALevelThatIsTheLowestOfItsData) {
+  Chart chart;
+  chart.series.push_back({"cylinders", {1, 2}, {0.32, 0.34}, {}, {}, 0});
+  chart.series.push_back(level("paper", 0.3, 1, 2));
+  EXPECT_NEAR(range_below_levels(chart).min.value(), 0.3 - 0.04 * 0.04, 1e-12);
+  EXPECT_FALSE(range_below_levels(chart).max.has_value());
+  chart.series[1] = {"strip", {0, 0.5, 1}, {0.3, 0.3, std::nan("")}, {}, {}, -1};  // not defined at its end
+  EXPECT_TRUE(range_below_levels(chart).min.has_value());
+  chart.series[1] = level("paper", 0.33, 1, 2);
+  EXPECT_FALSE(range_below_levels(chart).min.has_value());
+}
+
+TEST(Axis, BeginsOnALevelOfZeroOrWhereItsEndIsGiven) {
+  Chart chart;
+  chart.series.push_back({"ratio", {1, 2}, {0.5, 1}, {}, {}, 0});
+  chart.series.push_back(level("none", 0, 1, 2));
+  EXPECT_FALSE(range_below_levels(chart).min.has_value());
+  chart.series[1] = level("half", 0.5, 1, 2);
+  chart.y_range.min = 0.5;
+  EXPECT_EQ(range_below_levels(chart).min, 0.5);
+}
+
+TEST(Axis, TicksOfAShortLogarithmicOneHaveRoomForTheirNumbers) {
+  Chart chart;
+  chart.log_x = true;
+  chart.series.push_back({"run time", {0.008, 0.0134}, {1, 2}, {}, {}, 0});
+  EXPECT_NE(chart_script(chart, "c").find("set xtics (0.008, 0.01, 0.012, 0.014)\n"), std::string::npos)
+      << chart_script(chart, "c");
+}
+
 TEST(LabelString, KeepsTheBlankBehindASubscript) {
   EXPECT_EQ(label_string("G_{ID} / c_R [-]"), "'G_{ID}\u2060 / c_R\u2060 [-]'");
   EXPECT_EQ(label_string(escape_label("run_a b")), "'run\\_a b'");

@@ -74,7 +74,7 @@ TEST(StudyCharts, SpecimensAreABandAroundTheirMean) {
   std::vector<fs::path> series;
   for (const auto& row : rows) {
     series.push_back(folder.path() / fmt::format("{}.csv", row->row));
-    std::ofstream(series.back()) << "phase,tip_m,ratio\n"
+    std::ofstream(series.back()) << "phase,tip_m,ratio\nfracture,-0.001,0.1\n"  // outside the plate
                                  << (value_of_axis(row->axes, "seed") == "1"
                                          ? "fracture,0,0.2\nfracture,0.01,0.4\nfracture,0.02,0.6\n"
                                          : "fracture,0,0.4\nfracture,0.02,0.8\n");
@@ -90,6 +90,7 @@ TEST(StudyCharts, SpecimensAreABandAroundTheirMean) {
   EXPECT_EQ(band.label, "specimens, least to largest");          // in the key
   EXPECT_EQ(band.name, "0.3 c_R, specimens, least to largest");  // in the csv
   ASSERT_EQ(mean.y.size(), 3U);
+  EXPECT_EQ(mean.x.front(), 0.0);
   EXPECT_NEAR(mean.y[1], 0.5, 1e-12);  // 0.4, and 0.6 between the other's points
   EXPECT_NEAR(band.error[1], 0.1, 1e-12);
 }
