@@ -19,12 +19,13 @@ namespace {
 
 constexpr std::size_t longest_value = 60;  // of a parameter
 
-std::string now_text() {
+/// This moment, as strftime formats it.
+std::string now_text(const char* format) {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
   localtime_r(&now, &local);
   std::array<char, 64> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M %Z", &local);
+  std::strftime(text.data(), text.size(), format, &local);
   return text.data();
 }
 
@@ -59,6 +60,8 @@ void keep_common(List& kept, const List& list) {
 
 }  // namespace
 
+std::string today_text() { return now_text("%Y-%m-%d"); }
+
 std::string preset_in_titles(const std::string& preset) {
   return std::filesystem::path(preset).stem().string();
 }
@@ -70,7 +73,8 @@ std::string html_made(const Made& made) {
       {"version", fmt::format("rift {}{}", made.build.version,
                               made.build.compiler.empty() ? "" : fmt::format(" ({})", made.build.compiler))});
   table.rows.push_back({"machine", base::machine_text()});
-  table.rows.push_back({"made", now_text() + (made.wall_s ? ", in " + duration_text(*made.wall_s) : "")});
+  table.rows.push_back(
+      {"made", now_text("%Y-%m-%d %H:%M %Z") + (made.wall_s ? ", in " + duration_text(*made.wall_s) : "")});
   return html_facts(table);
 }
 

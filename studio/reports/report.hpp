@@ -45,6 +45,9 @@ struct Report {
   std::vector<ReportSection> sections = {};
 };
 
+/// "2026-11-30".
+std::string today_text();
+
 /// "quickstart" of "/home/a/presets/quickstart.toml", as titles have it.
 std::string preset_in_titles(const std::string& preset);
 

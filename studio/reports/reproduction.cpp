@@ -30,13 +30,14 @@ constexpr const char* of_our_own =
 /// How the numbers are to be read, and where they come from.
 std::string preamble(const Reproduction& r) {
   return fmt::format(
-      "Made by `{}`, rift {}, in {}: {} scenarios, {} computed now, {} reused. The plate has {} elements; "
+      "Made by `{}`, rift {}, on {}, in {}: {} scenarios, {} computed now, {} reused. The plate has {} "
+      "elements; "
       "\"ratio\" is G_ID/G_I0 with damping counted, the mean of {} specimens, and delta its difference to "
       "Broberg. \"Near\" is a mean |delta| of at most {:g}, \"too low\" and \"too high\" a mean delta beyond "
       "{:g}, \"no influence\" at most {:g}, \"quasi-constant\" a scatter along the window of at most {:g}; a "
       "claim is not decidable where the specimens scatter by more than that.{}",
-      r.command, r.build.version, duration_text(r.wall_s), r.scenarios, r.computed, r.found, r.elements,
-      is_beyond(r) ? "the preset's" : "three", claims::near_margin, claims::offset_margin,
+      r.command, r.build.version, today_text(), duration_text(r.wall_s), r.scenarios, r.computed, r.found,
+      r.elements, is_beyond(r) ? "the preset's" : "three", claims::near_margin, claims::offset_margin,
       claims::influence_margin, claims::constant_margin, is_beyond(r) ? of_our_own : of_the_paper);
 }
 

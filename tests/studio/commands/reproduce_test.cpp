@@ -69,6 +69,7 @@ TEST(Reproduce, DrawsChartsIntoTheReport) {
     EXPECT_TRUE(std::filesystem::exists(out / "charts" / (std::string("fig01.") + ending))) << ending;
   EXPECT_TRUE(contains(read_text(out / "report.html"), "<svg"));
   EXPECT_TRUE(contains(read_text(out / "reproduction.md"), "(charts/fig01.svg)"));
+  EXPECT_TRUE(contains(read_text(out / "reproduction.md"), ", on 20"));  // the date
 }
 
 TEST(Reproduce, DrawsThePaperPicturesOrSaysThatItCannot) {
