@@ -35,7 +35,7 @@ constexpr std::array table{
     Binding{W::form, remove, 'x', key_none, "x", "", "Remove the chosen axis of the study"},
     Binding{W::form, search, '/', key_none, "/", "search", "Show only entries that contain these letters"},
     Binding{W::form, details, 'i', key_none, "i", "",
-            "Show all that follows from the values: step, cost, what is left out"},
+            "All that follows from the values: step, cost, what is left out"},
     Binding{W::live, pause, ' ', key_none, "space", "pause", "Pause or continue"},
     Binding{W::live, step, '.', key_none, ".", "step", "A single step"},
     Binding{W::live, slower, '<', key_left, "<", "slower", "Slow motion"},
@@ -83,7 +83,7 @@ constexpr std::array table{
     Binding{W::view, next_camera, 'v', key_none, "v", "camera",
             "The next camera: whole plate, tip, side, free"},
     Binding{W::view, ask, 'i', key_none, "i", "ask",
-            "Crosshair: the arrows move it, enter asks, twice measures; a click asks too"},
+            "Crosshair: arrows move it, enter asks, twice measures; or click"},
     Binding{W::view, next_range, 'r', key_none, "r", "range",
             "Range of the colours: of all moments, of each moment, typed"},
     Binding{W::view, next_beams, 'b', key_none, "b", "beams", "Beams: none, on the crack's path, all"},
@@ -91,7 +91,7 @@ constexpr std::array table{
     Binding{W::view, frame, 'p', key_none, "p", "picture", "Save this picture as PNG"},
     Binding{W::view, film, 'm', key_none, "m", "film", "A film of this view"},
     Binding{W::view, show_command, 'c', key_none, "c", "command",
-            "The rift render command of this picture; printed again on leaving"},
+            "The rift render command of this picture; printed on leaving too"},
     Binding{W::view, jump, 't', key_none, "t", "jump", "Jump to a typed time (12 us) or tip (30 mm)"},
     Binding{W::view, slower, '<', key_none, "<", "", "Play slower"},
     Binding{W::view, faster, '>', key_none, ">", "", "Play faster"},
@@ -148,21 +148,30 @@ std::string foot_of(Where where, int width, Action without) {
   return rest.empty() ? foot.substr(2) : foot;
 }
 
-void draw_help(Canvas& canvas, Where where, Glyphs glyphs) {
+int draw_help(Canvas& canvas, Where where, int from, Glyphs glyphs) {
   std::vector<const Binding*> rows;
   for (const Binding& b : table)
     if (is_of(b, where)) rows.push_back(&b);
   constexpr int keys = 12;
   int width = 0;
   for (const Binding* b : rows) width = std::max(width, keys + static_cast<int>(b->help.size()));
+  const int count = static_cast<int>(rows.size());
   const bool has_curves = where == W::live || where == W::watch || where == W::lesson_run;
   const char* title = has_curves ? "keys; a curve ends in its first letter (e elastic) or its lane's digit"
                                  : "keys of this screen";
-  const Area inside = draw_box(canvas, width + 2, static_cast<int>(rows.size()), title, glyphs);
-  for (int k = 0; k < static_cast<int>(rows.size()) && k < inside.height; ++k) {
-    canvas.text(inside.x + 1, inside.y + k, rows[k]->label, {Ink::title, true}, keys);
-    canvas.text(inside.x + 1 + keys, inside.y + k, rows[k]->help, {}, inside.width - keys - 1);
+  const Area inside = draw_box(canvas, width + 2, count - from, title, glyphs);
+  const bool all = count - from <= inside.height;
+  const int shown = all ? count - from : std::max(1, inside.height - 1);
+  for (int k = 0; k < shown; ++k) {
+    const Binding& b = *rows[static_cast<std::size_t>(from + k)];
+    canvas.text(inside.x + 1, inside.y + k, b.label, {Ink::title, true}, keys);
+    canvas.text(inside.x + 1 + keys, inside.y + k, b.help, {}, inside.width - keys - 1);
   }
+  if (all) return 0;
+  canvas.text(inside.x + 1, inside.y + shown,
+              fmt::format("{} more keys: space shows them, any other key closes", count - from - shown), {Ink::dim},
+              inside.width - 1);
+  return from + shown;
 }
 
 }  // namespace rift::studio

@@ -132,7 +132,8 @@ struct Binding {
 /// @param without  what cannot be done now
 [[nodiscard]] std::string foot_of(Where where, int width, Action without = Action::none);
 
-/// A box over the screen with every key of it.
-void draw_help(Canvas& canvas, Where where, Glyphs glyphs);
+/// A box over the screen with its keys from a row on, as many as have room.
+/// @return the row to go on from, 0 after the last one
+int draw_help(Canvas& canvas, Where where, int from, Glyphs glyphs);
 
 }  // namespace rift::studio

@@ -27,13 +27,18 @@ void draw_head(Canvas& canvas, const Area& area, const Live& live, Glyphs glyphs
   const Ink state = bad ? Ink::bad : held ? Ink::reference : Ink::good;
   int x = canvas.text(area.x, area.y, live.name, {Ink::title, true}, area.width) + 2;
   x += canvas.text(x, area.y, live.state, {state, true}) + 2;
-  std::string text = fmt::format("step {} of {}", live.step, live.steps);
+  // While packing and pre-stress are computed, nobody knows how many steps there will be.
+  std::string text = live.steps > 0 ? fmt::format("step {} of {}", live.step, live.steps) : std::string();
   if (const double error = error_beyond_limit(live); error > 0)
     x +=
         canvas.text(x, area.y, fmt::format("balance error {:.0e}", error), {Ink::bad, true}, area.width - x) +
         2;
-  if (live.steps_per_s > 0) text += fmt::format("   {} steps/s", magnitude_text(live.steps_per_s));
-  if (live.seconds_left >= 0) text += "   " + duration_text(live.seconds_left) + " left";
+  const std::string left =
+      live.seconds_left >= 0 ? "   " + duration_text(live.seconds_left) + " left" : std::string();
+  const std::string speed =
+      live.steps_per_s > 0 ? fmt::format("   {} steps/s", magnitude_text(live.steps_per_s)) : std::string();
+  const bool all_fits = x + static_cast<int>(text.size() + speed.size() + left.size()) <= area.width;
+  text += all_fits ? speed + left : left;
   canvas.text(x, area.y, text, {Ink::dim}, area.width - x);
   if (area.height < 2) return;
   canvas.text(area.x, area.y + 1, fmt::format("{:3.0f} %", 100 * live.done), {}, area.width);

@@ -3,6 +3,8 @@
 #include "engine/base/text.hpp"
 #include "studio/screen/canvas.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace rift::studio {
@@ -39,6 +41,10 @@ void Prompt::draw(Canvas& canvas, const Area& area, const Style& style) const {
   int x = area.x + label;
   for (std::size_t k = from; k < letters.size(); ++k) canvas.put(x++, area.y, letters[k], style);
   canvas.put(x, area.y, U' ', {style.ink, style.bold, !style.reverse});
+}
+
+std::string only_entries_with(const std::string& wanted) {
+  return fmt::format("only entries with \"{}\"; press / and enter to show all", wanted);
 }
 
 bool ListView::move(Action action, int count, int rows) {

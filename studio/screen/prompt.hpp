@@ -30,6 +30,9 @@ class Prompt {
   State state_ = State::idle;
 };
 
+/// What stands in place of a search after it: that the list is not whole.
+std::string only_entries_with(const std::string& wanted);
+
 /// Which row of a list is chosen, and which one is the first on the screen.
 struct ListView {
   int chosen = 0, top = 0;

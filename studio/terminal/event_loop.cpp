@@ -46,7 +46,9 @@ class EventLoop {
     if (event.key == key_none) return;
     const bool asked_for_help = !top().typing() && action_of(top().where(), event.key) == Action::help;
     if (help_ || asked_for_help) {
-      help_ = !help_;
+      const bool next_page = help_ && help_next_ > 0 && event.key == ' ';  // any other key closes it
+      help_ = !help_ || next_page;
+      help_from_ = next_page ? help_next_ : 0;
       return;
     }
     Navigation navigation = top().press(event);
@@ -58,7 +60,7 @@ class EventLoop {
   void draw() {
     Canvas canvas(terminal_.width(), terminal_.height());
     top().draw(canvas, terminal_.glyphs());
-    if (help_) draw_help(canvas, top().where(), terminal_.glyphs());
+    if (help_) help_next_ = draw_help(canvas, top().where(), help_from_, terminal_.glyphs());
     terminal_.report_drags(top().wants_drags());
     const bool covered = help_;  // a picture would lie on top
     terminal_.show(canvas, covered ? std::nullopt : top().picture());
@@ -75,6 +77,7 @@ class EventLoop {
   Terminal terminal_;
   std::vector<std::unique_ptr<Screen>> stack_;
   bool help_ = false;
+  int help_from_ = 0, help_next_ = 0;  // the page of the help that is shown, and the one after it
 };
 
 }  // namespace

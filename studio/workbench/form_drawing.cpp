@@ -84,7 +84,11 @@ void FormScreen::draw(Canvas& canvas, Glyphs glyphs) {
   if (draw_too_small(canvas)) return;
   const FormLayout layout = form_layout(canvas.width(), canvas.height());
   draw_head(canvas, layout.head);
-  if (search_.typing()) search_.draw(canvas, layout.search);
+  if (search_.typing())
+    search_.draw(canvas, layout.search);
+  else if (!wanted_.empty())
+    canvas.text(layout.search.x, layout.search.y, only_entries_with(wanted_), {Ink::reference},
+                layout.search.width);
   list_rows_ = layout.rows.height;
   draw_rows(canvas, layout.rows);
   draw_derived(canvas, layout.derived, 0, "i");

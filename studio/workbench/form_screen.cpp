@@ -330,7 +330,9 @@ Navigation FormScreen::act(Action action) {
       name_ = Prompt("save as", path_.stem().string() + "_mine");
       return {};
     case Action::search:
-      search_ = Prompt("search", wanted_);
+      search_ = Prompt("search", "");
+      wanted_.clear();
+      list_rows();
       return {};
     case Action::back:
       if (edits() == kept_) return {Navigation::To::back, nullptr};

@@ -23,9 +23,11 @@ struct Group {
   std::array<std::string_view, 3> prefixes;
 };
 
+constexpr std::string_view demonstrations = "Demonstrations";  // the lessons stand below them
+
 constexpr std::array groups{
     Group{"Start here", {"quickstart", "plate_", "-"}},
-    Group{"Demonstrations", {"teach_", "-", "-"}},
+    Group{demonstrations, {"teach_", "-", "-"}},
     Group{"Studies", {"study_", "-", "-"}},
     Group{"From a measured crack to its toughness", {"experiment_", "-", "-"}},
     Group{"Inclined, curved and pressed cracks", {"path_", "-", "-"}},
@@ -75,8 +77,6 @@ void HomeScreen::read() {
     for (const PresetEntry& preset : own) all_.push_back({"Your presets", preset, {}});
   }
   add_presets();
-  all_.push_back({"Lessons", {}, {}});
-  for (const Lesson& lesson : lessons()) all_.push_back({"Lessons", {}, {}, &lesson});
   filter();
   const auto same = std::find_if(rows_.begin(), rows_.end(),
                                  [&](const Row& row) { return !row.heading() && row.place() == before; });
@@ -93,6 +93,9 @@ void HomeScreen::add_presets() {
         if (all_.size() == heading) all_.push_back({std::string(group.name), {}, {}});
         all_.push_back({std::string(group.name), preset, {}});
       }
+    if (group.name != demonstrations) continue;
+    all_.push_back({"Lessons", {}, {}});
+    for (const Lesson& lesson : lessons()) all_.push_back({"Lessons", {}, {}, &lesson});
   }
 }
 
@@ -144,9 +147,8 @@ void HomeScreen::draw(Canvas& canvas, Glyphs) {
   if (search_.typing()) {
     search_.draw(canvas, layout.search);
   } else if (!wanted_.empty()) {
-    canvas.text(layout.search.x, layout.search.y,
-                fmt::format("only entries with \"{}\"; press / and enter to show all", wanted_),
-                {Ink::reference}, layout.search.width);
+    canvas.text(layout.search.x, layout.search.y, only_entries_with(wanted_), {Ink::reference},
+                layout.search.width);
   }
   list_rows_ = layout.list.height;
   list_.keep(static_cast<int>(rows_.size()), list_rows_);
@@ -258,7 +260,9 @@ Navigation HomeScreen::act(Action action) {
       next_group();
       return {};
     case Action::search:
-      search_ = Prompt("search", wanted_);
+      search_ = Prompt("search", "");
+      wanted_.clear();
+      filter();
       return {};
     case Action::mark:
       toggle_mark();

@@ -5,6 +5,7 @@
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "studio/screen/canvas.hpp"
+#include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
 
@@ -34,6 +35,13 @@ RunRequest request_of(AppContext& context, const Lesson& lesson) {
   RunRequest request = request_for(context, preset, folder_of(context, lesson));
   request.force = true;
   return request;
+}
+
+/// "42 % done, 2 min left", or "packing 24 %".
+std::string progress_text(const Live& live) {
+  if (live.steps == 0) return live.state;
+  const std::string left = live.seconds_left >= 0 ? ", " + duration_text(live.seconds_left) + " left" : "";
+  return fmt::format("{:.0f} % done{}", 100 * live.done, left);
 }
 
 /// Lines of a text are easier to read when they are not too long.
@@ -118,7 +126,11 @@ void LessonScreen::draw_question(Canvas& canvas, const Area& area) const {
 
 void LessonScreen::draw_answer(Canvas& canvas, const Area& area) const {
   if (!run_has_ended()) {
-    draw_paragraph(canvas, area, "The run has not finished yet. Its result gives the answer.", {Ink::dim});
+    draw_paragraph(canvas, area,
+                   fmt::format("The run has not finished yet: {}. Its result gives the answer; backspace "
+                               "leads back to it.",
+                               progress_text(panel_->live())),
+                   {Ink::dim});
     return;
   }
   const Answer answer = lesson_.answer(lanes_);

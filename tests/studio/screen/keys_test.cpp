@@ -50,7 +50,7 @@ TEST(Keymap, TheFootFitsAndAlwaysTellsHelpAndTheWayOut) {
 
 TEST(Keymap, HelpListsEveryKeyOfTheScreen) {
   Canvas canvas(120, 50);
-  draw_help(canvas, Where::live, Glyphs::unicode);
+  EXPECT_EQ(draw_help(canvas, Where::live, 0, Glyphs::unicode), 0);
   std::string text;
   for (int y = 0; y < 50; ++y) text += canvas.row(y) + "\n";
   int listed = 0;
@@ -61,6 +61,21 @@ TEST(Keymap, HelpListsEveryKeyOfTheScreen) {
   }
   EXPECT_GT(listed, 10);
   EXPECT_EQ(text.find("Mark a run"), std::string::npos);  // of the first screen
+}
+
+TEST(Keymap, HelpOfEveryScreenIsReadPageByPageOnAnOrdinaryTerminal) {
+  for (const Where where : screens) {
+    std::string text;
+    int from = 0, pages = 0;
+    do {
+      Canvas canvas(80, 24);
+      from = draw_help(canvas, where, from, Glyphs::unicode);
+      for (int y = 0; y < 24; ++y) text += canvas.row(y) + "\n";
+    } while (from > 0 && ++pages < 9);
+    for (const Binding& b : bindings())
+      if (b.where == where || b.where == Where::anywhere)
+        EXPECT_NE(text.find(std::string(b.help)), std::string::npos) << b.help << " in\n" << text;
+  }
 }
 
 TEST(Prompt, TakesLettersOfAnyAlphabetAndDropsThemWhole) {

@@ -104,6 +104,29 @@ TEST(LiveScreen, TellsStateBudgetAndLanes) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 
+TEST(LiveScreen, SaysNoStepsBeforeTheirNumberIsKnown) {
+  Live live = run_of(1);
+  live.state = "packing 24 %";
+  live.step = live.steps = 0;
+  Canvas canvas(80, 24);
+  draw_live(canvas, live, {}, Glyphs::unicode);
+  EXPECT_NE(canvas.row(0).find("plate  packing 24 %"), std::string::npos) << canvas.row(0);
+  EXPECT_EQ(canvas.row(0).find("step"), std::string::npos) << canvas.row(0);
+}
+
+TEST(LiveScreen, TimeLeftIsShownWholeWhereThereIsLittleRoom) {
+  Live live = run_of(1);
+  live.name = "lesson_node-release";
+  live.step = 3326, live.steps = 16041, live.steps_per_s = 62.6, live.seconds_left = 203;
+  const auto head = [&](int width) {
+    Canvas canvas(width, 24);
+    draw_live(canvas, live, {}, Glyphs::unicode);
+    return canvas.row(0);
+  };
+  EXPECT_NE(head(100).find("62.6 steps/s   3 min 23 s left"), std::string::npos) << head(100);
+  EXPECT_NE(head(76).find("step 3326 of 16041   3 min 23 s left"), std::string::npos) << head(76);
+}
+
 TEST(LiveScreen, TwoPlatesStandBesideEachOther) {
   Live live = run_of(2);
   const results::Geometry g = blocks();

@@ -89,9 +89,9 @@ TEST(HomeScreen, ShowsWhatIsOnesOwnFirstAndEveryPresetInItsGroup) {
   const std::string text = text_of(home);
   std::size_t before = 0;
   for (const char* part :
-       {"Recent runs", "first", "Your presets", "mine", "Start here", "plate_tiny", "From a measured crack",
-        "experiment_twin", "Inclined, curved", "path_curved", "Figures, tables and sections",
-        "table2_elastic_parameters", "sec2_linear", "Lessons"}) {
+       {"Recent runs", "first", "Your presets", "mine", "Start here", "plate_tiny", "Lessons",
+        "From a measured crack", "experiment_twin", "Inclined, curved", "path_curved",
+        "Figures, tables and sections", "table2_elastic_parameters", "sec2_linear"}) {
     const std::size_t at = text.find(part, before);
     ASSERT_NE(at, std::string::npos) << part << " in\n" << text;
     before = at;
@@ -133,6 +133,10 @@ TEST(HomeScreen, SearchShowsOnlyWhatHoldsTheLetters) {
   EXPECT_NE(text_of(home).find("node-release"), std::string::npos) << text_of(home);
   type(home, "/zzzz\n");
   EXPECT_NE(text_of(home).find("no entry contains these letters"), std::string::npos);
+  EXPECT_NE(text_of(home).find("only entries with \"zzzz\"; press / and enter to show all"),
+            std::string::npos);
+  type(home, "/\n");
+  EXPECT_NE(text_of(home).find("plate_tiny"), std::string::npos) << text_of(home);
   EXPECT_EQ(home.press({key_enter}).to, Navigation::To::stay);
 }
 
@@ -222,6 +226,8 @@ TEST(FormScreen, AMistakeIsShownAtItsFieldWhileItIsTyped) {
   FormScreen form(shop.context, shop.preset());
   EXPECT_NE(text_of(form).find("ready to run"), std::string::npos);
   type(form, "/poisson\n");
+  EXPECT_NE(text_of(form).find("only entries with \"poisson\"; press / and enter to show all"),
+            std::string::npos);
   form.press({key_enter});
   for (int k = 0; k < 8; ++k) form.press({key_backspace});
   type(form, "0.7");
@@ -517,7 +523,9 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
   EXPECT_NE(text_of(*screen).find("leave? yes or no"), std::string::npos) << text_of(*screen);
   type(*screen, "no");
   EXPECT_EQ(screen->press({key_enter}).to, Navigation::To::stay);
-  screen->press({key_enter});
+  for (int k = 0; k < 3; ++k) screen->press({key_enter});  // the answer, before anything was looked at
+  EXPECT_NE(text_of(*screen).find("The run has not finished yet: "), std::string::npos) << text_of(*screen);
+  for (int k = 0; k < 2; ++k) screen->press({key_backspace});
   std::string shown;
   for (int k = 0; k < 400 && shown.find("finished") == std::string::npos; ++k) {
     screen->look();
