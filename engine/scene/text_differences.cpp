@@ -1,6 +1,7 @@
 #include "engine/scene/text_differences.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -53,6 +54,16 @@ std::vector<std::string> text_differences(const std::string& before, const std::
                               : fmt::format("{} was {}, is now {}", name, before_text, now_text));
   }
   return differences;
+}
+
+std::string differences_text(const std::string& before, const std::string& now) {
+  constexpr std::size_t most = 4;
+  std::vector<std::string> differences = text_differences(before, now);
+  if (differences.empty()) return {};
+  const std::size_t count = differences.size();
+  differences.resize(std::min(most, count));
+  return fmt::format(": {}{}", fmt::join(differences, "; "),
+                     count > most ? fmt::format("; and {} more", count - most) : "");
 }
 
 }  // namespace rift::scene

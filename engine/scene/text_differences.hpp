@@ -9,4 +9,8 @@ namespace rift::scene {
 /// was 3000, is now 5000", one for each; "crack.history differs" where both values are too long to be shown.
 std::vector<std::string> text_differences(const std::string& before, const std::string& now);
 
+/// The first four of them as the end of a message, ": specimen.elements was 3000, is now 5000; and 2 more";
+/// empty where there is none.
+std::string differences_text(const std::string& before, const std::string& now);
+
 }  // namespace rift::scene

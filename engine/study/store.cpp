@@ -43,17 +43,6 @@ std::string text_of(const Json& object, const char* name) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// ": crack.end was 0.06, is now 0.07", the first few differences of two presets.
-std::string differences_text(const std::string& there, const std::string& ours) {
-  constexpr std::size_t most = 4;
-  std::vector<std::string> differences = scene::text_differences(there, ours);
-  if (differences.empty()) return {};
-  const std::size_t count = differences.size();
-  differences.resize(std::min(most, count));
-  return fmt::format(": {}{}", fmt::join(differences, "; "),
-                     count > most ? fmt::format("; and {} more", count - most) : "");
-}
-
 /// Why the study in the folder cannot be gone on with; empty where it can.
 std::string difference(const Json& there, const StudyManifest& ours) {
   if (text_of(there, "version") != ours.version)
@@ -64,7 +53,7 @@ std::string difference(const Json& there, const StudyManifest& ours) {
   if (text_of(there, "hash") != ours.hash)
     return fmt::format("another study (of {}, {} scenarios){}", text_of(there, "preset"),
                        there.contains("scenarios") ? there.at("scenarios").size() : 0,
-                       differences_text(text_of(there, "preset_text"), ours.preset_text));
+                       scene::differences_text(text_of(there, "preset_text"), ours.preset_text));
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include "engine/results/archive.hpp"
 #include "engine/results/json_input.hpp"
 #include "engine/results/run_folder.hpp"
+#include "engine/scene/text_differences.hpp"
 #include "engine/study/store.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
@@ -42,21 +43,32 @@ void check_one_scene(const scene::Preset& preset) {
              preset.study.empty() ? "lanes" : "a study"));
 }
 
+/// A text of a mark; empty where it has none.
+std::string text_of(const Json& mark, const char* name) {
+  return mark.is_object() && mark.contains(name) && mark.at(name).is_string()
+             ? mark.at(name).get<std::string>()
+             : std::string();
+}
+
+/// Refuses the folder of another scene. A damaged mark is written again: each scenario says what it is of.
+void check_mark(const fs::path& folder, const Json& there, const Json& mark) {
+  const std::string scene = text_of(there, "scene"), before = text_of(there, "preset_text");
+  if (scene.empty() || scene == mark.at("scene")) return;
+  throw results::FolderExists(
+      fmt::format("{} holds the results of 'rift accuracy' for another scene (of {}){}; nothing was changed: "
+                  "choose another folder with --out",
+                  folder.string(), text_of(there, "accuracy_of"),
+                  before.empty() ? "" : scene::differences_text(before, mark.at("preset_text"))));
+}
+
 /// Makes the folder, or goes on in one of the same scene; anything else is left alone.
 void open_folder(const fs::path& folder, const scene::Preset& preset) {
   std::error_code ignored;
   const fs::path file = folder / "accuracy.json";
   const Json mark = accuracy_mark(preset);
-  if (fs::exists(file)) {
-    const Json there = results::json_or_discarded(base::read_whole_file(file));
-    if (there == results::read_json(base::json_text(mark), file))
-      return;  // a name that is no UTF-8 is kept as text is
-    throw results::FolderExists(
-        fmt::format("{} holds the results of 'rift accuracy' for another scene; nothing was changed: choose "
-                    "another folder with --out",
-                    folder.string()));
-  }
-  if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored))
+  if (fs::exists(file))
+    check_mark(folder, results::json_or_discarded(base::read_whole_file(file)), mark);
+  else if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored))
     throw results::FolderExists(fmt::format(
         "{} is not empty and holds no results of 'rift accuracy': choose another folder with --out",
         folder.string()));

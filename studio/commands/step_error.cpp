@@ -43,7 +43,8 @@ double measured_error(const scene::Preset& preset, const fs::path& folder) try {
 fs::path accuracy_folder(const std::string& preset) { return fs::path(preset).stem().string() + "_accuracy"; }
 
 Json accuracy_mark(const scene::Preset& preset) {
-  return {{"accuracy_of", preset.name}, {"scene", study::hash_text(scene::preset_text(preset.scene))}};
+  const std::string text = scene::preset_text(preset.scene);
+  return {{"accuracy_of", preset.name}, {"scene", study::hash_text(text)}, {"preset_text", text}};
 }
 
 std::string step_error_text(const SceneOptions& options, const scene::Preset& preset) {

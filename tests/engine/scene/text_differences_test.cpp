@@ -23,5 +23,12 @@ TEST(TextDifferences, OfLongValuesSayThatThereIsOne) {
             Texts{"crack.history differs"});
 }
 
+TEST(TextDifferences, AtTheEndOfAMessageAreFourAtMost) {
+  EXPECT_EQ(differences_text("a 1\nb 1\n", "a 1\nb 2\n"), ": b was 1, is now 2");
+  EXPECT_EQ(differences_text("a 1\nb 1\nc 1\nd 1\ne 1\nf 1\n", "a 2\nb 2\nc 2\nd 2\ne 2\nf 2\n"),
+            ": a was 1, is now 2; b was 1, is now 2; c was 1, is now 2; d was 1, is now 2; and 2 more");
+  EXPECT_EQ(differences_text("a 1\n", "a 1\n"), "");
+}
+
 }  // namespace
 }  // namespace rift::scene

@@ -135,7 +135,22 @@ TEST(AccuracyOut, OfAnotherSceneOrSomethingElseIsRefused) {
   accuracy(plate, "--budget '0.1 s'");
   ran = accuracy(plate, "--set specimen.seed=9");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_TRUE(contains(ran.err, "holds the results of 'rift accuracy' for another scene"));
+  EXPECT_EQ(ran.err, "rift: " + plate.out().string() +
+                         " holds the results of 'rift accuracy' for another scene (of " +
+                         plate.preset().string() +
+                         "): specimen.seed was 1, is now 9; nothing was changed: choose another folder with "
+                         "--out\n");
+}
+
+TEST(AccuracyOut, OfTheSameSceneInAFileOfAnotherNameIsContinued) {
+  const TinyPlate plate;
+  accuracy(plate, "--budget '0.1 s'");
+  const fs::path renamed = plate.preset().parent_path() / "renamed.toml";
+  fs::rename(plate.preset(), renamed);
+  const Ran ran = run_rift("accuracy '" + renamed.string() + "' --quick --threads 1 --out '" +
+                               plate.out().string() + "' --budget '0.1 s'",
+                           plate.environment());
+  EXPECT_EQ(ran.exit_code, 4) << ran.err;
 }
 
 }  // namespace
