@@ -126,6 +126,7 @@ void add_rates(results::LaneSummary& s, const Prepared& p, const LanePlan& lane,
     s.ratio_paper = plateau.mean.ratio_paper;
     s.ratio_difference = plateau.mean.ratio_difference;
     s.ratio_scatter = plateau.scatter;
+    s.ratio_trend = plateau.trend;
     s.error_broberg = s.ratio - s.broberg;
   }
 }
