@@ -129,6 +129,7 @@ done
 [ -n "$what" ] || { usage >&2; exit 2; }
 [ $viz = OFF ] || packages+=("${viz_packages[@]}")
 [ "$what" = demo ] || packages+=('tmux|tests of the panels' 'doxygen|reference of the engine' 'python3-h5py|tests of the Python examples'
+  'python3-numpy|the run that a test rebuilds' 'python3-scipy|the same'
   "chromium|tests of the reports' pages" 'xterm|tests of pictures in a terminal' 'xvfb|the same' 'xfonts-base|the same'
   'imagemagick|the same')
 

@@ -38,6 +38,7 @@ std::set<std::string> stored_in(const Shown& shown) {
   if (!frame.velocity.empty()) stored.insert("velocity");
   if (!frame.damage_factor.empty()) stored.insert("damage");
   if (!frame.elastic_energy.empty()) stored.insert("energy");
+  if (!frame.rotation.empty()) stored.insert("rotation");
   return stored;
 }
 

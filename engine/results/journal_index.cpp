@@ -28,6 +28,7 @@ struct Collector {
     scan.header_json = std::move(header.json);
   }
   void operator()(Geometry&& geometry) { scan.geometry = std::move(geometry); }
+  void operator()(Mechanics&& mechanics) { scan.mechanics = std::move(mechanics); }
   void operator()(Sample&& sample) {
     moment(sample.step, sample.time_s, sample.lane);
     scan.samples.push_back(sample);
@@ -95,7 +96,7 @@ void check_fit(const std::filesystem::path& path, const Geometry& geometry, cons
   };
   const std::size_t elements = geometry.position.size();
   if (!fits(frame.displacement, elements) || !fits(frame.velocity, elements) ||
-      !fits(frame.elastic_energy, elements) || !fits(frame.damage_factor, geometry.crossing.size()))
+      !fits(frame.elastic_energy, elements) || !fits(frame.rotation, elements) || !fits(frame.damage_factor, geometry.crossing.size()))
     throw base::WorldError("use", path,
                            fmt::format("the frame of step {} does not fit the geometry", frame.step));
 }

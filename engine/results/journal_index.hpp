@@ -19,6 +19,7 @@ namespace rift::results {
 struct JournalScan {
   std::string header_json;
   std::optional<Geometry> geometry;
+  Mechanics mechanics;  // empty in journals of rift 0.1, and of what does not march
   std::vector<Sample> samples;
   std::vector<ReleaseEvent> events;
   std::vector<RateCurve> rates;

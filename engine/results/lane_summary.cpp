@@ -32,7 +32,7 @@ constexpr std::array summary_table{
     WHOLE(steps), COLUMN(steps_per_beam), WHOLE(threads), COLUMN(simd), WHOLE(lanes), COLUMN(version),
     COLUMN(g_i0_reference), COLUMN(g_i0_j_m2), COLUMN(displacement_m), COLUMN(grip_force_n),
     COLUMN(g_id_j_m2), COLUMN(ratio), COLUMN(ratio_fracture), COLUMN(ratio_paper), COLUMN(ratio_difference),
-    COLUMN(ratio_scatter), COLUMN(window_over_length), COLUMN(echo_free_over_length), COLUMN(broberg),
+    COLUMN(ratio_scatter), COLUMN(ratio_trend), COLUMN(window_over_length), COLUMN(echo_free_over_length), COLUMN(broberg),
     COLUMN(freund), COLUMN(strip), COLUMN(error_broberg), COLUMN(error_converged), COLUMN(energy_initial_j),
     COLUMN(energy_elastic_j), COLUMN(energy_kinetic_translation_j), COLUMN(energy_kinetic_rotation_j),
     COLUMN(energy_step_correction_j), COLUMN(energy_fracture_j), COLUMN(energy_damping_j),

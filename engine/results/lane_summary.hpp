@@ -60,7 +60,7 @@ struct LaneSummary {
   std::string g_i0_reference;
   double g_i0_j_m2 = undefined, displacement_m = undefined, grip_force_n = undefined, g_id_j_m2 = undefined;
   double ratio = undefined, ratio_fracture = undefined, ratio_paper = undefined;
-  double ratio_difference = undefined, ratio_scatter = undefined;
+  double ratio_difference = undefined, ratio_scatter = undefined, ratio_trend = undefined;
   std::array<double, 2> window_over_length{undefined, undefined};
   double echo_free_over_length = undefined;
   double broberg = undefined, freund = undefined, strip = undefined;

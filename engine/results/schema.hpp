@@ -60,6 +60,17 @@ struct Geometry {
   std::vector<std::int32_t> crossing;             // the beams that the crack path crosses, ascending
 };
 
+/// The lattice as the run has it, in double precision: all that it takes to rebuild the run elsewhere. Empty
+/// where the run keeps none. Beams have the order of Geometry::beam, and the stiffnesses of the first lane:
+/// those of another go with its E_mu.
+struct Mechanics {
+  std::vector<std::array<double, 3>> centre;     // N [m], unloaded
+  std::vector<double> radius, mass, inertia;     // N [m], [kg], [kg m2]
+  std::vector<std::uint8_t> grip;                // N: 0 free, 1 held by the bottom grip, 2 by the top one
+  std::vector<double> axial, bending, twist;     // B: k_a = E S / l [N/m], w = 2 E I / l, k_t = G I_0 / l [N m]
+  std::vector<double> crossing_position;         // of each of Geometry::crossing: s_b [m]
+};
+
 /// The state of one lane at one moment; a field not asked for is empty.
 struct Frame {
   std::int64_t step = 0;
@@ -70,6 +81,7 @@ struct Frame {
   std::vector<std::array<float, 3>> velocity;      // N [m/s]
   std::vector<float> damage_factor;                // per crossing beam, 1 intact, 0 broken
   std::vector<float> elastic_energy;               // N [J], half of each beam's to each of its elements
+  std::vector<std::array<float, 3>> rotation;      // N [rad], rotation vectors
 };
 
 /// A beam that the crack has released for good.

@@ -264,10 +264,10 @@ std::vector<Parameter> output_rows() {
       {"output.fields",
        R"(["displacement", "damage"])",
        [](Scene& s) -> Slot { return &s.output.fields; },
-       "Fields of a frame; energy is the elastic energy by element.",
+       "Fields of a frame; energy is the elastic energy by element, rotation the rotation vector of each.",
        none,
        {},
-       {"displacement", "velocity", "damage", "energy"}},
+       {"displacement", "velocity", "damage", "energy", "rotation"}},
       {"output.window", "", [](Scene& s) -> Slot { return &s.output.window; },
        "Measuring window as two fractions of the length; by default [0.2, 0.4], or [0.4, 0.6] above 0.8 c_R; "
        "with two tips from five damage zones (simple: five mean radii) past the start to the first boundary "

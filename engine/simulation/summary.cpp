@@ -126,6 +126,7 @@ void add_rates(results::LaneSummary& s, const Prepared& p, const LanePlan& lane,
     s.ratio_paper = plateau.mean.ratio_paper;
     s.ratio_difference = plateau.mean.ratio_difference;
     s.ratio_scatter = plateau.scatter;
+    s.ratio_trend = plateau.trend;
     s.error_broberg = s.ratio - s.broberg;
   }
 }
@@ -324,6 +325,25 @@ results::Geometry geometry_of(const Prepared& prepared) {
     g.crossing.push_back(c.beam);
   std::sort(g.crossing.begin(), g.crossing.end());
   return g;
+}
+
+results::Mechanics mechanics_of(const Prepared& prepared) {
+  const lattice::Lattice& lattice = prepared.lattice;
+  const double modulus = prepared.lane.front().units.energy;  // the beams' of the lane over the lattice's
+  results::Mechanics m;
+  for (const Eigen::Vector3d& c : lattice.centre) m.centre.push_back({c.x(), c.y(), c.z()});
+  m.radius = lattice.radius, m.mass = lattice.mass, m.inertia = lattice.inertia;
+  for (const packing::Grip grip : lattice.grip) m.grip.push_back(static_cast<std::uint8_t>(grip));
+  for (const lattice::Beam& beam : lattice.beam) {
+    m.axial.push_back(modulus * beam.axial);
+    m.bending.push_back(modulus * beam.bending);
+    m.twist.push_back(modulus * beam.twist);
+  }
+  std::vector<fracture::Crossing> crossings = fracture::crossings(prepared.path, lattice);
+  std::sort(crossings.begin(), crossings.end(),
+            [](const auto& a, const auto& b) { return a.beam < b.beam; });
+  for (const fracture::Crossing& c : crossings) m.crossing_position.push_back(c.position);
+  return m;
 }
 
 }  // namespace rift::simulation

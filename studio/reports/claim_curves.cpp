@@ -130,7 +130,7 @@ std::vector<ChartSeries> theory_curves(double poisson_ratio, theory::Plane plane
 
 Chart chart_of_references(const std::string& title) {
   return {.title = title,
-          .x_label = "crack velocity v / c_R [-]",
+          .x_label = "crack velocity v / c_R, nominal c_R [-]",
           .y_label = "G_{ID} / G_{I0} [-]",
           .x_range = {0.0, 1.05},
           .y_range = {.min = 0.0},
