@@ -10,7 +10,7 @@ namespace {
 Lattice block() {
   const packing::Box box{16e-3, 10e-3, 6e-3, packing::Shape::block};
   const packing::Packing packing = packing::packed_once(
-      {.box = box, .elements = 500, .radius_spread = 0.125, .coordination = 6.0, .seed = 2});
+      {.box = box, .elements = 500, .radius_spread = 0.125, .coordination = 5.5, .seed = 2});
   return make_lattice(packing::make_free_specimen(packing, box, 1.0), {356e9, 0.3, 0.3}, 1000.0);
 }
 
