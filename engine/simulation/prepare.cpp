@@ -384,14 +384,14 @@ template <class Rows, class Of>
 void add_extremes(std::vector<scene::DerivedNumber>& numbers, const char* name, const char* unit,
                   const scene::Range& range, const Keys& keys, const Rows& rows, const Of& of) {
   if (rows.empty()) return;
-  double least = of(rows.front()), greatest = least;
+  double smallest = of(rows.front()), largest = smallest;
   for (const auto& row : rows) {
     const double value = of(row);
-    if (!(value >= least)) least = value;  // NaN, too
-    if (!(value <= greatest)) greatest = value;
+    if (!(value >= smallest)) smallest = value;  // NaN, too
+    if (!(value <= largest)) largest = value;
   }
-  numbers.push_back({std::string("an element or a beam with ") + name, least, range, unit, keys});
-  if (greatest != least) numbers.push_back({numbers.back().name, greatest, range, unit, keys});
+  numbers.push_back({std::string("an element or a beam with ") + name, smallest, range, unit, keys});
+  if (largest != smallest) numbers.push_back({numbers.back().name, largest, range, unit, keys});
 }
 
 }  // namespace

@@ -218,7 +218,7 @@ void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progr
     if (fracture::in_notch(c, scene.crack.start)) notched[c.beam] = 0;
   if (scene.loading.traction) {
     p.displacement.assign(p.lattice.centre.size(), lattice::Vector6::Zero());
-    p.scale = scale_against(scene, p.lattice, *scene.breaking.release_rate);
+    p.scale = scale_against(p, *scene.breaking.release_rate, cache, progress);
     return;
   }
   const std::optional<double> force = scene::force_at_start(scene);
