@@ -108,13 +108,14 @@ install_missing() {
 
 build() { # TARGET...
   say "building (build/release; some four minutes on two cores the first time)"
-  cmake --preset release -DRIFT_VIZ="$viz" >/dev/null
+  cmake --preset release -DRIFT_VIZ="$viz" -DRIFT_KERNELS="$kernels" >/dev/null
   cmake --build --preset release --target "$@"
   ln -sf build/release/studio/rift rift
 }
 
 what=''
 viz=ON
+kernels=all
 plain=()
 for argument in "$@"; do
   case "$argument" in
@@ -128,11 +129,13 @@ done
 [ -n "$what" ] || { usage >&2; exit 2; }
 [ $viz = OFF ] || packages+=("${viz_packages[@]}")
 [ "$what" = demo ] || packages+=('tmux|tests of the panels' 'doxygen|reference of the engine' 'python3-h5py|tests of the Python examples'
+  'python3-numpy|the run that a test rebuilds' 'python3-scipy|the same'
   "chromium|tests of the reports' pages" 'xterm|tests of pictures in a terminal' 'xvfb|the same' 'xfonts-base|the same'
   'imagemagick|the same')
 
 install_missing
 if [ "$what" = demo ]; then
+  kernels=native  # for this machine only: the compiler is done sooner
   build rift
   say 'running presets/quickstart.toml'
   if [ $viz = ON ]; then

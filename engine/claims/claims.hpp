@@ -21,6 +21,7 @@ struct Evidence {
   int elements = paper_elements;                              // of the plate that stands for the paper's
   std::function<SeriesTable(const SummaryRow&)> series = {};  // empty where it is not stored
   std::vector<calibration::CylinderResult> cylinders = {};    // of all sizes, with the paper's beams
+  bool one_size = false;  // no plates of more or fewer elements: parts of claims about these are left out
 };
 
 /// A claim of the paper, one artefact each.

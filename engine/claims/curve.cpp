@@ -35,7 +35,7 @@ std::string axis_of(const SummaryRow& row, std::string_view axis, const char* ab
 void add_row(CurvePoint& point, const SummaryRow& row) {
   point.seed.push_back(std::lround(row.seed));
   point.ratio.push_back(row.ratio);
-  point.plateau_scatter.push_back(row.ratio_scatter);
+  point.trend.push_back(row.ratio_trend);
   point.broberg = row.broberg;
   point.freund = row.freund;
   point.strip = row.strip;
@@ -177,6 +177,27 @@ const char* name_of(Verdict verdict) {
   return names[static_cast<std::size_t>(verdict)];
 }
 
+std::vector<Margin> margins() {
+  const auto at_most = [](double margin, const char* what) { return fmt::format("{} at most {:g}", what, margin); };
+  return {
+      {"near, agrees", at_most(near_margin, "mean |ratio - Broberg| over the named velocities"), "ours"},
+      {"too low, too high", fmt::format("mean signed difference beyond {:g}", offset_margin), "ours"},
+      {"better than", "smaller mean |ratio - Broberg|, specimen by specimen", "ours"},
+      {"no influence, negligible", at_most(influence_margin, "mean |difference|"), "ours"},
+      {"quasi-constant",
+       fmt::format("second half of the window less the first at most {:g}, or within {:g} standard errors",
+                   constant_margin, constant_errors),
+       "ours"},
+      {"0.002 and 0.018 (Fig. 14)",
+       fmt::format("within {:g} standard deviation of a single specimen's difference; not decidable within {:g}",
+                   value_errors, undecided_errors),
+       "numbers: text; of one specimen: text; deviations: ours"},
+      {"below 0.4 at 0.01 (Fig. 7), less than 6 % (Fig. 8), 1 % (Fig. 5)", "as said", "text"},
+      {"E and ν within 2.5 % above 15,000 elements (Fig. 17)", "as said", "text"},
+      {"not decidable", "specimens scatter beyond the margin, or the data are not in the text", "ours"},
+  };
+}
+
 const std::vector<double>& claimed_velocities() {
   static const std::vector<double> velocities{0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};
   return velocities;
@@ -255,11 +276,23 @@ Judgement has_no_influence(const Curve& curve, const Curve& reference, Span span
                       scatter_text(scatter))};
 }
 
+Judgement differs_by(const Curve& curve, const Curve& reference, double v, double value) {
+  const Curve one = within(curve, v, v), other = within(reference, v, v);
+  const Difference d = one.empty() || other.empty() ? Difference{} : difference_of(one.front(), other.front());
+  if (d.specimens < 2) return nothing_to_judge(fmt::format("fewer than two specimens at {:g} c_R", v));
+  const double away = std::abs(std::abs(d.mean) - value);
+  const Verdict verdict = away <= value_errors * d.scatter       ? Verdict::holds
+                          : away <= undecided_errors * d.scatter ? Verdict::not_decidable
+                                                                 : Verdict::does_not_hold;
+  return {verdict, fmt::format("|difference| {:.3f}, of a single specimen ± {:.3f}", std::abs(d.mean), d.scatter)};
+}
+
 Judgement is_quasi_constant(const CurvePoint& point) {
-  if (point.plateau_scatter.empty()) return nothing_to_judge("no result");
-  const double along = base::mean_of(point.plateau_scatter);
-  return {verdict_of(along <= constant_margin, scatter_of(point.plateau_scatter), constant_margin),
-          fmt::format("{:g}: {:.3f}", point.v, along)};
+  const double trend = base::mean_of(point.trend);
+  if (point.trend.empty() || std::isnan(trend)) return nothing_to_judge("no result");
+  const double error = scatter_of(point.trend) / std::sqrt(static_cast<double>(point.trend.size()));
+  const bool constant = std::abs(trend) <= std::max(constant_margin, constant_errors * error);
+  return {yes_or_no(constant), fmt::format("{:g}: {:+.3f} ± {:.3f}", point.v, trend, error)};
 }
 
 Judgement is_mostly_constant(const Curve& curve, Span span) {
@@ -276,7 +309,8 @@ Judgement is_mostly_constant(const Curve& curve, Span span) {
   const Verdict verdict = 2 * constant > all                 ? Verdict::holds
                           : 2 * (constant + undecided) > all ? Verdict::not_decidable
                                                              : Verdict::does_not_hold;
-  return {verdict, fmt::format("{} of {} velocities; scatter along the window {}", constant, all, list)};
+  return {verdict, fmt::format("{} of {} velocities; second half of the window less the first, and its standard error, {}",
+                               constant, all, list)};
 }
 
 Judgement is_near_value(const Curve& curve, double v, double value) {

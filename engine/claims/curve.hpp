@@ -34,7 +34,7 @@ struct CurvePoint {
   double v = 0;                               // [c_r]
   std::vector<long> seed;                     // of the specimens, ascending
   std::vector<double> ratio;                  // ratio of each
-  std::vector<double> plateau_scatter;        // of each over its window
+  std::vector<double> trend;                  // of each along its window: second half less first
   double broberg = 0, freund = 0, strip = 0;  // NaN where not defined
   double wall_s = 0;                          // of all of them
 };
@@ -70,8 +70,19 @@ inline constexpr double near_margin = 0.05;
 inline constexpr double offset_margin = 0.03;
 /// "no influence": mean |difference| at most this.
 inline constexpr double influence_margin = 0.02;
-/// "quasi-constant": scatter over the window at most this.
+/// "quasi-constant": the second half of the window less the first, mean of the specimens, at most this or
+/// within two of its standard errors. What scatters along the window is the noise of single beams.
 inline constexpr double constant_margin = 0.05;
+inline constexpr double constant_errors = 2.0;
+/// A number that the paper gives of one specimen: ours holds within one standard deviation of a single
+/// specimen's, and is not decidable within two.
+inline constexpr double value_errors = 1.0, undecided_errors = 2.0;
+
+/// A margin as the report lists it, fixed before any result.
+struct Margin {
+  std::string words, rule, source;  // the last: the paper's text, or ours
+};
+std::vector<Margin> margins();
 
 enum class Verdict { holds, does_not_hold, not_decidable };
 const char* name_of(Verdict verdict);  // "holds", "does not hold", "not decidable"
@@ -113,7 +124,10 @@ Judgement is_better(const Curve& curve, const Curve& than, Span span);
 /// Mean |difference| of two curves of the same specimens.
 Judgement has_no_influence(const Curve& curve, const Curve& reference, Span span);
 
-/// Scatter of the ratio along the window, its mean over specimens, at one velocity.
+/// |mean difference| of two curves of the same specimens at one velocity against a value of the paper's.
+Judgement differs_by(const Curve& curve, const Curve& reference, double v, double value);
+
+/// Trend of the ratio along the window, its mean over specimens beside its standard error, at one velocity.
 Judgement is_quasi_constant(const CurvePoint& point);
 
 /// The same at more than half of the velocities of the span.

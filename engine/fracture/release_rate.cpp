@@ -91,6 +91,8 @@ Plateau plateau_of(const std::vector<Sample>& lane, const std::array<double, 2>&
   plateau.mean = rate_between(first, last, scale);
   plateau.window_m = {first.tip_m, last.tip_m};
   plateau.reached = true;
+  const Sample& middle = row_nearest(lane, 0.5 * (window[0] + window[1]));
+  plateau.trend = rate_between(middle, last, scale).ratio - rate_between(first, middle, scale).ratio;
   const Sample* from = &first;
   double sum = 0.0, squares = 0.0;
   for (int k = 1; k <= sub_windows; ++k) {

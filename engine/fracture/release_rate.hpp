@@ -47,6 +47,7 @@ std::vector<results::RatePoint> rate_curve(const std::vector<results::Sample>& l
 struct Plateau {
   results::RatePoint mean;
   double scatter = 0;                // standard deviation of ratio over ten equal sub-windows
+  double trend = 0;                  // ratio of the window's second half less that of its first
   std::array<double, 2> window_m{};  // tip positions of the rows nearest to the window's ends
   bool reached = false;              // false where the run stopped before the window's end
 };

@@ -2,6 +2,8 @@
 
 #include "engine/base/interrupted.hpp"
 #include "engine/base/ownership.hpp"
+#include "engine/lattice/statics.hpp"
+#include "engine/measurement/specimen_properties.hpp"
 #include "engine/results/archive.hpp"
 #include "engine/results/journal_index.hpp"
 #include "engine/results/json_input.hpp"
@@ -10,6 +12,7 @@
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/record.hpp"
+#include "engine/theory/strip_transient.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -60,17 +63,48 @@ double clock_of(const scene::Scene& scene, const std::vector<results::Sample>& s
   return 0.0;
 }
 
-/// Why the material's E and nu do not tell the plate's field; empty where they do.
-std::string strange_field(const scene::Scene& scene) {
-  const scene::StiffnessChoice stiffness = scene.material.stiffness;
-  if (stiffness == scene::StiffnessChoice::in_situ || stiffness == scene::StiffnessChoice::calibrated)
-    return {};
-  return "K needs the plate's own E and ν, which material.stiffness = \"bulk\" and \"explicit\" do not set";
+/// E and nu that the lane's specimen shows; why there are none in `why`.
+ElasticPlate own_plate(scene::Preset preset, const scene::Scene& lane, base::Cache& cache,
+                       const simulation::StageProgress& progress, std::string& why) {
+  preset.scene = lane, preset.lanes.clear();
+  const simulation::Prepared plate = simulation::prepare(preset, cache, progress);
+  ElasticPlate own{.density = plate.density};  // a plate that nothing holds across: plane stress
+  try {
+    const simulation::OwnConstants pulled = pulled_constants(plate, plate.lane.front(), cache,
+                                                             simulation::stage(progress, "static pulls"));
+    own.young_modulus = pulled.young_modulus(), own.poisson_ratio = pulled.poisson_ratio();
+  } catch (const std::runtime_error& error) {  // of statics, or too few elements at an end
+    if (dynamic_cast<const base::Interrupted*>(&error)) throw;
+    why = std::string("K needs the plate's own E and ν, and it cannot be pulled: ") + error.what();
+  }
+  return own;
 }
 
-ElasticPlate plate_of(const scene::Scene& scene) {
-  return {scene.material.young_modulus, scene.material.poisson_ratio, scene::density(scene),
-          scene.material.plane};
+/// The strip that theory::strip_transient is of: five times as long as high, pulled evenly, its crack half
+/// way up and of one velocity from the free end.
+bool is_paper_strip(const scene::Scene& scene) {
+  const double height = scene.specimen.height;
+  const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
+  return near(scene.specimen.length, 5.0 * height) && scene.crack.path.point.empty() &&
+         near(scene::path_height_m(scene), 0.5 * height) && scene.crack.tips == 1 &&
+         scene.crack.start == 0.0 && scene::keeps_its_velocity(scene) && !scene::grip_moves(scene) &&
+         scene.loading.tilt == 0.0 && scene.loading.shear == 0.0;
+}
+
+std::vector<ArrivingStretch> arriving_of(const Instruments& seen, const scene::Scene& scene) {
+  std::vector<ArrivingStretch> all;
+  if (!is_paper_strip(scene)) return all;
+  for (const theory::TransientStretch& t : theory::strip_transient(scene::highest_velocity(scene))) {
+    ArrivingStretch stretch{t.from * seen.plate.x(), t.to * seen.plate.x(), 0, 0.0, t.over_g_i0};
+    for (const IntensityPoint& p : seen.intensity) {
+      if (!p.k || p.tip < stretch.from || p.tip > stretch.to) continue;
+      ++stretch.moments;
+      stretch.over_g_i0 += p.k->release_rate / (seen.g_i0 + seen.g_i0_slope * p.tip);
+    }
+    stretch.over_g_i0 /= stretch.moments;
+    if (stretch.moments > 0 && !std::isnan(stretch.expected)) all.push_back(stretch);
+  }
+  return all;
 }
 
 std::vector<Eigen::Vector2d> places_of(const results::Geometry& geometry) {
@@ -110,7 +144,7 @@ std::string ring_that_fits(const Instruments& seen, const InstrumentOptions& opt
 }
 
 Instruments read_instruments(const std::filesystem::path& run, const InstrumentOptions& options,
-                             const std::function<bool(double done)>& progress,
+                             base::Cache& cache, const simulation::StageProgress& progress,
                              const std::function<void(const Grid&, const SeenField&)>& see) {
   const scene::Preset preset = simulation::preset_of_run(run);
   const std::filesystem::path journal = run / results::journal_name;
@@ -139,18 +173,22 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentO
                    .g_i0_slope = scale.g_i0_slope,
                    .samples = of_lane(scan.samples, options.lane),
                    .gauges = of_lane(scan.gauges, options.lane),
+                   .own = {},
                    .intensity = {},
-                   .no_intensity = strange_field(scene),
+                   .arriving = {},
+                   .no_intensity = {},
                    .grip_moves = scene::grip_moves(scene),
                    .finished = scan.summary_json.has_value()};
+  seen.own = own_plate(preset, scene, cache, progress, seen.no_intensity);
   seen.clock = clock_of(scene, seen.samples);
   const fracture::CrackPath path = path_in(header);
   const Camera camera(places_of(*scan.geometry), seen.grid.point, seen.subset, parted_by(path));
-  const IntensityReading reading(path, size, plate_of(scene), seen.ring, seen.samples, scale);
+  const IntensityReading reading(path, size, seen.own, scene::rayleigh_speed(scene), seen.ring, seen.samples,
+                                 scale);
   std::int64_t read = 0;
   bool any = false;
   const auto take = [&](const results::Frame& frame) {
-    if (!progress(static_cast<double>(read++) / static_cast<double>(scan.frames)))
+    if (progress && !progress("frames", static_cast<double>(read++) / static_cast<double>(scan.frames)))
       throw base::Interrupted("the frames were read");
     if (frame.lane != options.lane || frame.displacement.empty()) return;
     const SeenField field{frame.time_s, frame.tip_m, look(camera, frame)};
@@ -163,6 +201,7 @@ Instruments read_instruments(const std::filesystem::path& run, const InstrumentO
   });
   results::check_same_run(held);
   if (!any) refuse(run, "stores no displacements: set output.frames and output.fields");
+  seen.arriving = arriving_of(seen, scene);
   return seen;
 }
 

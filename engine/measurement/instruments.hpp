@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/measurement/intensity.hpp"
+#include "engine/simulation/prepare.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -19,6 +20,14 @@ struct InstrumentOptions {
   double inner = 8.0, outer = 36.0;  // of the ring around the tip that K is fitted to
 };
 
+/// What arrives at the tip over a stretch of its way, beside an independent computation of the same strip.
+struct ArrivingStretch {
+  double from = 0, to = 0;  // tip positions [m]
+  int moments = 0;          // that have a K
+  double over_g_i0 = 0;     // G of the field over G_I0, mean over them
+  double expected = 0;      // of theory::strip_transient
+};
+
 struct Instruments {
   Grid grid;
   double subset = 0;  // radius [m]
@@ -31,7 +40,9 @@ struct Instruments {
   double g_i0 = 0, g_i0_slope = 0;        // G_I0 of the plate [J/m2], and per tip position [J/m3]
   std::vector<results::Sample> samples;   // of the lane
   std::vector<results::GaugeRow> gauges;  // of the lane
+  ElasticPlate own;                       // E and nu that the specimen shows when it is pulled
   std::vector<IntensityPoint> intensity;  // of each moment
+  std::vector<ArrivingStretch> arriving;  // of the paper's strip, where it is one
   std::string no_intensity;               // why there are none
   bool grip_moves = false;                // while the crack runs: G_I0 is that of its start
   bool finished = false;                  // the run has come to its end
@@ -41,12 +52,13 @@ struct Instruments {
 /// a sentence; empty where some moment has its K, or it was no ring that was missing.
 std::string ring_that_fits(const Instruments& seen, const InstrumentOptions& options);
 
-/// Reads a run, unfinished ones too, at the moments of its frames.
+/// Reads a run, unfinished ones too, at the moments of its frames. The specimen is made again, from the cache
+/// where it is there, and pulled: K needs its own E and nu.
 /// @param see  is given each moment's field, in time
 /// @param progress  answers false to stop: Interrupted is thrown
 /// Throws WorldError where there is no run, InputError where it has no such lane or no displacements.
 Instruments read_instruments(const std::filesystem::path& run, const InstrumentOptions& options,
-                             const std::function<bool(double done)>& progress,
+                             base::Cache& cache, const simulation::StageProgress& progress,
                              const std::function<void(const Grid&, const SeenField&)>& see);
 
 }  // namespace rift::measurement

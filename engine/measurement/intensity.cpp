@@ -39,7 +39,7 @@ struct IntensityReading::Tip {
 };
 
 IntensityReading::IntensityReading(fracture::CrackPath path, const Eigen::Vector2d& plate_size,
-                                   const ElasticPlate& plate, const Ring& ring,
+                                   const ElasticPlate& plate, double rayleigh, const Ring& ring,
                                    const std::vector<results::Sample>& samples,
                                    const fracture::RateScale& scale)
     : path_(std::move(path)),
@@ -48,8 +48,12 @@ IntensityReading::IntensityReading(fracture::CrackPath path, const Eigen::Vector
       ring_(ring),
       crack_(of_fracture(samples)),
       scale_(scale),
-      rayleigh_(theory::wave_speeds(plate.young_modulus, plate.poisson_ratio, plate.density, plate.plane)
-                    .rayleigh) {}
+      rayleigh_(rayleigh),
+      own_rayleigh_(
+          plate.young_modulus > 0.0
+              ? theory::wave_speeds(plate.young_modulus, plate.poisson_ratio, plate.density, plate.plane)
+                    .rayleigh
+              : rayleigh) {}
 
 /// To the nearest edge, back to where the faces leave the line through the tip, and to the other tip.
 IntensityReading::Clear IntensityReading::clear_around(const Tip& tip) const {
@@ -76,7 +80,7 @@ void IntensityReading::fit(IntensityPoint& seen, const Tip& tip, const SeenField
                            const std::vector<Eigen::Vector2d>& point) const {
   const Clear clear = clear_around(tip);
   seen.clear = clear.radius;
-  if (seen.over_cr >= 1.0) return void(seen.why = NoFit::fast);
+  if (seen.over_cr * rayleigh_ >= own_rayleigh_) return void(seen.why = NoFit::fast);
   if (clear.radius <= 1.5 * ring_.inner) return void(seen.why = clear.what);
   std::vector<Eigen::Vector2d> from_tip, moved;
   for (std::size_t p = 0; p < field.motion.size(); ++p) {

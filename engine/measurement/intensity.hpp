@@ -45,10 +45,11 @@ struct Ring {
 /// Fits the fields of one crack.
 class IntensityReading {
  public:
+  /// @param[in] rayleigh  that velocities are given over [m/s]: the material's, whatever the plate's own is
   /// @param[in] samples  of the lane, in time
   /// @param[in] scale  of the lane
   IntensityReading(fracture::CrackPath path, const Eigen::Vector2d& plate_size, const ElasticPlate& plate,
-                   const Ring& ring, const std::vector<results::Sample>& samples,
+                   double rayleigh, const Ring& ring, const std::vector<results::Sample>& samples,
                    const fracture::RateScale& scale);
 
   /// The ring's outer radius is less where an edge of the plate, a bend of the path or the other tip is
@@ -73,7 +74,8 @@ class IntensityReading {
   Ring ring_;
   std::vector<results::Sample> crack_;  // of the fracture phase
   fracture::RateScale scale_;
-  double rayleigh_;
+  double rayleigh_;      // of the material
+  double own_rayleigh_;  // of the plate
 };
 
 /// Arc length of the tip that is looked at: the only one, or of two the one that runs along the path.

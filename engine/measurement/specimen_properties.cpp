@@ -1,13 +1,13 @@
 #include "engine/measurement/specimen_properties.hpp"
 
 #include "engine/base/interrupted.hpp"
-#include "engine/calibration/pull.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/lattice/statics.hpp"
-#include "engine/packing/packing.hpp"
-#include "engine/scene/derived.hpp"
+
+#include <fmt/format.h>
 
 #include <limits>
+#include <string>
 
 namespace rift::measurement {
 namespace {
@@ -66,17 +66,39 @@ const char* name_of(WaveKind kind) {
   return kind == WaveKind::dilatational ? "dilatational" : kind == WaveKind::shear ? "shear" : "rayleigh";
 }
 
-/// The plate that hangs together, in the first lane's units.
-lattice::Lattice free_plate(const simulation::Prepared& p, base::Cache& cache,
-                            const base::ProgressCallback& told) {
-  bool found = false;
-  const scene::Scene& scene = p.preset.scene;
-  const packing::PackingRequest request = scene::request_of(scene);
-  const packing::Specimen specimen = packing::make_free_specimen(
-      packing::cached_packing(request, cache, found, told), request.box, scene.specimen.contact_tolerance);
+constexpr std::size_t numbers_of_wave = 4;
+
+/// Waves as the cache keeps them.
+std::vector<double> numbers_of(const std::vector<Wave>& waves) {
+  std::vector<double> numbers;
+  for (const Wave& w : waves)
+    numbers.insert(numbers.end(), {static_cast<double>(w.kind), w.wavelength, w.speed, w.misfit});
+  return numbers;
+}
+
+std::vector<Wave> waves_of(const std::vector<double>& numbers) {
+  std::vector<Wave> waves;
+  for (std::size_t k = 0; k + numbers_of_wave <= numbers.size(); k += numbers_of_wave)
+    waves.push_back({static_cast<WaveKind>(static_cast<int>(numbers[k])), numbers[k + 1], numbers[k + 2],
+                     numbers[k + 3]});
+  return waves;
+}
+
+/// The waves of the first lane's plate, whose pulls promise `own`.
+std::vector<Wave> cached_waves(const simulation::Prepared& p, const theory::WaveSpeeds& own,
+                               base::Cache& cache, const simulation::StageProgress& progress, int threads) {
   lattice::MicroMaterial micro = p.micro;
   micro.young_modulus *= p.lane.front().units.energy;
-  return lattice::make_lattice(specimen, micro, p.density);
+  const std::string key =
+      fmt::format("waves 1 of {} beams {:a}", simulation::dynamics_key(p), micro.young_modulus);
+  if (const auto known = base::recall(cache, "constants", key)) return waves_of(*known);
+  const lattice::Lattice plate =
+      simulation::free_plate(p, micro, cache, simulation::stage(progress, "packing"));
+  const double dt = 0.5 * p.stable.critical * p.lane.front().units.time;
+  std::vector<Wave> waves =
+      measured_waves(plate, dt, own, threads, simulation::stage(progress, "waves"));
+  base::remember(cache, "constants", key, numbers_of(waves));
+  return waves;
 }
 
 }  // namespace
@@ -87,28 +109,24 @@ double SpecimenProperties::speed(WaveKind kind) const {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+simulation::OwnConstants pulled_constants(const simulation::Prepared& p, const simulation::LanePlan& lane,
+                                          base::Cache& cache, const base::ProgressCallback& told,
+                                          int threads) {
+  simulation::OwnConstants own = simulation::own_constants(p, cache, told, threads);
+  own.young_along *= lane.units.energy, own.young_across *= lane.units.energy;
+  return own;
+}
+
 SpecimenProperties measure_specimen(const simulation::Prepared& p, base::Cache& cache,
                                     const simulation::StageProgress& progress, int threads) {
-  const auto telling = [&](const char* stage, double from, double share) -> base::ProgressCallback {
-    return [&progress, stage, from, share](double done) {
-      return !progress || progress(stage, from + share * done);
-    };
-  };
   const scene::Scene::Material& m = p.preset.scene.material;
-  const lattice::Lattice plate = free_plate(p, cache, telling("packing", 0.0, 1.0));
   SpecimenProperties found;
   found.nominal = theory::wave_speeds(m.young_modulus, m.poisson_ratio, p.density, m.plane);
-  base::tell_or_stop(telling("static pulls", 0.0, 1.0), 0.0, "pulling the plate");
-  lattice::FreeBody body(plate, threads);
-  const calibration::Pulled along = calibration::pull(plate, body, 0, 1.0, telling("static pulls", 0.0, 0.5));
-  const calibration::Pulled across =
-      calibration::pull(plate, body, 1, 1.0, telling("static pulls", 0.5, 0.5));
-  found.young_along = along.gauge_modulus, found.poisson_along = along.poisson_ratio.y();
-  found.young_across = across.gauge_modulus, found.poisson_across = across.poisson_ratio.x();
-  const theory::WaveSpeeds expected =
-      theory::wave_speeds(found.young_along, found.poisson_along, p.density, theory::Plane::stress);
-  const double dt = 0.5 * p.stable.critical * p.lane.front().units.time;
-  found.waves = measured_waves(plate, dt, expected, threads, telling("waves", 0.0, 1.0));
+  found.pulled =
+      pulled_constants(p, p.lane.front(), cache, simulation::stage(progress, "static pulls"), threads);
+  found.own = theory::wave_speeds(found.pulled.young_modulus(), found.pulled.poisson_ratio(), p.density,
+                                  theory::Plane::stress);
+  found.waves = cached_waves(p, found.own, cache, progress, threads);
   return found;
 }
 
@@ -119,10 +137,14 @@ nlohmann::ordered_json json_of(const SpecimenProperties& found, double mean_radi
                      {"wavelength_m", wave.wavelength},
                      {"wavelength_over_radius", wave.wavelength / mean_radius},
                      {"speed_m_s", wave.speed}});
-  return {{"measured_young_modulus_along_pa", found.young_along},
-          {"measured_poisson_ratio_along", found.poisson_along},
-          {"measured_young_modulus_across_pa", found.young_across},
-          {"measured_poisson_ratio_across", found.poisson_across},
+  return {{"measured_young_modulus_along_pa", found.pulled.young_along},
+          {"measured_poisson_ratio_along", found.pulled.poisson_along},
+          {"measured_young_modulus_across_pa", found.pulled.young_across},
+          {"measured_poisson_ratio_across", found.pulled.poisson_across},
+          {"between_grips_m", found.pulled.between_grips},
+          {"own_dilatational_speed_m_s", found.own.dilatational},
+          {"own_shear_speed_m_s", found.own.shear},
+          {"own_rayleigh_speed_m_s", found.own.rayleigh},
           {"nominal_dilatational_speed_m_s", found.nominal.dilatational},
           {"nominal_shear_speed_m_s", found.nominal.shear},
           {"nominal_rayleigh_speed_m_s", found.nominal.rayleigh},

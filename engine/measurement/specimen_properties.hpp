@@ -2,6 +2,7 @@
 
 #include "engine/base/interrupted.hpp"
 #include "engine/measurement/waves.hpp"
+#include "engine/simulation/own_constants.hpp"
 #include "engine/simulation/prepare.hpp"
 
 #include <nlohmann/json.hpp>
@@ -22,18 +23,25 @@ double quasi_static_ratio(const simulation::Prepared& prepared, const std::array
 std::vector<double> quasi_static_rates(const simulation::Prepared& prepared, const std::vector<double>& tip,
                                        const base::ProgressCallback& told = {});
 
-/// What a plate shows of itself, without a crack and unloaded.
+/// What a lane's plate shows of itself, without a crack and unloaded.
 struct SpecimenProperties {
-  double young_along = 0, poisson_along = 0;    // by a static pull along x; nu in the plane
-  double young_across = 0, poisson_across = 0;  // along y
-  std::vector<Wave> waves;                      // by kind, the longest first
-  theory::WaveSpeeds nominal;                   // of the preset's material [m/s]
+  simulation::OwnConstants pulled;  // by static pulls, of the lane's beams
+  std::vector<Wave> waves;          // by kind, the longest first
+  theory::WaveSpeeds own;           // of long waves, by the pulls' E and nu in plane stress [m/s]
+  theory::WaveSpeeds nominal;       // of the preset's material [m/s]
 
   /// The speed of the longest wave of a kind; NaN where none was measured.
   double speed(WaveKind kind) const;
 };
 
-/// Measures the first lane's plate with its beams. Throws as prepare() does.
+/// The pulls alone, of a lane's plate: E and nu in the plane of its specimen with its beams. From the cache
+/// where they were measured before. Throws StaticsError, Interrupted.
+simulation::OwnConstants pulled_constants(const simulation::Prepared& prepared,
+                                          const simulation::LanePlan& lane, base::Cache& cache,
+                                          const base::ProgressCallback& told = {}, int threads = 0);
+
+/// Measures the first lane's plate with its beams, or recalls from the cache what was measured of it before.
+/// Throws as prepare() does.
 SpecimenProperties measure_specimen(const simulation::Prepared& prepared, base::Cache& cache,
                                     const simulation::StageProgress& progress = {}, int threads = 0);
 

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -143,6 +144,7 @@ void write_vtkhdf(Group& root, const std::filesystem::path& journal, const Journ
       const auto name = [&](const char* field) { return lane_name(field, frame.lane, scan.lanes); };
       if (!frame.displacement.empty()) vectors.append(name("displacement"), step, flat(frame.displacement));
       if (!frame.velocity.empty()) vectors.append(name("velocity"), step, flat(frame.velocity));
+      if (!frame.rotation.empty()) vectors.append(name("rotation"), step, flat(frame.rotation));
       if (!frame.elastic_energy.empty()) numbers.append(name("elastic_energy"), step, frame.elastic_energy);
       if (frame.damage_factor.empty()) continue;
       const auto spread = cell_fields(geometry, frame);
@@ -219,6 +221,38 @@ void write_gauges(Group& root, const JournalScan& scan) {
   write_columns(gauges, scan.gauges, gauge_columns);
 }
 
+/// What it takes to rebuild the run: elements, beams with their ends, axes and lengths, the crack's beams.
+void write_lattice(Group& scene, const JournalScan& scan) {
+  const Mechanics& m = scan.mechanics;
+  const Geometry& geometry = *scan.geometry;
+  if (m.centre.size() != geometry.position.size() || m.axial.size() != geometry.beam.size() ||
+      m.crossing_position.size() != geometry.crossing.size() || m.centre.empty())
+    return;
+  std::vector<std::array<double, 3>> axis;
+  std::vector<double> length;
+  for (const auto& [i, j] : geometry.beam) {
+    std::array<double, 3> n{};
+    for (int c = 0; c < 3; ++c) n[c] = m.centre[j][c] - m.centre[i][c];
+    length.push_back(std::hypot(n[0], n[1], n[2]));
+    for (double& component : n) component /= length.back();
+    axis.push_back(n);
+  }
+  auto lattice = scene.group("lattice");
+  lattice.write("centre_m", flat(m.centre), 3);
+  lattice.write("radius_m", m.radius);
+  lattice.write("mass_kg", m.mass);
+  lattice.write("inertia_kg_m2", m.inertia);
+  lattice.write("grip", m.grip);
+  lattice.write("ends", flat(geometry.beam), 2);
+  lattice.write("axis", flat(axis), 3);
+  lattice.write("length_m", length);
+  lattice.write("axial_n_m", m.axial);
+  lattice.write("bending_n_m", m.bending);
+  lattice.write("twist_n_m", m.twist);
+  lattice.write("crossing", geometry.crossing);
+  lattice.write("crossing_position_m", m.crossing_position);
+}
+
 /// Each entry of the header as a text of its own, numbers and nested entries as JSON.
 void write_scene(Group& root, const JournalScan& scan) {
   auto scene = root.group("scene");
@@ -228,11 +262,12 @@ void write_scene(Group& root, const JournalScan& scan) {
       std::string name = key;
       std::replace_if(
           name.begin(), name.end(), [](char c) { return c == '/' || c == '.'; }, '_');
-      if (name.empty() || name == "header" || name == "summary") continue;
+      if (name.empty() || name == "header" || name == "summary" || name == "lattice") continue;
       scene.write_text(name, value.is_string() ? value.get<std::string>() : base::json_text(value));
     }
   }
   scene.write_text("header", scan.header_json);
+  write_lattice(scene, scan);
   if (scan.summary_json) scene.write_text("summary", *scan.summary_json);
 }
 

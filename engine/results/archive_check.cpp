@@ -32,6 +32,7 @@ class Inspection {
     look_at("the events", [&] { events(); });
     look_at("the rates", [&] { rates(); });
     look_at("the gauges", [&] { gauges(); });
+    look_at("the lattice", [&] { lattice(); });
     require(contents_.count("scene/header") != 0, "scene/header is missing");
     return std::move(check_);
   }
@@ -153,7 +154,12 @@ class Inspection {
 
   void events() {
     std::vector<std::string> columns{"beam", "lane"};
-    for (const auto& column : event_columns) columns.emplace_back(column.name);
+    for (const auto& column : event_columns) {
+      const bool since_later = column.value == &ReleaseEvent::x_m || column.value == &ReleaseEvent::y_m ||
+                               column.value == &ReleaseEvent::tension;
+      if (!since_later || contents_.contains(std::string("events/") + column.name))
+        columns.emplace_back(column.name);
+    }
     check_.events = table("events", columns);
     expect_within("events/beam", check_.beams);
   }
@@ -175,6 +181,22 @@ class Inspection {
     std::vector<std::string> columns{"step", "time_s", "lane", "gauge"};
     for (const auto& column : gauge_columns) columns.emplace_back(column.name);
     table("gauges", columns);
+  }
+
+  /// Archives of rift 0.1 have none.
+  void lattice() {
+    if (!contents_.contains("scene/lattice/centre_m")) return;
+    const std::string group = "scene/lattice/";
+    expect_rows(group + "centre_m", check_.elements, 3);
+    for (const char* name : {"radius_m", "mass_kg", "inertia_kg_m2", "grip"})
+      expect_rows(group + name, check_.elements);
+    expect_rows(group + "ends", check_.beams, 2);
+    expect_rows(group + "axis", check_.beams, 3);
+    for (const char* name : {"length_m", "axial_n_m", "bending_n_m", "twist_n_m"})
+      expect_rows(group + name, check_.beams);
+    expect_within(group + "ends", check_.elements);
+    expect_within(group + "crossing", check_.beams);
+    expect_rows(group + "crossing_position_m", rows(group + "crossing"));
   }
 
   const InputFile& file_;

@@ -89,6 +89,7 @@ void write_vtp(const std::filesystem::path& path, const Geometry& geometry, std:
     if (!frame.displacement.empty())
       document.array(lane_name("displacement", frame.lane, lanes), frame.displacement);
     if (!frame.velocity.empty()) document.array(lane_name("velocity", frame.lane, lanes), frame.velocity);
+    if (!frame.rotation.empty()) document.array(lane_name("rotation", frame.lane, lanes), frame.rotation);
     if (!frame.elastic_energy.empty())
       document.array(lane_name("elastic_energy", frame.lane, lanes), frame.elastic_energy);
   }

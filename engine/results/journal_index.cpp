@@ -28,6 +28,7 @@ struct Collector {
     scan.header_json = std::move(header.json);
   }
   void operator()(Geometry&& geometry) { scan.geometry = std::move(geometry); }
+  void operator()(Mechanics&& mechanics) { scan.mechanics = std::move(mechanics); }
   void operator()(Sample&& sample) {
     moment(sample.step, sample.time_s, sample.lane);
     scan.samples.push_back(sample);
@@ -95,7 +96,7 @@ void check_fit(const std::filesystem::path& path, const Geometry& geometry, cons
   };
   const std::size_t elements = geometry.position.size();
   if (!fits(frame.displacement, elements) || !fits(frame.velocity, elements) ||
-      !fits(frame.elastic_energy, elements) || !fits(frame.damage_factor, geometry.crossing.size()))
+      !fits(frame.elastic_energy, elements) || !fits(frame.rotation, elements) || !fits(frame.damage_factor, geometry.crossing.size()))
     throw base::WorldError("use", path,
                            fmt::format("the frame of step {} does not fit the geometry", frame.step));
 }
@@ -129,6 +130,9 @@ void JournalIndex::take(Record&& record, std::uint64_t offset) {
   }
   if (auto* geometry = std::get_if<Geometry>(&record)) geometry_ = std::move(*geometry);
   if (const auto* sample = std::get_if<Sample>(&record)) lane(sample->lane).samples.push_back(*sample);
+  if (const auto* row = std::get_if<GaugeRow>(&record)) lane(row->lane).gauges.push_back(*row);
+  if (const auto* event = std::get_if<ReleaseEvent>(&record)) lane(event->lane).events.push_back(*event);
+  if (auto* curve = std::get_if<RateCurve>(&record)) lane(curve->lane).rates = std::move(curve->points);
   if (auto* end = std::get_if<RunEnd>(&record)) summary_json_ = std::move(end->summary_json);
   if (const auto* frame = std::get_if<Frame>(&record)) {
     check_fit(path_, geometry_, *frame);

@@ -60,11 +60,17 @@ struct LaneSummary {
   std::string g_i0_reference;
   double g_i0_j_m2 = undefined, displacement_m = undefined, grip_force_n = undefined, g_id_j_m2 = undefined;
   double ratio = undefined, ratio_fracture = undefined, ratio_paper = undefined;
-  double ratio_difference = undefined, ratio_scatter = undefined;
+  double ratio_difference = undefined, ratio_scatter = undefined, ratio_trend = undefined;
   std::array<double, 2> window_over_length{undefined, undefined};
   double echo_free_over_length = undefined;
   double broberg = undefined, freund = undefined, strip = undefined;
   double error_broberg = undefined, error_converged = undefined;
+
+  // Beams that break by themselves.
+  double release_rate_j_m2 = undefined, strength_pa = undefined, strength_wished_pa = undefined;
+  double kappa = undefined, beams_broken = undefined, beams_softened = undefined;
+  double first_broken_s = undefined, crack_leading_m = undefined;
+  double fracture_energy_over_gc = undefined;  // of the leading position's advance
 
   // The energy balance at the end.
   double energy_initial_j = undefined, energy_elastic_j = undefined, energy_kinetic_translation_j = undefined;

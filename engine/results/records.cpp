@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "the journal stores the memory of a little-endian machine");
 static_assert(sizeof(RatePoint) == 5 * sizeof(double), "stored as it lies in memory");
-static_assert(sizeof(std::array<float, 3>) == 12 && sizeof(std::array<std::int32_t, 2>) == 8);
+static_assert(sizeof(std::array<float, 3>) == 12 && sizeof(std::array<double, 3>) == 24 && sizeof(std::array<std::int32_t, 2>) == 8);
 
 /// Appends numbers and arrays to a payload.
 struct Encoder {
@@ -39,6 +40,12 @@ struct Encoder {
     if (!values.empty()) (*this)(values);
   }
   void where_any(double value) { (*this)(value); }
+  /// The second has its place behind the first, which is then written even where it is empty.
+  template <typename A, typename B>
+  void where_any(const std::vector<A>& first, const std::vector<B>& second) {
+    if (!first.empty() || !second.empty()) (*this)(first);
+    where_any(second);
+  }
 };
 
 /// Takes numbers and arrays off a payload; `good` falls where it holds less than they need.
@@ -72,6 +79,11 @@ struct Decoder {
   void where_any(T& value) {
     if (!bytes.empty()) (*this)(value);
   }
+  template <typename A, typename B>
+  void where_any(A& first, B& second) {
+    where_any(first);
+    where_any(second);
+  }
   void operator()(std::string& text) {
     text = bytes;
     bytes = {};
@@ -98,15 +110,21 @@ void fields(Codec& code, R& record) {
   } else if constexpr (std::is_same_v<T, Frame>) {
     all(record.step, record.time_s, record.lane, record.tip_m, record.displacement, record.velocity,
         record.damage_factor);
-    code.where_any(record.elastic_energy);
+    code.where_any(record.elastic_energy, record.rotation);
   } else if constexpr (std::is_same_v<T, ReleaseEvent>) {
     all(record.beam, record.lane, record.time_s, record.position_m, record.energy_j);
+    code.where_any(record.x_m);
+    code.where_any(record.y_m);
+    code.where_any(record.tension);
   } else if constexpr (std::is_same_v<T, RateCurve>) {
     all(record.lane, record.points);
   } else if constexpr (std::is_same_v<T, GaugeRow>) {
     all(record.step, record.time_s, record.lane, record.gauge, record.x_m, record.y_m, record.ux_m,
         record.uy_m, record.uz_m, record.vx_m_s, record.vy_m_s, record.vz_m_s, record.strain_xx,
         record.strain_yy, record.strain_xy);
+  } else if constexpr (std::is_same_v<T, Mechanics>) {
+    all(record.centre, record.radius, record.mass, record.inertia, record.grip, record.axial, record.bending,
+        record.twist, record.crossing_position);
   } else {
     static_assert(std::is_same_v<T, RunEnd>);
     all(record.summary_json);
@@ -132,6 +150,13 @@ bool is_valid(const Frame& frame) { return frame.lane >= 0; }
 bool is_valid(const ReleaseEvent& event) { return event.lane >= 0 && event.beam >= 0; }
 bool is_valid(const RateCurve& curve) { return curve.lane >= 0; }
 bool is_valid(const GaugeRow& row) { return row.lane >= 0 && row.gauge >= 0; }
+bool is_valid(const Mechanics& m) {
+  const std::size_t elements = m.centre.size(), beams = m.axial.size();
+  const auto held = [](std::uint8_t grip) { return grip <= 2; };
+  return m.radius.size() == elements && m.mass.size() == elements && m.inertia.size() == elements &&
+         m.grip.size() == elements && m.bending.size() == beams && m.twist.size() == beams &&
+         std::all_of(m.grip.begin(), m.grip.end(), held);
+}
 bool is_valid(const RunHeader&) { return true; }
 bool is_valid(const RunEnd&) { return true; }
 

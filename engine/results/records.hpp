@@ -33,7 +33,8 @@ struct RunEnd {
 };
 
 /// The order of the alternatives is the kind's number in the file, from 1; new kinds go last.
-using Record = std::variant<RunHeader, Geometry, Sample, Frame, ReleaseEvent, RateCurve, RunEnd, GaugeRow>;
+using Record = std::variant<RunHeader, Geometry, Sample, Frame, ReleaseEvent, RateCurve, RunEnd, GaugeRow,
+                            Mechanics>;
 
 /// The kind's number in the file, from 1.
 [[nodiscard]] std::uint32_t kind_of(const Record& record);

@@ -15,13 +15,14 @@
 namespace rift::results {
 
 RunWriter::RunWriter(std::filesystem::path folder, const nlohmann::ordered_json& header,
-                     const Geometry& geometry)
+                     const Geometry& geometry, const Mechanics& mechanics)
     : folder_(std::move(folder)),
       journal_(folder_ / journal_name),
       held_(folder_ / journal_name),
       series_(folder_ / series_name) {
   journal_.write(RunHeader{base::json_text(header, -1)});
   journal_.write(geometry);
+  if (!mechanics.centre.empty()) journal_.write(mechanics);
   journal_.flush();
 }
 

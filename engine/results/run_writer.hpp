@@ -23,7 +23,9 @@ class RunWriter {
   /// @param header  an object: what is run and by what: "preset" (effective, as text), "version", "seed",
   ///                "compiler", "instruction_set", "lanes" (how many) and more; each becomes
   ///                /scene/NAME of the archive
-  RunWriter(std::filesystem::path folder, const nlohmann::ordered_json& header, const Geometry& geometry);
+  /// @param mechanics  empty where nobody is to rebuild the run
+  RunWriter(std::filesystem::path folder, const nlohmann::ordered_json& header, const Geometry& geometry,
+            const Mechanics& mechanics = {});
 
   /// Goes on with a run that was stopped or killed, behind the first `journal_bytes` of its journal;
   /// series.csv is written anew up to there. What a stopped run had assembled at its end is dropped.

@@ -60,6 +60,17 @@ struct Geometry {
   std::vector<std::int32_t> crossing;             // the beams that the crack path crosses, ascending
 };
 
+/// The lattice as the run has it, in double precision: all that it takes to rebuild the run elsewhere. Empty
+/// where the run keeps none. Beams have the order of Geometry::beam, and the stiffnesses of the first lane:
+/// those of another go with its E_mu.
+struct Mechanics {
+  std::vector<std::array<double, 3>> centre;     // N [m], unloaded
+  std::vector<double> radius, mass, inertia;     // N [m], [kg], [kg m2]
+  std::vector<std::uint8_t> grip;                // N: 0 free, 1 held by the bottom grip, 2 by the top one
+  std::vector<double> axial, bending, twist;     // B: k_a = E S / l [N/m], w = 2 E I / l, k_t = G I_0 / l [N m]
+  std::vector<double> crossing_position;         // of each of Geometry::crossing: s_b [m]
+};
+
 /// The state of one lane at one moment; a field not asked for is empty.
 struct Frame {
   std::int64_t step = 0;
@@ -70,6 +81,7 @@ struct Frame {
   std::vector<std::array<float, 3>> velocity;      // N [m/s]
   std::vector<float> damage_factor;                // per crossing beam, 1 intact, 0 broken
   std::vector<float> elastic_energy;               // N [J], half of each beam's to each of its elements
+  std::vector<std::array<float, 3>> rotation;      // N [rad], rotation vectors
 };
 
 /// A beam that the crack has released for good.
@@ -77,8 +89,10 @@ struct ReleaseEvent {
   std::int32_t beam = 0;
   std::int32_t lane = 0;
   double time_s = 0;
-  double position_m = 0;  // of the tip that meets it: arc length, or half length of two tips
+  double position_m = 0;  // of the tip that meets it: arc length, or half length of two tips; x of a free one
   double energy_j = 0;    // fracture energy of its whole release
+  double x_m = 0, y_m = 0;  // of its middle, unloaded
+  double tension = 0;  // share of the axial stretch in the elastic energy as it breaks: 1 is plain tension
 };
 
 }  // namespace rift::results

@@ -33,7 +33,7 @@ LaneHistory measured_history(const scene::Scene& scene, double zone, const LaneU
   return lane;
 }
 
-std::array<float, 3> narrow(const lattice::Vector6& v) {
+std::array<float, 3> narrow(const Eigen::Vector3d& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
@@ -81,9 +81,11 @@ results::Frame frame_of(ensemble::Ensemble& ensemble, int lane, std::span<const 
   frame.time_s = ensemble.time(lane);
   for (const std::string& field : fields) {
     if (field == "displacement")
-      for (int i = 0; i < n; ++i) frame.displacement.push_back(narrow(ensemble.motion(i, lane)));
+      for (int i = 0; i < n; ++i) frame.displacement.push_back(narrow(ensemble.motion(i, lane).head<3>()));
     if (field == "velocity")
-      for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(ensemble.velocity(i, lane)));
+      for (int i = 0; i < n; ++i) frame.velocity.push_back(narrow(ensemble.velocity(i, lane).head<3>()));
+    if (field == "rotation")
+      for (int i = 0; i < n; ++i) frame.rotation.push_back(narrow(ensemble.motion(i, lane).tail<3>()));
     if (field == "damage") frame.damage_factor = damage_by_beam(ensemble, lane);
     if (field == "energy") {
       const std::vector<double> energy = ensemble.elastic_by_element(lane);

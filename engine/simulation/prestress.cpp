@@ -5,6 +5,7 @@
 #include "engine/lattice/statics.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/simulation/own_constants.hpp"
 #include "engine/simulation/prepare.hpp"
 #include "engine/theory/references.hpp"
 
@@ -141,16 +142,20 @@ double displacement_under(double force, Statics& statics, const lattice::Lattice
   throw lattice::StaticsError(fmt::format("no displacement gives a force of {:g} N", force));
 }
 
+/// Of a central crack it is that of the specimen's own Poisson's ratio and of the height that is strained.
 /// @param[in] strip  energy of the pre-stressed strip over its area [J/m2]
-fracture::RateScale scale_against(const scene::Scene& scene, const lattice::Lattice& lattice, double strip) {
-  fracture::RateScale scale{.thickness = lattice.box.thickness,
+fracture::RateScale scale_against(const Prepared& p, double strip, base::Cache& cache,
+                                  const StageProgress& progress) {
+  const scene::Scene& scene = p.preset.scene;
+  fracture::RateScale scale{.thickness = p.lattice.box.thickness,
                             .g_i0 = strip,
-                            .length = lattice.box.length,
+                            .length = p.lattice.box.length,
                             .tips = scene.crack.tips};
   if (scene.output.g_i0_reference == scene::ReleaseRateReference::griffith) {
-    const scene::Scene::Material& m = scene.material;
+    const OwnConstants own = own_constants(p, cache, stage(progress, "static pulls"));
     scale.g_i0 = 0.0;
-    scale.g_i0_slope = theory::griffith_slope(strip, lattice.box.height, m.poisson_ratio, m.plane);
+    scale.g_i0_slope =
+        theory::griffith_slope(strip, own.between_grips, own.poisson_ratio(), theory::Plane::stress);
   }
   return scale;
 }
@@ -164,10 +169,10 @@ std::string notch_key(const scene::Scene& scene) {
 }  // namespace
 
 std::string statics_key(const Prepared& p) {
-  return fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}",
-                     packing::key_of(scene::request_of(p.preset.scene)),
-                     p.preset.scene.specimen.contact_tolerance, p.micro.young_modulus, p.micro.poisson_ratio,
-                     p.micro.radius_ratio);
+  return fmt::format(
+      "{} tolerance {:a}{} micro {:a} {:a} {:a}", packing::key_of(scene::request_of(p.preset.scene)),
+      p.preset.scene.specimen.contact_tolerance, p.preset.scene.loading.traction ? " free" : "",
+      p.micro.young_modulus, p.micro.poisson_ratio, p.micro.radius_ratio);
 }
 
 std::string dynamics_key(const Prepared& p) {
@@ -211,14 +216,19 @@ void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progr
   if (scene.crack.start > 0.0) notch = notch_key(scene);
   for (const fracture::Crossing& c : fracture::crossings(p.path, p.lattice))
     if (fracture::in_notch(c, scene.crack.start)) notched[c.beam] = 0;
+  if (scene.loading.traction) {
+    p.displacement.assign(p.lattice.centre.size(), lattice::Vector6::Zero());
+    p.scale = scale_against(p, *scene.breaking.release_rate, cache, progress);
+    return;
+  }
   const std::optional<double> force = scene::force_at_start(scene);
   p.pulled = force ? displacement_under(*force, statics, p.lattice, notched, notch)
                    : scene::displacement_at_start(scene);
   refuse_out_of_range(p, pull_numbers(p));
   p.displacement = statics.at_rest(present, "", p.pulled);
   p.scale = scale_against(
-      scene, p.lattice,
-      lattice::energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness);
+      p, lattice::energy_per_length(p.lattice, kinematics, p.displacement) / p.lattice.box.thickness, cache,
+      progress);
   if (!notch.empty()) p.displacement = statics.at_rest(notched, notch, p.pulled);
   p.grip_force = lattice::grip_force(p.lattice, notched, kinematics, p.displacement);
   p.static_energy = lattice::elastic_energy(p.lattice, notched, kinematics, p.displacement);

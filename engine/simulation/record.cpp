@@ -112,7 +112,8 @@ Recorded record(const Prepared& prepared, Recording& recording, const BuildInfo&
 
 Recorded record_run(const Prepared& prepared, const std::filesystem::path& folder, const BuildInfo& build,
                     const Observer& beside, const MarchOptions& options, double preparation_s) {
-  results::RunWriter writer(folder, header_of(prepared, build), geometry_of(prepared));
+  results::RunWriter writer(folder, header_of(prepared, build), geometry_of(prepared),
+                            mechanics_of(prepared));
   Recording recording{writer, beside, folder, options.checkpoint_s, prepared.preset, preparation_s};
   return record(prepared, recording, build, options, nullptr);
 }

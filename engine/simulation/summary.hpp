@@ -29,4 +29,7 @@ results::LaneSummary lane_summary(const Prepared& prepared, const RunResult& res
 /// The lattice as a viewer needs it.
 results::Geometry geometry_of(const Prepared& prepared);
 
+/// The same in double precision with masses and stiffnesses, those of the first lane: to rebuild the run.
+results::Mechanics mechanics_of(const Prepared& prepared);
+
 }  // namespace rift::simulation

@@ -37,11 +37,14 @@ void print_measured(const Json& j, bool color) {
                 number(fmt::format("measured_young_modulus_{}_pa", way).c_str()) / 1e9,
                 number(fmt::format("measured_poisson_ratio_{}", way).c_str()));
   for (const char* kind : {"dilatational", "shear", "rayleigh"}) {
-    const double measured = number(fmt::format("measured_{}_speed_m_s", kind).c_str()),
+    const double own = number(fmt::format("own_{}_speed_m_s", kind).c_str()),
+                 measured = number(fmt::format("measured_{}_speed_m_s", kind).c_str()),
                  nominal = number(fmt::format("nominal_{}_speed_m_s", kind).c_str());
-    base::print("  {:<16}{:.0f} m/s; the material has {:.0f} m/s, ratio {:.3f}\n", kind, measured, nominal,
-                measured / nominal);
+    base::print("  {:<16}{:.0f} m/s by its E and ν, {:.0f} by its longest wave; the material has {:.0f}, ratio {:.3f}\n",
+                kind, own, measured, nominal, own / nominal);
   }
+  base::print("  {:<16}{:.3f} mm between the grips' elements: what of the height is strained\n", "height",
+              1e3 * number("between_grips_m"));
   base::print("  {:<16}G/G_I0 = {:.4f} over the window, for infinitely slow progressive release\n",
               "quasi-static", number("ratio_quasi_static"));
   base::print_text(

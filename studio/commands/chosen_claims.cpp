@@ -13,7 +13,7 @@ namespace rift::studio {
 namespace {
 
 std::vector<std::string> known_names() {
-  std::vector<std::string> known{"all", "beyond"};
+  std::vector<std::string> known{"all", "beyond", "readings"};
   for (const claims::Claim& claim : claims::claims()) known.push_back(claim.name);
   return known;
 }
@@ -22,7 +22,7 @@ std::vector<std::string> known_names() {
 
 bool is_claim_name(const std::string& name) {
   const std::vector<std::string> known = known_names();
-  return std::find(known.begin(), known.end(), name) != known.end();
+  return name != "readings" && std::find(known.begin(), known.end(), name) != known.end();
 }
 
 std::vector<const claims::Claim*> chosen_claims(const std::vector<std::string>& names) {

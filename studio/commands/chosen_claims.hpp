@@ -10,7 +10,8 @@ namespace rift::studio {
 /// Where `rift reproduce` works by default.
 inline constexpr const char* reproduction_folder = "reproduction";
 
-/// Whether `rift reproduce` knows the name: a claim's, "all", "beyond".
+/// Whether `rift reproduce` knows the name as one of claims: a claim's, "all", "beyond"; not "readings", which
+/// judges them all.
 bool is_claim_name(const std::string& name);
 
 /// The claims of the names, in the table's order; for none or "all" all of the paper's, for "beyond" the

@@ -84,7 +84,8 @@ class FieldFile {
 void read_run(const MeasureOptions& options, InstrumentsReport& report, FieldFile& file, Session& session) {
   double next_tip = 0.0;
   report.seen =
-      measurement::read_instruments(options.run, options.instruments, session.progress_of("frames"),
+      measurement::read_instruments(options.run, options.instruments, session.cache,
+                                    session.progress_of_stages(),
                                     [&](const measurement::Grid& grid, const measurement::SeenField& field) {
                                       file.append(field_csv_rows(grid, field));
                                       if (field.tip < next_tip) return;

@@ -9,6 +9,7 @@
 #include "studio/commands/chosen_claims.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/draw_claim.hpp"
+#include "studio/commands/reproduce_readings.hpp"
 #include "studio/commands/session.hpp"
 #include "studio/reports/calibration_report.hpp"
 #include "studio/reports/reproduction.hpp"
@@ -36,7 +37,8 @@ struct ReproduceOptions : SessionOptions {
 void check_folder(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored) ||
-      fs::is_directory(folder / "runs", ignored) || fs::exists(folder / "reproduction.md", ignored))
+      fs::is_directory(folder / "runs", ignored) || fs::exists(folder / "reproduction.md", ignored) ||
+      fs::exists(folder / "readings.md", ignored))
     return;
   refuse("rift reproduce", fmt::format("'{}' exists and holds other files: choose another folder with --out",
                                        scene::printable(folder.string())));
@@ -187,7 +189,22 @@ void write_reproduction(const Reproduction& report, const fs::path& folder, cons
   });
 }
 
+/// All claims under all readings; of a size of its own, so that it goes with nothing else.
+bool is_of_readings(const ReproduceOptions& options) {
+  const auto at = std::find(options.names.begin(), options.names.end(), readings_name);
+  if (at == options.names.end()) return false;
+  if (options.names.size() > 1 || options.quick)
+    refuse("rift reproduce", "readings stands alone: it computes scenarios of its own with 5,000 elements");
+  return true;
+}
+
 ExitCode reproduce(const ReproduceOptions& options) {
+  if (is_of_readings(options)) {
+    check_folder(options.out);
+    study::open_shared(options.out);
+    base::check_target(fs::path(options.out) / "readings.html");
+    return reproduce_readings(options, options.out);
+  }
   const std::vector<const claims::Claim*> chosen = chosen_claims(options.names);
   const claims::Effort effort = options.quick ? claims::Effort::quick : claims::Effort::full;
   const claims::PaperStudy study = paper_study(chosen, effort);
@@ -230,7 +247,8 @@ void add_reproduce(CLI::App& app, ExitCode& exit_code) {
   command
       .add_option(
           "names", options->names,
-          "Claims to judge, such as fig07 or sec4_longer; all (default); beyond: questions beyond the paper")
+          "Claims to judge, such as fig07 or sec4_longer; all (default); beyond: questions beyond the paper; "
+          "readings: what the verdicts rest on, all claims under all that the paper leaves open")
       ->type_name("NAME");
   command.add_flag("--quick", options->quick, "The same plate with 5,000 elements, a minute or two");
   command

@@ -68,7 +68,7 @@ NamedChart velocity_chart(const ExperimentReport& report) {
           "differences of neighbouring rows.",
           Chart{.title = "Velocity of the crack along its course",
                 .x_label = "time [µs]",
-                .y_label = "velocity [c_R]",
+                .y_label = "velocity [nominal c_R]",
                 .y_range = {-0.1 * top, top + 0.1},
                 .series = {std::move(band), std::move(raw), std::move(line)}}};
 }
@@ -189,7 +189,7 @@ NamedChart efficiency_chart(const experiment::Experiment& e) {
       "a strip of the same lattice, where all the energy stored ahead arrives at the tip (Nilsson 1972). "
       "Bars: scatter along the measuring window of each strip, the standard deviation over its ten parts.",
       Chart{.title = "Lattice efficiency",
-            .x_label = "velocity [c_R]",
+            .x_label = "velocity [nominal c_R]",
             .y_label = "efficiency [-]",
             .y_range = {0.0, 1.1},
             .series = {series_of("steady strip", Style::line_points, 0, e.efficiency,
@@ -207,7 +207,7 @@ NamedChart application_chart(const experiment::Experiment& e) {
                   100 * e.application.velocity_error, 1e3 * e.application.worst_lag),
       Chart{.title = "Forward check: crack driven by the identified G_{IDc}(v)",
             .x_label = "tip position [mm]",
-            .y_label = "velocity [c_R]",
+            .y_label = "velocity [nominal c_R]",
             .y_range = {.min = 0.0},
             .series = {series_of("measured", Style::line, 0, e.application.along,
                                  [](const Point& p) {
@@ -227,7 +227,7 @@ std::vector<NamedChart> experiment_charts(const ExperimentReport& report) {
       rate_chart(report, "rate_position", "Critical release rate along the crack", "tip position [mm]", mm,
                  Style::line),
       rate_chart(report, "rate_time", "Critical release rate in time", "time [µs]", us, Style::line),
-      rate_chart(report, "rate_velocity", "Critical release rate against velocity", "velocity [c_R]", over_cr,
+      rate_chart(report, "rate_velocity", "Critical release rate against velocity", "velocity [nominal c_R]", over_cr,
                  Style::points),
       efficiency_chart(report.experiment)};
   if (!report.experiment.application.along.empty()) charts.push_back(application_chart(report.experiment));

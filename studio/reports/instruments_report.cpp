@@ -82,6 +82,12 @@ FieldAgainstBooks field_against_books(const InstrumentsReport& report) {
   return mean;
 }
 
+/// G of the field over stretches of the way, beside what a continuum computation of the same strip has there.
+std::string arriving_text(const measurement::ArrivingStretch& s) {
+  return fmt::format("{:.3f} times G_I0 from {:.4g} to {:.4g} mm; an independent finite-element strip: {:.3f}",
+                     s.over_g_i0, 1e3 * s.from, 1e3 * s.to, s.expected);
+}
+
 /// What was seen, a label and a text a row.
 Table conclusions(const InstrumentsReport& report) {
   const measurement::Instruments& seen = report.seen;
@@ -113,12 +119,16 @@ Table conclusions(const InstrumentsReport& report) {
   const bool never_fits =
       !seen.intensity.empty() && std::all_of(seen.intensity.begin(), seen.intensity.end(),
                                              [](const auto& p) { return p.why == measurement::NoFit::edge; });
+  if (report.seen.own.young_modulus > 0.0)
+    say("plate's own", fmt::format("E {:.3f} GPa, ν {:.3f}, by static pulls: K is fitted with these",
+                                   1e-9 * report.seen.own.young_modulus, report.seen.own.poisson_ratio));
   if (never_fits)
     say("", "the ring fits at no moment: raise specimen.elements, or lower --inner and --outer");
   if (seen.grip_moves) say("G_I0", "refers to the displacement when the crack starts; the grip moves later");
   if (against.moments > 0)
     say("G from K", fmt::format("{:.3f} times G_I0; G_ID (energy balance) is {:.3f} of it (means over {})",
                                 against.over_g_i0, against.taken, base::counted(against.moments, "moment")));
+  for (const measurement::ArrivingStretch& stretch : seen.arriving) say("", arriving_text(stretch));
   const auto closed =
       std::count_if(seen.intensity.begin(), seen.intensity.end(),
                     [](const measurement::IntensityPoint& p) { return p.k && p.k->opening < 0.0; });
@@ -151,7 +161,7 @@ std::string intensity_csv(const measurement::Instruments& seen) {
 
 /// A dozen moments: stress intensities, and the release rate by the energy balance beside them.
 Table intensity_table(const InstrumentsReport& report) {
-  Table table{{"time [µs]", "tip [mm]", "v [c_R]", "K_I [MPa m½]", "K_II", "G from K [kJ/m²]",
+  Table table{{"time [µs]", "tip [mm]", "v [nominal c_R]", "K_I [MPa m½]", "K_II", "G from K [kJ/m²]",
                "G_ID (balance)", "G_ID/G", "misfit"},
               {}};
   const std::vector<measurement::IntensityPoint>& points = report.seen.intensity;
@@ -204,7 +214,7 @@ std::string no_intensity_text(const measurement::Instruments& seen,
 
 Json instruments_json(const InstrumentsReport& report) {
   const FieldAgainstBooks against = field_against_books(report);
-  Json along = Json::array(), measured = Json::array();
+  Json along = Json::array(), measured = Json::array(), arriving = Json::array();
   for (const measurement::IntensityPoint& p : report.seen.intensity) {
     const measurement::StressIntensity k = p.k.value_or(no_intensity);
     along.push_back({{"time_s", p.time},
@@ -225,14 +235,23 @@ Json instruments_json(const InstrumentsReport& report) {
                         {"largest", d ? Json(d->largest) : Json(nullptr)},
                         {"span", d ? Json(d->span) : Json(nullptr)}});
   }
+  for (const measurement::ArrivingStretch& s : report.seen.arriving)
+    arriving.push_back({{"from_m", s.from},
+                        {"to_m", s.to},
+                        {"moments", s.moments},
+                        {"field_over_g_i0", s.over_g_i0},
+                        {"finite_elements_over_g_i0", s.expected}});
   return {{"run", report.run},
           {"lane", report.lane},
           {"version", report.build.version},
           {"clock_s", report.seen.clock},
           {"subset_radius_m", report.seen.subset},
           {"ring_m", {report.seen.ring.inner, report.seen.ring.outer}},
+          {"own_young_modulus_pa", report.seen.own.young_modulus},
+          {"own_poisson_ratio", report.seen.own.poisson_ratio},
           {"field_over_g_i0", against.over_g_i0},
           {"g_id_over_field", against.taken},
+          {"arriving", arriving},
           {"measured", measured},
           {"along", along}};
 }

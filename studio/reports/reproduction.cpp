@@ -2,6 +2,7 @@
 
 #include "studio/reports/report.hpp"
 #include "studio/text/html.hpp"
+#include "studio/text/markdown.hpp"
 #include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
@@ -33,12 +34,10 @@ std::string preamble(const Reproduction& r) {
       "Made by `{}`, rift {}, on {}, in {}: {} scenarios, {} computed now, {} reused. The plate has {} "
       "elements; "
       "\"ratio\" is G_ID/G_I0 with damping counted, the mean of {} specimens, and delta its difference to "
-      "Broberg. \"Near\" is a mean |delta| of at most {:g}, \"too low\" and \"too high\" a mean delta beyond "
-      "{:g}, \"no influence\" at most {:g}, \"quasi-constant\" a scatter along the window of at most {:g}; a "
-      "claim is not decidable where the specimens scatter by more than that.{}",
+      "Broberg. What the words of a claim mean was fixed before any result (Margins).{} How far the verdicts "
+      "rest on what the paper leaves open is shown by `rift reproduce readings`.",
       r.command, r.build.version, today_text(), duration_text(r.wall_s), r.scenarios, r.computed, r.found,
-      r.elements, is_beyond(r) ? "the preset's" : "three", claims::near_margin, claims::offset_margin,
-      claims::influence_margin, claims::constant_margin, is_beyond(r) ? of_our_own : of_the_paper);
+      r.elements, is_beyond(r) ? "the preset's" : "three", is_beyond(r) ? of_our_own : of_the_paper);
 }
 
 std::string time_text(const JudgedClaim& c) { return c.scenarios == 0 ? "-" : duration_text(c.wall_s); }
@@ -91,31 +90,11 @@ std::string section_html(const JudgedClaim& c) {
   return html_section(fmt::format("{} ({})", c.claim->artefact, c.claim->name), body);
 }
 
-/// A cell of a Markdown table: no bars, no line breaks.
-std::string cell(std::string text) {
-  std::string out;
-  for (char c : text) out += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
-  return out;
-}
-
-std::string markdown_row(const std::vector<std::string>& cells) {
-  std::string row = "|";
-  for (const std::string& text : cells) row += " " + cell(text) + " |";
-  return row + "\n";
-}
-
-std::string markdown_table(const std::vector<std::string>& head,
-                           const std::vector<std::vector<std::string>>& rows) {
-  std::string table = markdown_row(head) + markdown_row(std::vector<std::string>(head.size(), "---"));
-  for (const auto& row : rows) table += markdown_row(row);
-  return table;
-}
-
 std::string section_markdown(const JudgedClaim& c) {
   std::vector<std::vector<std::string>> rows;
   for (const Line& line : lines_of(c)) rows.push_back({line.stiffness, line.verdict, line.measured});
   std::string text = fmt::format("\n## {} ({})\n\n{}\n\n", c.claim->artefact, c.claim->name, c.claim->text);
-  text += markdown_table({"stiffness", "verdict", "measured"}, rows);
+  text += markdown_table({{"stiffness", "verdict", "measured"}, rows});
   if (c.scenarios > 0)
     text += fmt::format("\n{} {}, {} of computing.\n", c.scenarios, unit_of(c), time_text(c));
   for (const Figure& figure : c.figures)
@@ -133,7 +112,7 @@ std::string scenes_markdown(const std::vector<scene::Scene>& scenes) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& [key, value] : shared.parameters) rows.push_back({"`" + key + "`", value});
     text += "\n## Fixed parameters\n\nBy their keys in a preset; numbers are in SI units.\n\n" +
-            markdown_table({"key", "value"}, rows);
+            markdown_table({{"key", "value"}, rows});
   }
   if (!shared.left_out.empty()) text += "\n## Left out\n\n";
   for (const std::string& line : shared.left_out) text += "- " + line + "\n";
@@ -155,12 +134,19 @@ Json judgement_json(const claims::Judgement& j) {
 
 }  // namespace
 
+Table margins_table() {
+  Table table{{"words", "mean", "from"}, {}};
+  for (const claims::Margin& m : claims::margins()) table.rows.push_back({m.words, m.rule, m.source});
+  return table;
+}
+
 std::string reproduction_html(const Reproduction& r) {
   std::vector<std::vector<std::string>> overview;
   for (const JudgedClaim& c : r.claims) overview.push_back(overview_row(c));
   std::string body = html_made({r.command, r.build, r.wall_s}) + html_paragraph(preamble(r));
   body += html_section("Verdicts", html_table({.head = overview_head, .rows = overview}));
   for (const JudgedClaim& c : r.claims) body += section_html(c);
+  body += html_section("Margins", html_table(margins_table()));
   return html_page(title_of(r), body + html_scenes(r.scenes));
 }
 
@@ -168,8 +154,9 @@ std::string reproduction_markdown(const Reproduction& r) {
   std::vector<std::vector<std::string>> overview;
   for (const JudgedClaim& c : r.claims) overview.push_back(overview_row(c));
   std::string text =
-      fmt::format("# {}\n\n{}\n\n", title_of(r), preamble(r)) + markdown_table(overview_head, overview);
+      fmt::format("# {}\n\n{}\n\n", title_of(r), preamble(r)) + markdown_table({overview_head, overview});
   for (const JudgedClaim& c : r.claims) text += section_markdown(c);
+  text += "\n## Margins\n\n" + markdown_table(margins_table());
   return text + scenes_markdown(r.scenes);
 }
 

@@ -3,6 +3,7 @@
 #include "engine/claims/claims.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/charts/chart.hpp"
+#include "studio/text/table.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -64,6 +65,9 @@ std::vector<NamedChart> charts_over_own_speed(const claims::Evidence& evidence, 
 
 /// The charts and maps of a finding beyond the paper; none where there is nothing to draw.
 std::vector<NamedChart> beyond_charts(const claims::Claim& claim, const claims::Evidence& evidence);
+
+/// What the words of claims mean, and where that comes from.
+Table margins_table();
 
 /// One self-contained page: the verdicts in one table, then a section per claim with its charts as inline
 /// SVG.

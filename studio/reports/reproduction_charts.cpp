@@ -127,7 +127,7 @@ bool energies(Chart& chart, const claims::Evidence& evidence) {
 }
 
 bool release_energies(Chart& chart, const claims::Evidence& evidence) {
-  chart.x_label = "crack velocity v / c_R [-]";
+  chart.x_label = "crack velocity v / c_R, nominal c_R [-]";
   chart.y_label = "energy at release, per beam [mJ]";
   chart.y_range = {.min = 0.0};
   int colour = 0;

@@ -186,7 +186,7 @@ std::vector<NamedChart> velocity_charts(const study::StudyRows& rows) {
   return charts_of(
       {.name = "ratio_velocity",
        .title = "Release rate against crack velocity",
-       .x_label = "crack velocity v / c_R [-]",
+       .x_label = "crack velocity v / c_R, nominal c_R [-]",
        .y_label = "G_{ID} / G_{I0} [-]",
        .caption =
            "Mean over the measuring window; bars: standard deviation between specimens. Broberg, Freund and "

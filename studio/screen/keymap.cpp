@@ -24,6 +24,8 @@ constexpr std::array table{
     Binding{W::home, compare, 'c', key_none, "c", "compare", "Compare the marked runs"},
     Binding{W::home, resume, 'u', key_none, "u", "resume",
             "Resume a run or study that was stopped or killed"},
+    Binding{W::home, picture, 'p', key_none, "p", "plate",
+            "The plate: a preset's specimen, loaded, or a run's last moment"},
     Binding{W::home, film, 'm', key_none, "m", "film", "Make a film of the run"},
     Binding{W::home, remove, 'd', key_delete, "d", "delete", "Delete the run, after a question"},
     Binding{W::form, open, key_enter, key_right, "enter", "edit",
@@ -61,6 +63,11 @@ constexpr std::array table{
     Binding{W::watch, export_tables, 'e', key_none, "e", "export", "Write the tables as CSV"},
     Binding{W::study, resume, 'u', key_none, "u", "resume", "Resume a study that was stopped"},
     Binding{W::study, stop, 's', key_none, "s", "stop", "Stop the study; it can be continued"},
+    Binding{W::compare, picture, 'p', key_none, "p", "plates", "Show the plates at one moment"},
+    Binding{W::compare, step, '.', key_right, ".", "later", "The plates a fortieth of the run later"},
+    Binding{W::compare, previous, ',', key_left, ",", "earlier", "The plates a fortieth of the run earlier"},
+    Binding{W::compare, velocity, 'w', key_none, "w", "velocity",
+            "Switch between colours of velocity and of displacement"},
     Binding{W::lesson, next, key_enter, key_right, "enter", "next page", "Continue; the run continues too"},
     Binding{W::lesson, previous, key_backspace, key_left, "backspace", "page before", "The page before"},
     Binding{W::lesson, handout, 'h', key_none, "h", "handout",
@@ -74,6 +81,8 @@ constexpr std::array table{
     Binding{W::lesson_run, lane, key_tab, key_none, "tab", "lane", "The next lane; 1 to 8 choose one"},
     Binding{W::lesson_run, velocity, 'w', key_none, "w", "velocity",
             "Switch between colours of velocity and of displacement"},
+    Binding{W::lesson_run, picture, 'p', key_none, "p", "pixels",
+            "Switch the plates between cells and picture"},
     Binding{W::lesson_run, handout, 'h', key_none, "h", "handout",
             "Write the lesson as a page of HTML, when the run has finished"},
     Binding{W::view, pause, ' ', key_none, "space", "play", "Play or pause"},
@@ -169,8 +178,8 @@ int draw_help(Canvas& canvas, Where where, int from, Glyphs glyphs) {
   }
   if (all) return 0;
   canvas.text(inside.x + 1, inside.y + shown,
-              fmt::format("{} more keys: space shows them, any other key closes", count - from - shown), {Ink::dim},
-              inside.width - 1);
+              fmt::format("{} more keys: space shows them, any other key closes", count - from - shown),
+              {Ink::dim}, inside.width - 1);
   return from + shown;
 }
 

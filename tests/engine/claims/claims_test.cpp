@@ -24,7 +24,7 @@ SummaryRow row_at(double v, long seed, double ratio) {
   row.technique = "progressive", row.relaxation = 1.0, row.damage_zone_ratio = 1.0;
   row.damping_region = "none", row.stiffness = "in-situ";
   row.seed = static_cast<double>(seed), row.elements = 20000, row.length_m = 0.2;
-  row.ratio = ratio, row.ratio_scatter = 0.01;
+  row.ratio = ratio, row.ratio_scatter = 0.01, row.ratio_trend = 0.0;
   row.broberg = 0.5, row.freund = 0.5, row.strip = 1.0;
   row.wall_fracture_s = 1.0;
   return row;
@@ -137,20 +137,37 @@ TEST(NoInfluence, HoldsUpToTheMargin) {
   EXPECT_EQ(has_no_influence(off_by(0.2), {}, {}).verdict, Verdict::not_decidable);
 }
 
-TEST(QuasiConstant, LooksAtTheScatterAlongTheWindow) {
+TEST(QuasiConstant, LooksAtTheTrendAlongTheWindowOverItsStandardError) {
   CurvePoint point = off_by(0.0).front();
-  point.plateau_scatter.assign(3, 0.05 - bit);
+  for (const double sign : {1.0, -1.0}) {
+    point.trend.assign(3, sign * (0.05 - bit));
+    EXPECT_EQ(is_quasi_constant(point).verdict, Verdict::holds);
+    point.trend.assign(3, sign * (0.05 + bit));
+    EXPECT_EQ(is_quasi_constant(point).verdict, Verdict::does_not_hold);
+  }
+  // Mean 0.1, standard error 0.1 / sqrt(3): within two; of half the scatter it is not.
+  point.trend = {0.0, 0.1, 0.2};
   EXPECT_EQ(is_quasi_constant(point).verdict, Verdict::holds);
-  point.plateau_scatter.assign(3, 0.05 + bit);
+  point.trend = {0.05, 0.1, 0.15};
   EXPECT_EQ(is_quasi_constant(point).verdict, Verdict::does_not_hold);
-  point.plateau_scatter = {0.0, 0.0, 0.15};
-  EXPECT_EQ(is_quasi_constant(point).verdict, Verdict::not_decidable);
+  EXPECT_EQ(is_quasi_constant(point).measured, "0.01: +0.100 ± 0.029");
+}
+
+// Our single specimens differ by 0.03 on average, with a deviation of 0.01: the paper's single one may have any
+// of 0.02 to 0.04.
+TEST(DiffersBy, ComparesANumberOfOneSpecimenWithOurSpreadOfSingleOnes) {
+  const Curve reference = off_by(0.0), curve = off_by(0.03, 0.01);
+  EXPECT_EQ(differs_by(curve, reference, 0.5, 0.02 + bit).verdict, Verdict::holds);
+  EXPECT_EQ(differs_by(curve, reference, 0.5, 0.02 - bit).verdict, Verdict::not_decidable);
+  EXPECT_EQ(differs_by(curve, reference, 0.5, 0.01 - bit).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(differs_by(reference, curve, 0.5, 0.03).verdict, Verdict::holds) << "without its sign";
+  EXPECT_EQ(differs_by(curve, reference, 0.55, 0.03).verdict, Verdict::not_decidable) << "no result";
 }
 
 TEST(QuasiConstant, ForMostIsMoreThanHalf) {
   const auto constant_up_to = [](int count) {
     Curve curve = off_by(0.0);  // twelve velocities
-    for (std::size_t k = count; k < curve.size(); ++k) curve[k].plateau_scatter.assign(3, 0.1);
+    for (std::size_t k = count; k < curve.size(); ++k) curve[k].trend.assign(3, 0.1);
     return is_mostly_constant(curve, {}).verdict;
   };
   EXPECT_EQ(constant_up_to(7), Verdict::holds);

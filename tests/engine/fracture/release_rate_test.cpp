@@ -203,6 +203,18 @@ TEST(Plateau, IgnoresWhatLiesOutsideTheWindow) {
   EXPECT_NEAR(plateau.mean.ratio_fracture, 0.62, rounding);
 }
 
+// A released energy that grows as a^2 takes 2 a: 0.14 over the second half of 0.04 to 0.08 and 0.10 over the first.
+TEST(Plateau, TrendIsTheSecondHalfLessTheFirst) {
+  std::vector<Sample> lane;
+  for (int k = 0; k <= 200; ++k) {
+    Sample s = row_at(0.0005 * k, {});
+    s.fracture_j = s.tip_m * s.tip_m * unit;
+    s.elastic_j -= s.fracture_j;
+    lane.push_back(s);
+  }
+  EXPECT_NEAR(plateau_of(lane, {0.04, 0.08}, scale).trend, 0.04, rounding);
+}
+
 // Ten sub-windows of 0.5, 0.7, 0.5, ...: mean 0.6, and each 0.1 from it: sqrt(10 x 0.01 / 9).
 TEST(Plateau, ScatterIsTheStandardDeviationOverTenSubWindows) {
   std::vector<Sample> lane{row_at(0.04, {})};

@@ -48,7 +48,7 @@ crack_velocity = "0.6 c_r"
 
   static Instruments read(int lane, std::vector<SeenField>* fields = nullptr) {
     return read_instruments(
-        run(), {.lane = lane}, [](double) { return true; },
+        run(), {.lane = lane}, shared_cache(), {},
         [&](const Grid&, const SeenField& field) {
           if (fields) fields->push_back(field);
         });
@@ -128,7 +128,7 @@ TEST(Instruments, GoByTheClockOfAMeasuredHistory) {
   results::create_run_folder(folder.path() / "run", false);
   simulation::record_run(simulation::prepare(preset, shared_cache()), folder.path() / "run", {}, {});
   const Instruments seen = read_instruments(
-      folder.path() / "run", {}, [](double) { return true; }, [](const Grid&, const SeenField&) {});
+      folder.path() / "run", {}, shared_cache(), {}, [](const Grid&, const SeenField&) {});
   int on_the_way = 0;
   for (const results::Sample& s : not_empty(seen.samples)) {
     if (s.tip_m <= 4e-3) continue;

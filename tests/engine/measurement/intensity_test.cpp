@@ -11,6 +11,8 @@ namespace rift::measurement {
 namespace {
 
 constexpr ElasticPlate polymer{3.0, 0.3, 2.0, theory::Plane::stress};
+const double own_rayleigh =
+    theory::wave_speeds(polymer.young_modulus, polymer.poisson_ratio, polymer.density, polymer.plane).rayleigh;
 const Eigen::Vector2d size(0.1, 0.05);
 constexpr Ring seen_ring{.inner = 0.003, .outer = 0.012, .beside_faces = 0.001, .zone = 0.0};
 const fracture::RateScale scale{.thickness = 0.01, .g_i0 = 2.0, .length = 0.1};
@@ -50,7 +52,7 @@ IntensityPoint read(const fracture::CrackPath& path, double arc, double speed) {
       (fracture::point_on(path, arc) - fracture::point_on(path, arc - 1e-6)).normalized();
   SeenField seen = field_around(fracture::point_on(path, arc), along, speed, grid.point);
   seen.time = arc / speed, seen.tip = arc;
-  return IntensityReading(path, size, polymer, seen_ring, samples(speed), scale).at(seen, grid.point);
+  return IntensityReading(path, size, polymer, own_rayleigh, seen_ring, samples(speed), scale).at(seen, grid.point);
 }
 
 TEST(IntensityReading, FindsKInTheAxesOfTheCrack) {
@@ -89,7 +91,7 @@ TEST(IntensityReading, LooksForTheFieldsTipThroughTheDamageZone) {
   const auto read_with = [&](double zone) {
     Ring longer = seen_ring;
     longer.zone = zone;
-    return IntensityReading(path, size, polymer, longer, samples(speed), scale).at(seen, grid.point);
+    return IntensityReading(path, size, polymer, own_rayleigh, longer, samples(speed), scale).at(seen, grid.point);
   };
   EXPECT_EQ(read_with(0.0).why, NoFit::tip);
   const IntensityPoint found = read_with(0.006);
@@ -106,7 +108,7 @@ TEST(IntensityReading, OfTwoTipsStaysOffTheOther) {
     SeenField seen = field_around({0.05 + half, 0.025}, {1, 0}, speed, grid.point);
     seen.tip = half, seen.time = std::max(half, 0.0) / speed;
     const IntensityPoint point =
-        IntensityReading(path, size, polymer, seen_ring, samples(speed), scale).at(seen, grid.point);
+        IntensityReading(path, size, polymer, own_rayleigh, seen_ring, samples(speed), scale).at(seen, grid.point);
     EXPECT_EQ(point.k.has_value(), half > 0.01) << half;
     if (!point.k) {
       EXPECT_EQ(point.why, NoFit::other_tip);
@@ -119,7 +121,7 @@ TEST(IntensityReading, SaysNothingOfATipAsFastAsTheSurfaceWave) {
   const Grid grid = grid_over(size.x(), size.y(), 0.001);
   SeenField seen = field_around({0.05, 0.025}, {1, 0}, 0.9 * c_r, grid.point);
   seen.tip = 0.05, seen.time = 0.05 / c_r;
-  const IntensityReading reading(fracture::straight_path(0.1, 0.025), size, polymer, seen_ring, samples(c_r),
+  const IntensityReading reading(fracture::straight_path(0.1, 0.025), size, polymer, own_rayleigh, seen_ring, samples(c_r),
                                  scale);
   EXPECT_EQ(reading.at(seen, grid.point).why, NoFit::fast);
 }

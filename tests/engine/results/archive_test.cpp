@@ -298,13 +298,58 @@ TEST(Archive, FieldsOverTimeAreCompressed) {
   H5Dclose(dataset);
 }
 
+// 1/3 is no float; the last beam goes from (2, 0, 0) to (3, 0.5, 0.25).
+TEST(Archive, HoldsTheLatticeInDoublePrecisionAndTheRotationsAskedFor) {
+  const double third = 1.0 / 3.0;
+  const Mechanics mechanics{.centre = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0.5, 0.25}},
+                            .radius = {0.5, 0.4, 0.3, 0.2},
+                            .mass = {third, 2, 3, 4},
+                            .inertia = {5, 6, 7, third},
+                            .grip = {1, 0, 0, 2},
+                            .axial = {third, 9, 10},
+                            .bending = {11, third, 13},
+                            .twist = {14, 15, third},
+                            .crossing_position = {0.01, third}};
+  Frame frame = small_run::frame(1, 0);
+  frame.elastic_energy.clear();  // its place before the rotations is kept
+  for (int i = 0; i < 4; ++i) frame.rotation.push_back({0.5F, static_cast<float>(i), 0});
+  std::vector<Record> records = one_lane();
+  records.insert(records.begin() + 2, {mechanics, frame});
+  const TemporaryFolder scratch;
+  small_run::write_journal(scratch.path(), records);
+  assemble_archive(scratch.path());
+  const Archive archive(scratch.path());
+  EXPECT_EQ(archive.dataset("/scene/lattice/centre_m").shape, (Shape{4, 3}));
+  EXPECT_EQ(archive.dataset("/scene/lattice/mass_kg").type_size, sizeof(double));
+  EXPECT_EQ(archive.values("/scene/lattice/mass_kg"), (Numbers{third, 2, 3, 4}));
+  EXPECT_EQ(archive.values("/scene/lattice/inertia_kg_m2"), (Numbers{5, 6, 7, third}));
+  EXPECT_EQ(archive.values("/scene/lattice/grip"), (Numbers{1, 0, 0, 2}));
+  EXPECT_EQ(archive.values("/scene/lattice/ends"), (Numbers{0, 1, 1, 2, 2, 3}));
+  EXPECT_EQ(archive.values("/scene/lattice/axial_n_m"), (Numbers{third, 9, 10}));
+  EXPECT_EQ(archive.values("/scene/lattice/bending_n_m"), (Numbers{11, third, 13}));
+  EXPECT_EQ(archive.values("/scene/lattice/twist_n_m"), (Numbers{14, 15, third}));
+  EXPECT_EQ(archive.values("/scene/lattice/crossing"), (Numbers{1, 2}));
+  EXPECT_EQ(archive.values("/scene/lattice/crossing_position_m"), (Numbers{0.01, third}));
+  const double length = std::sqrt(1.3125);
+  EXPECT_NEAR(archive.values("/scene/lattice/length_m")[2], length, 1e-15);
+  EXPECT_NEAR(archive.values("/scene/lattice/axis")[7], 0.5 / length, 1e-15);
+  EXPECT_EQ(archive.values("/VTKHDF/PointData/rotation"), (Numbers{0.5, 0, 0, 0.5, 1, 0, 0.5, 2, 0, 0.5, 3, 0}));
+}
+
+TEST(Archive, OfAJournalWithoutALatticeHasNone) {
+  const TemporaryFolder scratch;
+  small_run::write_journal(scratch.path(), one_lane());
+  assemble_archive(scratch.path());
+  EXPECT_FALSE(Archive(scratch.path()).has("/scene/lattice"));
+}
+
 TEST(Archive, LargeFramesComeBackWhole) {
   // More rows than a chunk holds, with chunks that do not end where frames do.
   constexpr std::size_t count = 150001;
   Geometry geometry{std::vector<std::array<float, 3>>(count), std::vector<float>(count, 1.0F), {}, {}};
   std::vector<Record> records{RunHeader{"{}"}, geometry};
   for (int step = 0; step < 2; ++step) {
-    Frame frame{step, static_cast<double>(step), 0, 0, {}, {}, {}, {}};
+    Frame frame{step, static_cast<double>(step), 0, 0, {}, {}, {}, {}, {}};
     for (std::size_t i = 0; i < count; ++i)
       frame.displacement.push_back({static_cast<float>(i), 1, static_cast<float>(step)});
     records.emplace_back(frame);

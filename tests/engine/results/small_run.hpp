@@ -41,7 +41,7 @@ inline Sample sample(std::int64_t step, std::int32_t lane, double tip_m) {
 
 /// All fields, with values that tell step, lane and place apart.
 inline Frame frame(std::int64_t step, std::int32_t lane) {
-  Frame frame{step, 1e-6 * static_cast<double>(step), lane, 0.1, {}, {}, {}, {}};
+  Frame frame{step, 1e-6 * static_cast<double>(step), lane, 0.1, {}, {}, {}, {}, {}};
   for (int i = 0; i < 4; ++i) {
     const auto base = static_cast<float>(step) * 100 + static_cast<float>(lane) * 10 + static_cast<float>(i);
     frame.displacement.push_back({base, base + 0.25F, base + 0.5F});

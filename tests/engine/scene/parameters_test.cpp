@@ -143,7 +143,7 @@ TEST(Assign, TakesWholeNumbersInAnySpelling) {
 TEST(Assign, ChecksLists) {
   EXPECT_EQ(problem_of("output.fields", "[]"), "");
   EXPECT_EQ(problem_of("output.fields", R"(["velocity", "speed"])"),
-            "\"speed\" is none of \"displacement\", \"velocity\", \"damage\" and \"energy\"");
+            "\"speed\" is none of \"displacement\", \"velocity\", \"damage\", \"energy\" and \"rotation\"");
   EXPECT_EQ(problem_of("output.fields", R"(["damage", "damage"])"), "\"damage\" twice");
   EXPECT_EQ(problem_of("output.window", "[0, 1]"), "");
   EXPECT_EQ(problem_of("output.window", "[0.4, 0.2]"), "must rise within [0, 1]");

@@ -61,7 +61,7 @@ TEST(PresetErrors, NameTheExpectedTypeAndTheOneGiven) {
       "x.toml:5: specimen.seed = [1]: expected a whole number, got a list\n"
       "x.toml:7: loading.method = 3: expected \"static\" or \"ramp\", got a whole number\n"
       "x.toml:9: output.fields = \"damage\": expected a list of \"displacement\", \"velocity\", "
-      "\"damage\" and \"energy\", "
+      "\"damage\", \"energy\" and \"rotation\", "
       "got text\n"
       "x.toml:10: output.window = 0.3: expected two fractions of the length such as [0.2, 0.4], got a "
       "number\n"

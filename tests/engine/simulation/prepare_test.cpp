@@ -4,6 +4,7 @@
 #include "engine/calibration/calibrate.hpp"
 #include "engine/lattice/statics.hpp"
 #include "engine/reference/plain_simulation.hpp"
+#include "engine/simulation/own_constants.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 #include "tests/expectations.hpp"
 #include "tests/temporary_folder.hpp"
@@ -69,11 +70,15 @@ std::vector<std::string> two_tips_and(std::vector<std::string> more) {
   return more;
 }
 
-// pi sigma^2 a / E' with sigma = E / (1 - nu^2) delta / H, whatever the beams.
+// pi sigma^2 a / E' with sigma = 2 G_strip / delta, and E' of what the specimen stores over the height that is
+// strained, with its own nu.
 TEST(Prepare, GriffithsReferenceIsTheCentralCracksOfTheSpecimensOwnStress) {
   const Prepared p = small_plate(two_tips_and({"output.g_i0_reference=griffith"}));
-  const double sigma = 10e9 / 0.91 * 0.6e-3 / 0.012;
-  EXPECT_NEAR(p.scale.g_i0_slope / (std::numbers::pi * sigma * sigma / 10e9), 1.0, 1e-9);
+  const OwnConstants own = own_constants(p, shared_cache());
+  const double strip = small_plate(two_tips).scale.g_i0, delta = 0.6e-3, sigma = 2.0 * strip / delta;
+  const double modulus = sigma / (delta / own.between_grips);  // of the strip: E' / (1 - nu^2)
+  const double e_prime = modulus * (1.0 - std::pow(own.poisson_ratio(), 2.0));
+  EXPECT_NEAR(p.scale.g_i0_slope / (std::numbers::pi * sigma * sigma / e_prime), 1.0, 1e-9);
   EXPECT_EQ(p.scale.g_i0, 0.0);
   EXPECT_EQ(p.scale.tips, 2);
   const Prepared bulk =

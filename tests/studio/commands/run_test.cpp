@@ -47,7 +47,7 @@ TEST(Run, SummaryHoldsEveryNameOfTheInterface) {
       "micro_young_modulus_pa micro_radius_ratio dt_s dt_critical_s dt_fraction steps steps_per_beam threads "
       "simd "
       "lanes version g_i0_j_m2 g_id_j_m2 ratio ratio_fracture ratio_paper ratio_difference "
-      "ratio_scatter window_over_length broberg freund strip error_broberg error_converged energy_initial_j "
+      "ratio_scatter ratio_trend window_over_length broberg freund strip error_broberg error_converged energy_initial_j "
       "energy_elastic_j energy_kinetic_translation_j energy_kinetic_rotation_j energy_step_correction_j "
       "energy_fracture_j energy_damping_j energy_numerical_damping_j work_external_j ledger_residual "
       "ledger_limit ledger_closes outcome "
