@@ -108,13 +108,14 @@ install_missing() {
 
 build() { # TARGET...
   say "building (build/release; some four minutes on two cores the first time)"
-  cmake --preset release -DRIFT_VIZ="$viz" >/dev/null
+  cmake --preset release -DRIFT_VIZ="$viz" -DRIFT_KERNELS="$kernels" >/dev/null
   cmake --build --preset release --target "$@"
   ln -sf build/release/studio/rift rift
 }
 
 what=''
 viz=ON
+kernels=all
 plain=()
 for argument in "$@"; do
   case "$argument" in
@@ -134,6 +135,7 @@ done
 
 install_missing
 if [ "$what" = demo ]; then
+  kernels=native  # for this machine only: the compiler is done sooner
   build rift
   say 'running presets/quickstart.toml'
   if [ $viz = ON ]; then

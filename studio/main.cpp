@@ -1,5 +1,6 @@
 #include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
+#include "engine/ensemble/instruction_set.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "studio/commands/commands.hpp"
@@ -12,6 +13,7 @@
 
 #include <exception>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -39,6 +41,12 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 ExitCode run(int argc, char** argv) {
+  try {
+    (void)rift::ensemble::instruction_set();
+  } catch (const std::invalid_argument& error) {
+    rift::base::message("rift: {}\n", error.what());
+    return ExitCode::bad_input;
+  }
   CLI::App app("Dynamic fracture on a discrete-element beam lattice.", "rift");
   app.formatter(rift::studio::help_layout());
   app.set_version_flag("-V,--version", rift::studio::version_and_libraries_text());

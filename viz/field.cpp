@@ -86,7 +86,7 @@ const std::vector<Field>& fields() {
       {"v", "velocity", "m/s", 1, Scale::sequential, "velocity"},
       {"kinetic", "kinetic energy density", "MJ/m³", 1e6, Scale::sequential, "velocity"},
       {"elastic", "elastic energy density", "MJ/m³", 1e6, Scale::sequential, "energy"},
-      {"damage", "damage of the beams on the crack's path", "1", 1, Scale::sequential, "damage"},
+      {"damage", "damage of the beams", "1", 1, Scale::sequential, "damage"},
   };
   return all;
 }

@@ -13,6 +13,8 @@ NLOHMANN_JSON_SERIALIZE_ENUM(
     Camera, {{Camera::plate, "plate"}, {Camera::tip, "tip"}, {Camera::side, "side"}, {Camera::free, "free"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Beams,
                              {{Beams::none, "none"}, {Beams::crossing, "crossing"}, {Beams::all, "all"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Chart,
+                             {{Chart::none, "none"}, {Chart::growing, "growing"}, {Chart::whole, "whole"}})
 
 // The run's path byte by byte, as numbers: JSON text holds UTF-8 alone, and a path anything.
 static void to_json(nlohmann::json& json, const Pane& pane) {
@@ -47,8 +49,10 @@ Enum named(const std::string& word) {
 
 Camera camera_named(const std::string& word) { return named<Camera>(word); }
 Beams beams_named(const std::string& word) { return named<Beams>(word); }
+Chart chart_named(const std::string& word) { return named<Chart>(word); }
 std::string word_of(Camera camera) { return nlohmann::json(camera).get<std::string>(); }
 std::string word_of(Beams beams) { return nlohmann::json(beams).get<std::string>(); }
+std::string word_of(Chart chart) { return nlohmann::json(chart).get<std::string>(); }
 
 std::string to_json(const Job& job) { return base::json_text(nlohmann::json(job)); }
 

@@ -22,6 +22,13 @@ enum class Camera : std::uint8_t {
 /// Which beams are drawn.
 enum class Beams : std::uint8_t { none, crossing, all };
 
+/// What stands under the picture.
+enum class Chart : std::uint8_t {
+  none,
+  growing,  // the energy budget up to the moment: for films
+  whole,    // the energy budget and G_ID/G_I0 of the run as far as it is stored, the moment as a line
+};
+
 /// A camera by numbers: which point of the plate's plane is in the middle, how much is shown, and from where.
 struct View {
   double x = 0, y = 0;        // the point [m]
@@ -48,7 +55,7 @@ struct Look {
   bool spheres = true;       // elements; false leaves the beams alone
   double magnification = 1;  // of displacements
   double close_up_m = 0.02;  // height of what a close-up shows [m]
-  bool chart = true;         // the energy budget under the picture
+  Chart chart = Chart::growing;
   bool boundaries = false;   // grips, free faces and measures drawn around the plate
   bool texts = true;         // titles, colour bars and scales; without them the plates have the whole frame
   bool large_text = false;   // for lecture halls
@@ -68,9 +75,11 @@ struct Job {
 /// The value of a word as presets and options have it ("plate", "crossing"). Throws std::invalid_argument.
 [[nodiscard]] Camera camera_named(const std::string& word);
 [[nodiscard]] Beams beams_named(const std::string& word);
+[[nodiscard]] Chart chart_named(const std::string& word);
 /// And back.
 [[nodiscard]] std::string word_of(Camera camera);
 [[nodiscard]] std::string word_of(Beams beams);
+[[nodiscard]] std::string word_of(Chart chart);
 
 /// As JSON text of one line and back. Throws std::invalid_argument where the text is no job.
 [[nodiscard]] std::string to_json(const Job& job);

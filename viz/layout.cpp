@@ -69,7 +69,8 @@ Layout layout_of(const Job& job, const Extent& plate) {
   const bool whole = job.look.camera != Camera::tip;
   const double aspect =
       whole ? beside(job.look) * plate.length / (above(job.look) * seen_height(job.look, plate)) : 1.6;
-  double chart = job.look.chart ? std::max(0.24 * h, 8.5 * chart_text) : 0;
+  const bool charts = job.look.chart != Chart::none;
+  double chart = charts ? std::max(0.24 * h, 8.5 * chart_text) : 0;
   const double top = layout.title.y0 - 0.3 * text;
   const double inner = w - 2 * margin;
   const int columns = columns_for(panes, inner, top - bar - chart, text, aspect);
@@ -79,7 +80,7 @@ Layout layout_of(const Job& job, const Extent& plate) {
   if (whole) {  // what a wide plate leaves free goes to the chart, and then around the plate
     const double needed = caption_height(cell_width, text) + cell_width / aspect;
     const double spare = std::max(0.0, rows * (cell_height - needed));
-    if (job.look.chart) chart = std::min(chart + spare, std::max(chart, 0.42 * h));
+    if (charts) chart = std::min(chart + spare, std::max(chart, 0.42 * h));
     cell_height = (top - bar - chart) / rows;
   }
   for (int k = 0; k < panes; ++k) {
@@ -91,9 +92,15 @@ Layout layout_of(const Job& job, const Extent& plate) {
   layout.scale_bar = {margin, layout.colour_bar.y0, 0.2 * w, layout.colour_bar.y1};
   layout.beam_bar = {0.82 * w, layout.colour_bar.y0, w - 2 * margin, layout.colour_bar.y1};
   layout.key = {margin, chart - 1.5 * chart_text, w - margin, chart};
-  for (int k = 0; job.look.chart && k < panes; ++k) {
-    const double width = (inner - (panes - 1) * margin) / panes, x0 = margin + k * (width + margin);
+  const bool whole_charts = job.look.chart == Chart::whole;
+  const int places = charts ? panes + (whole_charts ? 1 : 0) : 0;
+  for (int k = 0; k < places; ++k) {
+    const double width = (inner - (places - 1) * margin) / places, x0 = margin + k * (width + margin);
     layout.chart.push_back({x0, 0.3 * chart_text, x0 + width, layout.key.y0});
+  }
+  if (whole_charts) {
+    layout.ratio = layout.chart.back();
+    layout.chart.pop_back();
   }
   return layout;
 }

@@ -36,7 +36,8 @@ struct Layout {
   Box beam_bar;            // the same of beams whose colours are not the field's
   Box scale_bar;           // on the left of the colour bar
   Box key;                 // of the charts' lines, above them
-  std::vector<Box> chart;  // of each pane; none where the look has no chart
+  std::vector<Box> chart;  // the energy budget of each pane; none where the look has no chart
+  Box ratio;               // G_ID/G_I0 of all panes; none but beside whole charts
 };
 
 /// The plate as it is drawn, loaded [m].

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "engine/results/schema.hpp"
 #include "viz/job.hpp"
 #include "viz/layout.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +32,8 @@ struct Picked {
   std::array<double, 3> position_m{};                // unloaded; of a beam its middle
   std::array<double, 3> displacement_m{}, velocity_m_s{};
   double elastic_j = 0, damage = 0;
+  double released_s = std::numeric_limits<double>::quiet_NaN();  // of a beam, since the crack's start
+  results::GaugeRow gauge{.gauge = -1};                          // the nearest one at this moment; -1 where the run has none
 };
 
 /// One lane of the picture.

@@ -99,4 +99,16 @@ std::optional<std::int32_t> beam_at(const Standing& standing, Beams shown,
   return nearest;
 }
 
+std::optional<results::GaugeRow> nearest_gauge(std::span<const results::GaugeRow> rows, const Point& point,
+                                               double time_s) {
+  const auto away = [&](const results::GaugeRow& row) {
+    return std::hypot(row.x_m - point[0], row.y_m - point[1]);
+  };
+  std::optional<results::GaugeRow> nearest;
+  for (const results::GaugeRow& row : rows)
+    if (row.time_s <= time_s && (!nearest || row.gauge == nearest->gauge || away(row) < away(*nearest)))
+      nearest = row;
+  return nearest;
+}
+
 }  // namespace rift::viz

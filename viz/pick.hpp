@@ -42,4 +42,10 @@ struct Standing {
 [[nodiscard]] std::optional<std::int32_t> beam_at(const Standing& standing, Beams shown,
                                                   const std::array<double, 2>& pixel);
 
+/// What the gauge nearest to a point of the unloaded plate showed last until a time.
+/// @param rows  of one lane, in the order of time. Cost O(rows).
+[[nodiscard]] std::optional<results::GaugeRow> nearest_gauge(std::span<const results::GaugeRow> rows,
+                                                             const std::array<double, 3>& point,
+                                                             double time_s);
+
 }  // namespace rift::viz

@@ -82,7 +82,9 @@ Look look_for(const Request& request, const Header& header) {
   look.beams = beams_named(request.beams.value_or(film.value("beams", std::string("none"))));
   look.magnification = request.magnification.value_or(film.value("magnification", look.magnification));
   look.close_up_m = request.close_up_m.value_or(film.value("close_up_m", look.close_up_m));
-  look.chart = request.chart.value_or(film.value("chart", look.chart));
+  look.chart = request.chart              ? chart_named(*request.chart)
+               : film.value("chart", true) ? Chart::growing
+                                           : Chart::none;
   look.boundaries = request.boundaries.value_or(film.value("boundaries", look.boundaries));
   look.large_text = request.large_text;
   look.texts = request.texts;

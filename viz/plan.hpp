@@ -26,12 +26,12 @@ struct BadRequest : std::runtime_error {
 struct Request {
   std::vector<std::filesystem::path> runs;
   std::vector<int> lanes;  // none: all, up to four panes
-  std::optional<std::string> title, field, colours, camera, beams;
+  std::optional<std::string> title, field, colours, camera, beams, chart;
   std::optional<double> magnification, close_up_m;
   std::optional<std::array<double, 2>> range;  // in the unit that is shown
   bool range_of_moment = false;
   std::optional<View> view;  // of the free camera, which it chooses
-  std::optional<bool> chart, boundaries;
+  std::optional<bool> boundaries;
   bool large_text = false, texts = true;
   int width = 1280, height = 720;
 };

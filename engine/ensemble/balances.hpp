@@ -25,6 +25,8 @@ class Balances {
   void read(const State& state, double grip_work);
   /// Adds the work of all lanes' top grips against the base state's pull [J].
   void add_grip_work(double work);
+  /// Adds the work that a lane's forces from outside have done [J].
+  void add_outside_work(int lane, double work) { lane_[lane].so_far.grip += work; }
   /// Adds the energy that a damaged beam has lost [J]. @param[in] to_faces  given to its faces, of all that
   /// it lost
   void add_fracture(int k, int lane, double energy, double to_faces);

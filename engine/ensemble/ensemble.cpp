@@ -16,6 +16,7 @@ Ensemble::Ensemble(const lattice::Lattice& lattice, std::vector<fracture::Damage
       balances_(state_.damageable().size(), state_.lanes(), static_cast<int>(scenarios.size())),
       units_(scenarios.size()),
       friction_(scenarios.size()),
+      load_(scenarios.size()),
       first_step_(scenarios.size(), 0),
       velocity_(lattice.centre.size() * 6 * state_.lanes()) {
   damage_.reserve(state_.damageable().size() * state_.lanes());
@@ -60,6 +61,7 @@ void Ensemble::damp(const std::vector<lattice::DampedBeam>& damped) {
 void Ensemble::steer(int lane, const fracture::LaneScenario& scenario) {
   state_.set_lane(lane, scenario);
   friction_[lane] = scenario.friction;
+  load_[lane] = scenario.load;
   if (rule_) rule_->set_lane(lane, scenario);
 }
 
@@ -77,10 +79,26 @@ void Ensemble::step() {
   predict_damage();
   state_.advance(constants());  // eqs. (1)-(6), (8)
   balances_.add_grip_work(-(0.5 * (grip_before_ + grip_after_) * dt_ * state_.base_pull()));
+  follow_damage();
   apply_damage();  // eqs. (9)-(11)
   beta_before_ = beta_after_;
   grip_before_ = grip_after_;
   ++steps_done_;
+  for (int lane = 0; lane < scenarios(); ++lane) {
+    const double before = follow_load(lane), now = state_.load(lane);
+    if (before != 0.0 || now != 0.0)
+      balances_.add_outside_work(lane, 0.5 * (before + now) * state_.work_of_unit_load(lane, dt_));
+  }
+}
+
+double Ensemble::follow_load(int lane) {
+  const double before = state_.load(lane);
+  state_.set_load(lane, lattice::load_at(load_[lane], static_cast<double>(steps_done(lane)) * dt_));
+  return before;
+}
+
+void Ensemble::follow_damage() {
+  if (cracking_ && rule_) rule_->follow_damage(state_, damage_);
 }
 
 void Ensemble::predict_damage() {
@@ -123,6 +141,7 @@ void Ensemble::evaluate(double* velocities) {
 /// Of the lanes [first, last), whose state has just been set.
 void Ensemble::open_balances(int first, int last) {
   forget_evaluation();
+  for (int lane = first; lane < last; ++lane) follow_load(lane);
   for (int lane = first; lane < last; ++lane) balances_.clear(lane);
   evaluate(nullptr);
   for (int lane = first; lane < last; ++lane) balances_.open(lane);
@@ -199,6 +218,7 @@ void Ensemble::restore(const NamedNumbers& state) {
   if (rule_) rule_->restore(state_, state);
   state_.restore(state);
   balances_.restore(state);
+  for (int lane = 0; lane < scenarios(); ++lane) follow_load(lane);
   forget_evaluation();
 }
 

@@ -33,6 +33,13 @@ class Ensemble {
   /// @param[in] base  N displacements and rotation vectors [m, rad]
   void start_from(const std::vector<lattice::Vector6>& base);
 
+  /// Forces from outside [N, N m] of N elements for a unit of the lanes' loads (LaneScenario::load), whose
+  /// clocks are those of the lanes; before start_from().
+  void set_loads(std::vector<lattice::Vector6> forces) { state_.set_outside(std::move(forces)); }
+
+  /// Elements that roll on a face across x, without friction; linear kinematics, before start_from().
+  void set_rollers(const std::vector<int>& elements) { state_.set_rollers(elements); }
+
   /// Puts every lane at rest in any state, for what follows to pull it back.
   void release_from(const std::vector<lattice::Vector6>& moved);
 
@@ -118,7 +125,10 @@ class Ensemble {
  private:
   StepConstants constants() const { return {dt_, beta_before_, beta_after_, grip_before_, grip_after_}; }
   void predict_damage();
+  void follow_damage();
   void apply_damage();
+  /// Sets a lane's load to that of this moment. @return what it was
+  double follow_load(int lane);
   void evaluate(double* velocities);
   void open_balances(int first, int last);
   void forget_evaluation() { evaluated_at_ = velocities_at_ = -1; }
@@ -129,6 +139,7 @@ class Ensemble {
   Balances balances_;
   std::vector<fracture::LaneUnits> units_;
   std::vector<std::optional<double>> friction_;  // of each lane's faces
+  std::vector<lattice::StepLoad> load_;          // of each lane
   std::vector<std::int64_t> first_step_;         // of each lane's scenario
   std::vector<DamageIncrement> damage_;
   AlignedVector<double> velocity_;                       // of this moment, [element][6][lane]

@@ -4,20 +4,49 @@
 #include <array>
 #include <cassert>
 #include <cstdlib>
+#include <stdexcept>
+#include <string>
 
 namespace rift::ensemble {
 namespace {
 
-InstructionSet of_processor() {
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512dq"))
-    return InstructionSet::avx512;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return InstructionSet::avx2;
-  return InstructionSet::baseline;
+// Kernels of which instruction sets this build has (RIFT_KERNELS); the others have none.
+#ifdef RIFT_WITH_baseline
+constexpr bool has_baseline = true;
+#else
+constexpr bool has_baseline = false;
+#endif
+#ifdef RIFT_WITH_avx2
+constexpr bool has_avx2 = true;
+#else
+constexpr bool has_avx2 = false;
+#endif
+#ifdef RIFT_WITH_avx512
+constexpr bool has_avx512 = true;
+#else
+constexpr bool has_avx512 = false;
+#endif
+
+constexpr std::array every_set{InstructionSet::avx512, InstructionSet::avx2, InstructionSet::baseline};
+
+/// The best one that both this processor and this build have.
+InstructionSet best_set() {
+  for (const InstructionSet set : every_set)
+    if (is_available(set)) return set;
+  throw std::runtime_error("this build has no kernels for this processor: configure with -DRIFT_KERNELS=all");
 }
 
 }  // namespace
+
+bool is_available(InstructionSet set) {
+  __builtin_cpu_init();
+  if (set == InstructionSet::avx512)
+    return has_avx512 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512dq");
+  if (set == InstructionSet::avx2)
+    return has_avx2 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return has_baseline;
+}
 
 std::string_view name_of(InstructionSet set) {
   constexpr std::array<std::string_view, 3> names{"baseline", "AVX2", "AVX-512"};
@@ -25,12 +54,17 @@ std::string_view name_of(InstructionSet set) {
 }
 
 InstructionSet instruction_set() {
-  static const InstructionSet best = of_processor();
+  static const InstructionSet best = best_set();
   const char* wanted = std::getenv("RIFT_SIMD");
-  if (wanted == nullptr) return best;
-  for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2})
-    if (set < best && name_of(set) == wanted) return set;
-  return best;
+  if (wanted == nullptr || *wanted == '\0') return best;
+  for (const InstructionSet set : every_set) {
+    if (name_of(set) != wanted) continue;
+    if (is_available(set)) return set;
+    throw std::invalid_argument("RIFT_SIMD=" + std::string(wanted) +
+                                ": this processor or this build has no kernels for it; the best is " +
+                                std::string(name_of(best)));
+  }
+  throw std::invalid_argument("RIFT_SIMD=" + std::string(wanted) + ": expected baseline, AVX2 or AVX-512");
 }
 
 int lanes_in_register(Precision precision, InstructionSet set) {
@@ -47,18 +81,25 @@ int lanes_for(Precision precision, int scenarios) {
 
 template <class Beam>
 Kernel<Beam> kernel_for(InstructionSet set, int lanes) {
-  const Kernel<Beam> found = set == InstructionSet::baseline ? baseline::find_kernel<Beam>(lanes)
-                             : set == InstructionSet::avx2   ? avx2::find_kernel<Beam>(lanes)
-                                                             : avx512::find_kernel<Beam>(lanes);
+  Kernel<Beam> found{};
+  if constexpr (has_baseline)
+    if (set == InstructionSet::baseline) found = baseline::find_kernel<Beam>(lanes);
+  if constexpr (has_avx2)
+    if (set == InstructionSet::avx2) found = avx2::find_kernel<Beam>(lanes);
+  if constexpr (has_avx512)
+    if (set == InstructionSet::avx512) found = avx512::find_kernel<Beam>(lanes);
   assert(found.advance);
   return found;
 }
 
 template <class Real>
 double multiply_and_add(InstructionSet set, long rounds) {
-  return set == InstructionSet::baseline ? baseline::multiply_and_add<Real>(rounds)
-         : set == InstructionSet::avx2   ? avx2::multiply_and_add<Real>(rounds)
-                                         : avx512::multiply_and_add<Real>(rounds);
+  if constexpr (has_avx512)
+    if (set == InstructionSet::avx512) return avx512::multiply_and_add<Real>(rounds);
+  if constexpr (has_avx2)
+    if (set == InstructionSet::avx2) return avx2::multiply_and_add<Real>(rounds);
+  if constexpr (has_baseline) return baseline::multiply_and_add<Real>(rounds);
+  return 0.0;
 }
 
 template Kernel<LinearBeam<double>> kernel_for(InstructionSet, int);

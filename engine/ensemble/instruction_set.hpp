@@ -14,8 +14,12 @@ enum class InstructionSet { baseline, avx2, avx512 };
 
 std::string_view name_of(InstructionSet set);
 
-/// The best one that this processor has, or the lesser one that $RIFT_SIMD names ("baseline", "AVX2",
-/// "AVX-512").
+/// Whether this processor has it and this build its kernels (RIFT_KERNELS).
+bool is_available(InstructionSet set);
+
+/// The best one that is available, or the one that $RIFT_SIMD names ("baseline", "AVX2", "AVX-512").
+/// @throws std::invalid_argument  that one is not available, or is none
+/// @throws std::runtime_error  none is available
 InstructionSet instruction_set();
 
 /// Every instruction set has kernels for 1 lane and for a half, a quarter and all of this many (of 64 bytes).

@@ -129,8 +129,7 @@ struct ChunkEnergies {
   void add_numerical(const PartView<Real>& p, const StepConstants& k, int i, const V (&f)[6], const V (&v)[6],
                      const V (&rate)[6]) {
     for (int c = 0; c < 6; ++c) {
-      const D kick =
-          0.5 * k.dt * static_cast<double>(p.per_mass[2L * i + c / 3]) * widened<Real, Width>(f[c]);
+      const D kick = 0.5 * k.dt * static_cast<double>(p.per_mass[6L * i + c]) * widened<Real, Width>(f[c]);
       const D conserved = widened<Real, Width>(rate[c]) + kick;
       const D now = widened<Real, Width>(v[c]) + k.beta_before * kick;
       numerical += 0.5 * p.mass[2L * i + c / 3] * (conserved * conserved - now * now);
@@ -140,10 +139,14 @@ struct ChunkEnergies {
   /// Kinetic energies at the velocity v of this moment, and the step correction C of all forces f.
   void add_moment(const PartView<Real>& p, const StepConstants& k, int i, const V (&f)[6], const V (&v)[6]) {
     for (const int c : {0, 3}) {
-      const double per_mass = static_cast<double>(p.per_mass[2L * i + c / 3]);
-      if (per_mass == 0.0) continue;
+      const Real* at = p.per_mass + 6L * i + c;
+      const Real of_two = at[0] != 0 ? at[0] : at[1];  // a component that is held counts for nothing
+      const Real largest = of_two != 0 ? of_two : at[2];
+      if (largest == 0) continue;
+      const double per_mass = static_cast<double>(largest);
+      const auto moved = [&](int d) { return at[d] == 0 ? V{} : f[c + d]; };
       const V vv = fma(v[c + 2], v[c + 2], fma(v[c + 1], v[c + 1], v[c] * v[c]));
-      const V ff = fma(f[c + 2], f[c + 2], fma(f[c + 1], f[c + 1], f[c] * f[c]));
+      const V ff = fma(moved(2), moved(2), fma(moved(1), moved(1), moved(0) * moved(0)));
       (c == 0 ? translation : rotation) += 0.5 * p.mass[2L * i + c / 3] * widened<Real, Width>(vv);
       correction += 0.125 * k.dt * k.dt * per_mass * widened<Real, Width>(ff);
     }
@@ -228,13 +231,14 @@ template <template <class, int> class Form, class Real, int Width, Balance balan
         store_row<6, Width>(p.next_damping_before + at, d);
         for (int c = 0; c < 6; ++c) f[c] += d[c];
       }
-      if (p.rate && p.per_mass[2L * i] != 0) energies.add_numerical(p, k, i, f, v, rate);
+      if (p.rate && p.per_mass[6L * i + 1] != 0) energies.add_numerical(p, k, i, f, v, rate);
       if (p.top[i]) energies.pull += widened<Real, Width>(f[1]);
     }
-    const V per_mass[2] = {splat<V>(p.per_mass[2L * i]), splat<V>(p.per_mass[2L * i + 1])};
+    V per_mass[6];
+    for (int c = 0; c < 6; ++c) per_mass[c] = splat<V>(p.per_mass[6L * i + c]);
     if constexpr (of_moment) {
       V now[6];
-      for (int c = 0; c < 6; ++c) now[c] = fma(ended * per_mass[c / 3], f[c], v[c]);
+      for (int c = 0; c < 6; ++c) now[c] = fma(ended * per_mass[c], f[c], v[c]);
       if (p.velocity)
         for (int c = 0; c < 6; ++c)
           store<Width>(p.velocity + (6L * i + c) * Width, widened<Real, Width>(now[c]));
@@ -242,15 +246,15 @@ template <template <class, int> class Form, class Real, int Width, Balance balan
     }
     if (with_accounts) {
       for (int c = 0; c < 6; ++c) {
-        const V a = per_mass[c / 3] * f[c];  // Newton's law
-        v[c] = fma(ended, a, v[c]);          // eq. (2), its second half
+        const V a = per_mass[c] * f[c];  // Newton's law
+        v[c] = fma(ended, a, v[c]);      // eq. (2), its second half
         rate[c] = fma(kick, a, v[c]);
         v[c] = fma(begun, a, v[c]);  // eq. (2), the first half of the next step
       }
       if (p.rate) store_row<6, Width>(p.next_rate + 6L * Width * i, rate);
     } else {
       for (int c = 0; c < 6; ++c)
-        rate[c] = v[c] = fma(dt * per_mass[c / 3], f[c], v[c]);  // both halves of eq. (2)
+        rate[c] = v[c] = fma(dt * per_mass[c], f[c], v[c]);  // both halves of eq. (2)
     }
     F::drift(q, rate, dt);  // eq. (1)
     store_row<F::numbers, Width>(p.next_q + static_cast<long>(F::numbers) * Width * i, q);

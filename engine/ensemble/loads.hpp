@@ -186,6 +186,17 @@ inline void add_damping_forces(const PartView<Real>& p) {
   }
 }
 
+/// Adds the forces from outside to the additional loads of their elements.
+template <class Real, int Width>
+inline void add_outside_forces(const PartView<Real>& p) {
+  const Pack<Real, Width> size = load<Width>(p.load);
+  for (int k = 0; k < p.loaded_elements; ++k) {
+    Real* row = p.extra + p.loaded[k].extra * 6L * Width;
+    for (int c = 0; c < 6; ++c)
+      store<Width>(row + c * Width, load<Width>(row + c * Width) + size * p.loaded[k].load[c]);
+  }
+}
+
 template <class Real>
 inline void clear(Real* from, long count) {
   for (long k = 0; k < count; ++k) from[k] = 0;
@@ -196,6 +207,7 @@ template <template <class, int> class Form, class Real, int Width>
 inline void add_extra_forces(const ViewOf<Form, Real>& p) {
   clear(p.extra, 6L * Width * p.extras);
   add_damageable_forces<Form, Real, Width>(p);
+  if (p.loaded_elements > 0) add_outside_forces<Real, Width>(p);
   if (p.contact) {
     clear(p.contact, 6L * Width * p.extras);
     add_contact_forces<Form, Real, Width>(p);

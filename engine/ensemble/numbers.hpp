@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace rift::ensemble {
@@ -55,6 +56,10 @@ class Numbers {
   /// For the kernels of this precision, and for no other.
   template <class Real>
   Real* data() {
+    return const_cast<Real*>(std::as_const(*this).data<Real>());
+  }
+  template <class Real>
+  const Real* data() const {
     if constexpr (std::is_same_v<Real, float>)
       return float_.data();
     else

@@ -96,6 +96,13 @@ struct DampedRow {
   Real axial, twist, bend;  // at alpha = 1
 };
 
+/// A force from outside on an element with additional loads, for a unit of the lane's load.
+template <class Real>
+struct LoadedRow {
+  std::int32_t extra;
+  Real load[6];  // [N, N m]
+};
+
 /// Energies that are summed for each chunk of elements, so that they do not depend on who adds them up [J].
 enum Account : int {
   elastic,
@@ -127,7 +134,7 @@ struct PartView {
   Real *next_q, *next_v, *next_rate;
   Real* ring;  // forces of elements under way, slot = element & mask
   std::int32_t mask;
-  const Real* per_mass;     // [element][2]: 1/m, 1/I; 0 where gripped
+  const Real* per_mass;     // [element][6]: 1/m, 1/I; 0 where a grip or a roller holds the component
   const double* mass;       // [element][2]: m [kg], I [kg m2]
   const std::uint8_t* top;  // [element]: 1 where the moving grip holds it
   const double* base;       // [row][6] the base state, in double
@@ -138,6 +145,9 @@ struct PartView {
   Real* contact;                      // [extra element][6][lane] of their faces, null without contact
   const Real* contact_before;
   Real* next_contact_before;
+  std::int32_t loaded_elements;
+  const LoadedRow<Real>* loaded;
+  const Real* load;                   // [lane] size of the load now
   const Real* factor;                 // [damageable][lane] what is left of the stiffness
   const Real* slip;                   // [damageable][3][lane] as the forces of the step before left it [m]
   Real* slip_after;                   // where this step's leave it

@@ -64,6 +64,7 @@ class PartOf final : public Part {
     find_ghosts_and_extras(s);
     make_intact(s);
     make_damageable(s);
+    make_loaded(s);
     if (s.options.contact) make_contacts(s);
     if (s.lanes == 1) make_groups(s);
     make_damped(s);
@@ -128,6 +129,8 @@ class PartOf final : public Part {
     for (const fracture::DamageableBeam& d : s.damageable)
       see(s.lattice.ends[d.beam][0], s.lattice.ends[d.beam][1], &extra_element);
     for (const lattice::DampedBeam& d : s.damped) see(d.i, d.j, &damped_element);
+    for (int i = begin_; i < end_ && !s.outside.empty(); ++i)
+      if (!s.outside[i].isZero(0.0)) extra_element.push_back(i);
     for (auto* list : {&ghost, &extra_element, &damped_element}) {
       std::sort(list->begin(), list->end());
       list->erase(std::unique(list->begin(), list->end()), list->end());
@@ -186,6 +189,15 @@ class PartOf final : public Part {
         r->base[3 + a] = static_cast<Real>(base.moment_i[a]);
         r->base[6 + a] = static_cast<Real>(base.moment_j[a]);
       }
+    }
+  }
+
+  void make_loaded(const RowSource& s) {
+    for (int i = begin_; i < end_ && !s.outside.empty(); ++i) {
+      if (s.outside[i].isZero(0.0)) continue;
+      LoadedRow<Real>& row = loaded_.emplace_back();
+      row.extra = extra(i);
+      for (int c = 0; c < 6; ++c) row.load[c] = static_cast<Real>(s.outside[i][c]);
     }
   }
 
@@ -318,6 +330,7 @@ class PartOf final : public Part {
     w.extras = count(extra_element), w.extra_element = extra_element.data(), w.extra = extra_.data();
     w.contact = contact_.data();
     w.contact_before = w.next_contact_before = contact_before.data<Real>();
+    w.loaded_elements = count(loaded_), w.loaded = loaded_.data(), w.load = state.load.data<Real>();
     w.factor = state.factor.data<Real>();
     w.slip = state.slip.data<Real>(), w.slip_after = state.slip_after.data<Real>();
     w.in_contact = state.in_contact.data<Real>(), w.friction = state.friction.data<Real>();
@@ -350,6 +363,7 @@ class PartOf final : public Part {
   AlignedVector<Real> group_number_, group_damper_number_;
   std::vector<Dampers<Real>> dampers_;  // of the intact beams; none where nothing is damped
   std::vector<DamageableRow<Beam>> damageable_;
+  std::vector<LoadedRow<Real>> loaded_;
   std::vector<ContactRow<Beam>> contact_row_;
   std::vector<DampedRow<Real>> damped_;
   AlignedVector<Real> ring_, damping_ring_, extra_, damping_, contact_;  // null where empty

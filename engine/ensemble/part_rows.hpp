@@ -25,10 +25,12 @@ struct StateArrays {
         alpha_elsewhere(p),
         in_contact(p),
         friction(p),
+        load(p),
         slip(p),
         slip_after(p) {}
   Numbers q, v, rate, next_q, next_v, next_rate;  // as of PartView
-  Numbers per_mass, factor, alpha_at_surface, alpha_elsewhere, in_contact, friction, slip, slip_after;
+  Numbers per_mass, factor, alpha_at_surface, alpha_elsewhere, in_contact, friction, load;
+  Numbers slip, slip_after;
   AlignedVector<double> mass, base;
   std::vector<std::uint8_t> top;
 };
@@ -55,6 +57,7 @@ struct RowSource {
   const std::vector<lattice::Vector6>& base;  // N, the base state
   const std::vector<fracture::DamageableBeam>& damageable;
   const std::vector<lattice::DampedBeam>& damped;
+  const std::vector<lattice::Vector6>& outside;  // N forces and moments for a unit of load, or none
 };
 
 /// First elements of `parts` ranges with about equally many beams, and N; all but the last multiples of

@@ -30,6 +30,9 @@ class ReleaseRule {
   /// before the elements move. Factors must be such as State::rounded() gives.
   virtual void predict_damage(const State& state, std::int64_t step,
                               std::vector<DamageIncrement>& increments) = 0;
+  /// Adds the beams whose fall follows from where the elements have just moved, with their strains of the
+  /// step before (State::strain_before()); called once a step, after they moved.
+  virtual void follow_damage(const State&, std::vector<DamageIncrement>&) {}
   /// What a checkpoint needs of the rule. restore() throws std::invalid_argument where the numbers are no
   /// such rule's.
   virtual void save(NamedNumbers& numbers) const = 0;

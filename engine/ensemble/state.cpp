@@ -38,17 +38,25 @@ State::State(const lattice::Lattice& lattice, std::vector<fracture::DamageableBe
   const std::size_t factors = damageable_.size() * lanes_, n = lattice.mass.size();
   arrays_.factor.resize(factors);
   if (options_.contact) arrays_.slip.resize(3 * factors), arrays_.slip_after.resize(3 * factors);
-  for (Numbers* numbers :
-       {&arrays_.alpha_at_surface, &arrays_.alpha_elsewhere, &arrays_.in_contact, &arrays_.friction})
+  for (Numbers* numbers : {&arrays_.alpha_at_surface, &arrays_.alpha_elsewhere, &arrays_.in_contact,
+                           &arrays_.friction, &arrays_.load})
     numbers->resize(lanes_);
   const int parts = static_cast<int>(cut_.size()) - 1;
   threads_ = std::make_unique<base::ThreadPool>(parts, parts);
-  arrays_.per_mass.resize(2 * n);
+  arrays_.per_mass.resize(6 * n);
+  for (const fracture::DamageableBeam& d : damageable_) {
+    const lattice::Beam& b = lattice.beam[d.beam];
+    opening_row_.push_back({lattice.ends[d.beam][0],
+                            lattice.ends[d.beam][1],
+                            {b.axis.x(), b.axis.y(), b.axis.z()},
+                            2.0 / b.length,
+                            2.0 * b.bending / b.axial,
+                            b.twist / b.axial});
+  }
   for (std::size_t i = 0; i < n; ++i) {
     arrays_.mass.insert(arrays_.mass.end(), {lattice.mass[i], lattice.inertia[i]});
-    if (lattice.grip[i] == packing::Grip::none)
-      arrays_.per_mass.set(2 * i, 1.0 / lattice.mass[i]),
-          arrays_.per_mass.set(2 * i + 1, 1.0 / lattice.inertia[i]);
+    for (int c = 0; c < 6 && lattice.grip[i] == packing::Grip::none; ++c)
+      arrays_.per_mass.set(6 * i + c, 1.0 / (c < 3 ? lattice.mass[i] : lattice.inertia[i]));
     arrays_.top.push_back(lattice.grip[i] == packing::Grip::top);
   }
 }
@@ -100,7 +108,7 @@ double State::base_energy(int lane) const {
 
 void State::build_parts() {
   ahead_.reset();
-  const RowSource source{*lattice_, options_, lanes_, base_, damageable_, damped_};
+  const RowSource source{*lattice_, options_, lanes_, base_, damageable_, damped_, outside_};
   part_.clear();
   std::vector<int> element(base_.size());  // of each row
   for (std::size_t i = 0; i < element.size(); ++i) element[i] = static_cast<int>(i);
@@ -191,6 +199,32 @@ void State::set_top_velocity(double speed) {
       for (int lane = 0; lane < lanes_; ++lane) arrays_.v.set((i * 6 + 1) * lanes_ + lane, speed);
 }
 
+void State::set_rollers(const std::vector<int>& elements) {
+  for (const int i : elements)
+    for (const int c : {0, 4, 5}) arrays_.per_mass.set(6UL * i + c, 0.0);
+}
+
+void State::set_load(int lane, double size) {
+  const double now = load(lane);
+  arrays_.load.set(lane, size);
+  if (load(lane) != now) ahead_.reset();
+}
+
+void State::set_outside(std::vector<lattice::Vector6> forces) {
+  outside_ = std::move(forces);
+  loaded_.clear();
+  for (int i = 0; i < static_cast<int>(outside_.size()); ++i)
+    if (!outside_[i].isZero(0.0)) loaded_.push_back(i);
+}
+
+double State::work_of_unit_load(int lane, double dt) const {
+  double power = 0.0;
+  for (const int i : loaded_)
+    for (int c = 0; c < 6; ++c)
+      power += outside_[i][c] * rates()[(static_cast<std::size_t>(i) * 6 + c) * lanes_ + lane];
+  return power * dt;
+}
+
 void State::keep_rates() {
   if (arrays_.rate.empty()) arrays_.rate = arrays_.v;
 }
@@ -275,6 +309,17 @@ auto State::of_ends(const Function& function, int beam, int lane) const {
 
 lattice::BeamStrain State::strain(int beam, int lane) const {
   return of_ends([](const auto&... ends) { return lattice::strain_of(ends...); }, beam, lane);
+}
+
+lattice::BeamStrain State::strain_before(int beam, int lane, double dt) const {
+  const auto before = [&](int element) {
+    lattice::Vector6 m = motion(element, lane);
+    for (int c = 0; c < 6; ++c)
+      m[c] -= dt * rates()[(static_cast<std::size_t>(element) * 6 + c) * lanes_ + lane];
+    return m;
+  };
+  const auto& [i, j] = lattice_->ends[beam];
+  return lattice::strain_of(lattice_->beam[beam], before(i), before(j));
 }
 
 Eigen::Vector3d State::gap(int k, int lane) const {

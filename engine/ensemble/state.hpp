@@ -34,6 +34,15 @@ class State {
   /// @param[in] velocity  N [m/s, rad/s]
   void set_velocities(int lane, const std::vector<lattice::Vector6>& velocity);
   void set_top_velocity(double speed);  // along y [m/s]
+  /// Forces from outside [N, N m] of N elements for a unit of a lane's load; before set_base().
+  void set_outside(std::vector<lattice::Vector6> forces);
+  /// Elements that keep their x and do not turn about y and z: they roll on a face across x; before
+  /// set_base().
+  void set_rollers(const std::vector<int>& elements);
+  void set_load(int lane, double size);
+  double load(int lane) const { return arrays_.load[lane]; }
+  /// What a unit of load has done in the step of `dt` [s] that has just been made [J].
+  double work_of_unit_load(int lane, double dt) const;
   void set_factor(int k, int lane, double factor) {
     ahead_.reset();
     arrays_.factor.set(at(k, lane), factor);
@@ -52,6 +61,17 @@ class State {
 
   lattice::Vector6 motion(int element, int lane) const;  // since the unloaded lattice; rotation vector
   lattice::BeamStrain strain(int beam, int lane) const;
+  /// Before the step of `dt` [s] that has just been made; in linear kinematics.
+  lattice::BeamStrain strain_before(int beam, int lane, double dt) const;
+  /// A damageable beam and its equivalent opening sqrt(2 U / k_a) of the energy U that it would have
+  /// undamaged [m].
+  struct OpenBeam {
+    int k = 0;
+    double opening = 0;
+  };
+  /// The damageable beams in tension whose opening, squared, is above their threshold [m2], ascending; in
+  /// linear kinematics. @param[in] threshold  [damageable]. Cost O(damageable).
+  std::vector<OpenBeam> open_beams(int lane, const std::vector<double>& threshold) const;
   /// Energy that a beam would have undamaged [J].
   double beam_energy(int beam, int lane) const {
     return lattice::energy_of(lattice_->beam[beam], strain(beam, lane));
@@ -82,6 +102,7 @@ class State {
   void restore(const NamedNumbers& state);
 
  private:
+  const Numbers& rates() const { return arrays_.rate.empty() ? arrays_.v : arrays_.rate; }
   std::size_t at(int k, int lane) const { return static_cast<std::size_t>(k) * lanes_ + lane; }
   int position_numbers() const { return options_.kinematics == lattice::Kinematics::linear ? 6 : 7; }
   lattice::Pose pose(int element, int lane) const;
@@ -103,6 +124,17 @@ class State {
   std::vector<fracture::DamageableBeam> damageable_;
   std::vector<lattice::Vector6> base_;
   std::vector<lattice::DampedBeam> damped_;
+  std::vector<lattice::Vector6> outside_;  // N forces for a unit of load, or none
+  std::vector<int> loaded_;                // the elements that have any
+  /// What the opening of a damageable beam is made of.
+  struct OpeningRow {
+    int i, j;
+    double axis[3], two_per_length, bending, twist;  // the latter two over k_a: 2 w / k_a, k_t / k_a [m2]
+  };
+  std::vector<OpeningRow> opening_row_;  // [damageable]
+  template <class Real>
+  void open_beams_among(int first, int last, int lane, const std::vector<double>& threshold,
+                        std::vector<OpenBeam>& open) const;
   struct TopBeam {
     int beam, k;  // the latter -1 where nothing damages it
   };

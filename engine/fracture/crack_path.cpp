@@ -101,4 +101,15 @@ std::vector<DamageableBeam> damageable_beams(const CrackPath& path, const lattic
   return beams;
 }
 
+std::vector<DamageableBeam> breakable_beams(const CrackPath& path, const lattice::Lattice& lattice,
+                                            double notch_end) {
+  std::vector<DamageableBeam> beams;
+  for (int b = 0; b < static_cast<int>(lattice.beam.size()); ++b) {
+    const auto& [i, j] = lattice.ends[b];
+    beams.push_back({.beam = b, .position = 0.5 * (lattice.centre[i].x() + lattice.centre[j].x())});
+  }
+  for (const Crossing& c : crossings(path, lattice)) beams[c.beam].absent = in_notch(c, notch_end);
+  return beams;
+}
+
 }  // namespace rift::fracture

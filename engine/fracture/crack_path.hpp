@@ -58,6 +58,11 @@ struct DamageableBeam {
 std::vector<DamageableBeam> damageable_beams(const CrackPath& path, const lattice::Lattice& lattice,
                                              double notch_end);
 
+/// All beams, ascending, of which any may break by itself; those that a notch along the path cuts are absent.
+/// Their positions are the x of their middles [m].
+std::vector<DamageableBeam> breakable_beams(const CrackPath& path, const lattice::Lattice& lattice,
+                                            double notch_end);
+
 /// Whether a notch that ends at `notch_end` [m] has cut a beam from the beginning: one that is crossed at its
 /// end, too. A notch without length cuts nothing; a beam that is crossed at exactly 0 is the crack's then.
 inline bool in_notch(const Crossing& crossing, double notch_end) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "engine/fracture/cohesive_law.hpp"
 #include "engine/history/crack_history.hpp"
+#include "engine/lattice/step_load.hpp"
 
 #include <cmath>
 #include <optional>
@@ -32,11 +34,13 @@ struct LawBeyond {
 
 /// What distinguishes one lane of an ensemble from another.
 struct LaneScenario {
-  history::CrackHistory history;
-  ReleaseLaw law;
+  history::CrackHistory history = {};
+  ReleaseLaw law = {};
   std::vector<LawBeyond> later = {};                 // by position: laws that took over while the crack ran
   double alpha_at_surface = 0, alpha_elsewhere = 0;  // fractions of critical damping
   std::optional<double> friction = {};               // mu of the faces; without it they do not touch
+  std::optional<CohesiveMaterial> material = {};     // of beams that break by themselves, without a history
+  lattice::StepLoad load = {};                       // on the forces of Ensemble::set_loads()
 };
 
 /// Units of a lane: all stiffnesses of a lattice go with E_mu, so that another E_mu changes nothing but time

@@ -154,7 +154,12 @@ class Inspection {
 
   void events() {
     std::vector<std::string> columns{"beam", "lane"};
-    for (const auto& column : event_columns) columns.emplace_back(column.name);
+    for (const auto& column : event_columns) {
+      const bool since_later = column.value == &ReleaseEvent::x_m || column.value == &ReleaseEvent::y_m ||
+                               column.value == &ReleaseEvent::tension;
+      if (!since_later || contents_.contains(std::string("events/") + column.name))
+        columns.emplace_back(column.name);
+    }
     check_.events = table("events", columns);
     expect_within("events/beam", check_.beams);
   }

@@ -130,6 +130,9 @@ void JournalIndex::take(Record&& record, std::uint64_t offset) {
   }
   if (auto* geometry = std::get_if<Geometry>(&record)) geometry_ = std::move(*geometry);
   if (const auto* sample = std::get_if<Sample>(&record)) lane(sample->lane).samples.push_back(*sample);
+  if (const auto* row = std::get_if<GaugeRow>(&record)) lane(row->lane).gauges.push_back(*row);
+  if (const auto* event = std::get_if<ReleaseEvent>(&record)) lane(event->lane).events.push_back(*event);
+  if (auto* curve = std::get_if<RateCurve>(&record)) lane(curve->lane).rates = std::move(curve->points);
   if (auto* end = std::get_if<RunEnd>(&record)) summary_json_ = std::move(end->summary_json);
   if (const auto* frame = std::get_if<Frame>(&record)) {
     check_fit(path_, geometry_, *frame);

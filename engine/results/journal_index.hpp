@@ -65,8 +65,7 @@ struct FrameEntry {
 };
 
 /// A journal whose frames are read in any order, of a run that may still be going on. Memory O(geometry +
-/// samples
-/// + one frame).
+/// samples + gauges' rows + one frame).
 class JournalIndex {
  public:
   /// Reads what is whole. Throws WorldError where it cannot be read or does not begin as a journal does: with
@@ -85,6 +84,13 @@ class JournalIndex {
     return lane_.at(lane).frames;
   }
   [[nodiscard]] const std::vector<Sample>& samples(std::int32_t lane) const { return lane_.at(lane).samples; }
+  /// What gauges showed, and which beams were released, in the order of time.
+  [[nodiscard]] const std::vector<GaugeRow>& gauges(std::int32_t lane) const { return lane_.at(lane).gauges; }
+  [[nodiscard]] const std::vector<ReleaseEvent>& events(std::int32_t lane) const {
+    return lane_.at(lane).events;
+  }
+  /// The release rate against the tip; none before the run has ended.
+  [[nodiscard]] const std::vector<RatePoint>& rates(std::int32_t lane) const { return lane_.at(lane).rates; }
   /// Only where the run has ended by itself.
   [[nodiscard]] const std::optional<std::string>& summary_json() const { return summary_json_; }
   /// How the reading came to its end, and why for people.
@@ -99,6 +105,9 @@ class JournalIndex {
   struct Lane {
     std::vector<FrameEntry> frames;
     std::vector<Sample> samples;
+    std::vector<GaugeRow> gauges;
+    std::vector<ReleaseEvent> events;
+    std::vector<RatePoint> rates;
   };
   void take(Record&& record, std::uint64_t offset);
   Lane& lane(std::int32_t number);

@@ -11,10 +11,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 using L = LaneSummary;
 
+/// Whether its beams break by themselves.
+bool is_free(const L& s) { return s.crack_course == "free"; }
+
 // A column has the name of its member.
 #define COLUMN(member) (SummaryColumn{#member, &L::member})
 #define COLUMN_IF(member, is_there) (SummaryColumn{#member, &L::member, [](const L& s) { return is_there; }})
 #define WHOLE(member) (SummaryColumn{#member, WholeNumber{&L::member}})
+#define WHOLE_IF(member, is_there) \
+  (SummaryColumn{#member, WholeNumber{&L::member}, [](const L& s) { return is_there; }})
 constexpr std::array summary_table{
     COLUMN(crack_velocity_over_cr), COLUMN(crack_course),
     COLUMN_IF(history_clock_s, !std::isnan(s.history_clock_s)), WHOLE(tips), COLUMN(technique),
@@ -40,14 +45,20 @@ constexpr std::array summary_table{
     COLUMN(ledger_residual), COLUMN(ledger_limit), COLUMN(ledger_closes),
     COLUMN(prestress_energy_over_static), COLUMN(prestress_kinetic_fraction), COLUMN(outcome),
     COLUMN(outcome_where), COLUMN_IF(arrest_m, s.crack_course == "by itself"),
-    COLUMN_IF(steering, !s.steering.empty()), COLUMN(wake_cell_m), COLUMN(wake_kinetic_j),
-    COLUMN(wake_rotation_j), COLUMN(out_of_plane_m), COLUMN(wall_packing_s), COLUMN(wall_prestress_s),
-    COLUMN(wall_fracture_s), COLUMN(wall_pass_s), COLUMN(left_out), COLUMN(wall_total_s), COLUMN(cost_s),
-    COLUMN(packing_from_cache), COLUMN(prestress_from_cache), COLUMN(element_steps_per_s),
-    COLUMN(beam_steps_per_s), COLUMN(memory_peak_bytes)};
+    COLUMN_IF(release_rate_j_m2, is_free(s)), COLUMN_IF(strength_pa, is_free(s)),
+    COLUMN_IF(strength_wished_pa, is_free(s)), COLUMN_IF(kappa, is_free(s)),
+    WHOLE_IF(beams_broken, is_free(s)), WHOLE_IF(beams_softened, is_free(s)),
+    COLUMN_IF(first_broken_s, is_free(s)), COLUMN_IF(crack_leading_m, is_free(s)),
+    COLUMN_IF(fracture_energy_over_gc, is_free(s)), COLUMN_IF(steering, !s.steering.empty()),
+    COLUMN(wake_cell_m), COLUMN(wake_kinetic_j), COLUMN(wake_rotation_j), COLUMN(out_of_plane_m),
+    COLUMN(wall_packing_s), COLUMN(wall_prestress_s), COLUMN(wall_fracture_s), COLUMN(wall_pass_s),
+    COLUMN(left_out), COLUMN(wall_total_s), COLUMN(cost_s), COLUMN(packing_from_cache),
+    COLUMN(prestress_from_cache), COLUMN(element_steps_per_s), COLUMN(beam_steps_per_s),
+    COLUMN(memory_peak_bytes)};
 #undef COLUMN
 #undef COLUMN_IF
 #undef WHOLE
+#undef WHOLE_IF
 
 constexpr std::size_t of_scenario = 18;
 static_assert(std::string_view(summary_table[of_scenario - 1].name) == "seed");
@@ -171,6 +182,7 @@ std::string technique(const LaneSummary& s) { return s.technique.empty() ? "" : 
 std::string velocity(const LaneSummary& s) {
   if (!std::isnan(s.crack_velocity_over_cr)) return fmt::format("{:.3g} c_R", s.crack_velocity_over_cr);
   if (s.crack_course == "measured") return "measured history";
+  if (s.crack_course == "free") return "free crack";
   return s.crack_course == "by itself" ? "predicted velocity" : "";
 }
 

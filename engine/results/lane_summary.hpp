@@ -66,6 +66,12 @@ struct LaneSummary {
   double broberg = undefined, freund = undefined, strip = undefined;
   double error_broberg = undefined, error_converged = undefined;
 
+  // Beams that break by themselves.
+  double release_rate_j_m2 = undefined, strength_pa = undefined, strength_wished_pa = undefined;
+  double kappa = undefined, beams_broken = undefined, beams_softened = undefined;
+  double first_broken_s = undefined, crack_leading_m = undefined;
+  double fracture_energy_over_gc = undefined;  // of the leading position's advance
+
   // The energy balance at the end.
   double energy_initial_j = undefined, energy_elastic_j = undefined, energy_kinetic_translation_j = undefined;
   double energy_kinetic_rotation_j = undefined, energy_step_correction_j = undefined;

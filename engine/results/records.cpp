@@ -113,6 +113,9 @@ void fields(Codec& code, R& record) {
     code.where_any(record.elastic_energy, record.rotation);
   } else if constexpr (std::is_same_v<T, ReleaseEvent>) {
     all(record.beam, record.lane, record.time_s, record.position_m, record.energy_j);
+    code.where_any(record.x_m);
+    code.where_any(record.y_m);
+    code.where_any(record.tension);
   } else if constexpr (std::is_same_v<T, RateCurve>) {
     all(record.lane, record.points);
   } else if constexpr (std::is_same_v<T, GaugeRow>) {

@@ -89,8 +89,10 @@ struct ReleaseEvent {
   std::int32_t beam = 0;
   std::int32_t lane = 0;
   double time_s = 0;
-  double position_m = 0;  // of the tip that meets it: arc length, or half length of two tips
+  double position_m = 0;  // of the tip that meets it: arc length, or half length of two tips; x of a free one
   double energy_j = 0;    // fracture energy of its whole release
+  double x_m = 0, y_m = 0;  // of its middle, unloaded
+  double tension = 0;  // share of the axial stretch in the elastic energy as it breaks: 1 is plain tension
 };
 
 }  // namespace rift::results

@@ -67,6 +67,9 @@ inline constexpr std::array event_columns{
     Column<ReleaseEvent>{"time_s", &ReleaseEvent::time_s},
     Column<ReleaseEvent>{"position_m", &ReleaseEvent::position_m},
     Column<ReleaseEvent>{"energy_j", &ReleaseEvent::energy_j},
+    Column<ReleaseEvent>{"x_m", &ReleaseEvent::x_m},
+    Column<ReleaseEvent>{"y_m", &ReleaseEvent::y_m},
+    Column<ReleaseEvent>{"tension", &ReleaseEvent::tension},
 };
 
 /// The names of columns, a comma before each.

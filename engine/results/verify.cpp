@@ -2,6 +2,7 @@
 
 #include "engine/base/files.hpp"
 #include "engine/base/ownership.hpp"
+#include "engine/base/private_folder.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/world_error.hpp"
 #include "engine/results/archive.hpp"
@@ -13,10 +14,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <optional>
 #include <system_error>
 
@@ -41,30 +40,6 @@ void move_aside(const fs::path& path) {
 }
 
 constexpr const char* header_name = "scene/header";  // of the run, in the archive
-
-/// A folder for what is compared and thrown away, which nobody else may look into or has prepared.
-class PrivateFolder {
- public:
-  PrivateFolder() {
-    std::error_code error;
-    const fs::path base = fs::temp_directory_path(error);
-    if (error) throw base::WorldError("find the folder for temporary files", "TMPDIR", error.message());
-    std::string name = (base / "rift_verify_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw base::WorldError("create a folder in", base, std::generic_category().message(errno));
-    path_ = name;
-  }
-  ~PrivateFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 class Verifier {
  public:
@@ -190,7 +165,7 @@ class Verifier {
 
   /// Where it does not hold what the journal gives; empty where it does.
   std::string differs_from_journal(const ArchiveCheck& check) const {
-    const PrivateFolder folder;
+    const base::PrivateFolder folder("verify");
     const fs::path again = folder.path() / archive_name;
     assemble_archive(folder_, again);
     const ArchiveCheck expected = check_archive(again);

@@ -56,7 +56,7 @@ double expected_mean_radius_m(const Scene& scene) {
 }
 
 double expected_zone_m(const Scene& scene) {
-  if (scene.crack.technique == fracture::Technique::simple) return 0.0;
+  if (scene.crack.technique == fracture::Technique::simple || breaks_freely(scene)) return 0.0;
   return scene.crack.damage_zone_ratio * expected_mean_radius_m(scene);
 }
 
@@ -112,14 +112,18 @@ bool grip_moves(const Scene& scene) {
   return !curve.row.empty() && curve.of == LoadCurve::Of::displacement;
 }
 
+bool breaks_freely(const Scene& scene) { return scene.breaking.law != fracture::FractureLaw::prescribed; }
+
 bool keeps_its_velocity(const Scene& scene) {
-  return scene.crack.velocity.size() == 1 && scene.crack.history.empty() && scene.crack.toughness.row.empty();
+  return !breaks_freely(scene) && scene.crack.velocity.size() == 1 && scene.crack.history.empty() &&
+         scene.crack.toughness.row.empty();
 }
 
 double highest_velocity(const Scene& scene) {
   if (!scene.crack.history.empty())
     return history::highest_speed(smoothed_history(scene).history) / rayleigh_speed(scene);
-  double highest = scene.crack.toughness.row.empty() ? 0.0 : fastest_by_itself;
+  const bool by_itself = !scene.crack.toughness.row.empty() || breaks_freely(scene);
+  double highest = by_itself ? fastest_by_itself : 0.0;
   for (const VelocityPiece& piece : scene.crack.velocity) {
     const Speed& v = piece.speed;
     highest = std::max(highest, v.relative ? v.value : v.value / rayleigh_speed(scene));
@@ -154,7 +158,7 @@ double path_length_m(const Scene& scene) {
 
 std::array<double, 2> window_over_length(const Scene& scene) {
   if (scene.output.window) return *scene.output.window;
-  if (!scene.crack.history.empty() || !scene.crack.toughness.row.empty())
+  if (!scene.crack.history.empty() || !scene.crack.toughness.row.empty() || breaks_freely(scene))
     return {scene.crack.start / scene.specimen.length, crack_end(scene) / scene.specimen.length};
   if (scene.crack.tips == 2) {
     const double zone = expected_zone_m(scene);
@@ -177,7 +181,7 @@ double tip_path_length_m(const Scene& scene) { return path_length_m(scene) / sce
 double crack_end(const Scene& scene) {
   if (scene.crack.end) return *scene.crack.end;
   if (!scene.crack.history.empty()) return smoothed_history(scene).end;
-  if (!scene.crack.toughness.row.empty()) return tip_path_length_m(scene);
+  if (!scene.crack.toughness.row.empty() || breaks_freely(scene)) return tip_path_length_m(scene);
   return window_over_length(scene)[1] * scene.specimen.length;
 }
 
@@ -288,7 +292,7 @@ void add_sizes(DerivedList& list) {
   list.add("a thickness", length_range, "m", keys, [&] { return thickness_m(scene); });
   keys.emplace_back("specimen.radius_spread");
   list.add("a mean radius", length_range, "m", keys, [&] { return expected_mean_radius_m(scene); });
-  if (scene.crack.technique == fracture::Technique::simple) return;
+  if (scene.crack.technique == fracture::Technique::simple || breaks_freely(scene)) return;
   keys.insert(keys.begin(), "crack.damage_zone_ratio");
   list.add("a damage zone", damage_zone_range, "m", keys, [&] { return expected_zone_m(scene); });
 }
@@ -321,6 +325,7 @@ void add_material(DerivedList& list) {
 void add_strain(DerivedList& list) {
   const Scene& scene = list.scene;
   if (!can_crack(scene) || scene.loading.force || !scene.loading.curve.row.empty()) return;
+  if (scene.loading.traction) return;             // strains nothing yet as the run starts
   if (scene.loading.displacement == 0.0) return;  // strains nothing, which is told elsewhere
   list.add("a strain", strain_range(scene), "",
            {"loading.displacement", "specimen.height", "solver.kinematics", "solver.precision"},

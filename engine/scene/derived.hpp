@@ -17,6 +17,9 @@ namespace rift::scene {
 /// Whether the specimen is one that `rift run` can crack: a box with grips.
 bool can_crack(const Scene& scene);
 
+/// Whether beams break by themselves, wherever they are, and no crack is moved along a path.
+bool breaks_freely(const Scene& scene);
+
 /// The space that the packing fills.
 packing::Box box_of(const Scene& scene);
 

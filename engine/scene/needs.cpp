@@ -17,7 +17,7 @@ Needs needs_of(const Scene& scene) {
   Needs needs;
   needs.damping = scene.damping.alpha > 0 && scene.damping.region != DampingRegion::none;
   needs.numerical_damping = scene.solver.beta < 1;
-  needs.damage_zone = scene.crack.technique == fracture::Technique::progressive;
+  needs.damage_zone = scene.crack.technique == fracture::Technique::progressive && !breaks_freely(scene);
   needs.ramp = scene.loading.method == LoadingMethod::ramp;
   needs.moving_grip = grip_moves(scene);
   needs.corotation = scene.solver.kinematics == lattice::Kinematics::corotational;
@@ -44,7 +44,15 @@ struct Use {
 
 const std::vector<Use>& conditional_uses() {
   static const std::vector<Use> uses{
-      {[](const Scene& s) { return s.crack.history.empty(); }, {"crack.velocity"}},
+      {[](const Scene& s) { return s.crack.history.empty() && !breaks_freely(s); }, {"crack.velocity"}},
+      {[](const Scene& s) { return !breaks_freely(s); },
+       {"crack.end", "crack.tips", "crack.technique", "crack.toughness", "crack.history"}},
+      {[](const Scene& s) { return breaks_freely(s); },
+       {"fracture.release_rate", "fracture.kappa", "fracture.duration"}},
+      {[](const Scene& s) { return s.breaking.law == fracture::FractureLaw::cohesive; },
+       {"fracture.strength"}},
+      {[](const Scene& s) { return s.loading.traction.has_value(); },
+       {"loading.rise_time", "loading.rollers"}},
       {[](const Scene& s) { return !s.crack.history.empty(); }, {"crack.smoothing", "crack.history_gap"}},
       {[](const Scene& s) { return !s.crack.history.empty() || !s.crack.toughness.row.empty(); },
        {"crack.toughness_window"}},
@@ -56,7 +64,7 @@ const std::vector<Use>& conditional_uses() {
        {"damping.surface_width"}},
       {[](const Scene& s) { return needs_of(s).ramp; },
        {"loading.ramp_steps", "loading.hold_steps", "loading.ramp_beta"}},
-      {[](const Scene& s) { return !s.loading.force && s.loading.curve.row.empty(); },
+      {[](const Scene& s) { return !s.loading.force && s.loading.curve.row.empty() && !s.loading.traction; },
        {"loading.displacement"}},
       {[](const Scene& s) { return !s.specimen.solid_fraction; }, {"specimen.coordination"}},
       {[](const Scene& s) { return s.output.frames > 0; }, {"output.fields"}},
@@ -99,7 +107,10 @@ const std::array<Decision, 10> decisions{{
      [](const Scene&) { return std::string("beta = 1"); }},
     {{"damage_zone", unmeasured},
      [](const Needs& n) { return n.damage_zone; },
-     [](const Scene&) { return std::string("technique = simple"); },
+     [](const Scene& scene) {
+       return breaks_freely(scene) ? std::string("no crack is moved along a path")
+                                   : std::string("technique = simple");
+     },
      "each lane has a release law of its own, and nothing is computed for the others"},
     {{"ramp", unmeasured},
      [](const Needs& n) { return n.ramp; },
@@ -118,8 +129,10 @@ const std::array<Decision, 10> decisions{{
      "the lanes share a step, which evaluates the faces of all of them"},
     {{"step_energies", unmeasured},
      [](const Needs& n) { return n.step_energies; },
-     [](const Scene&) {
-       return std::string("no dissipation and no external work, energies are computed at samples only");
+     [](const Scene& scene) {
+       return fmt::format("no dissipation{}, energies are computed at samples only",
+                          scene.loading.traction ? ", the work of the traction is summed on its elements"
+                                                 : " and no external work");
      },
      "the lanes share a step, which adds up the energies of all of them"},
     {{"frames", unmeasured},

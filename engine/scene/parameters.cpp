@@ -119,6 +119,17 @@ std::vector<Parameter> loading_rows() {
        "of `crack.history` (without a history in the time of the run). The plate is at rest under the load "
        "at the start of the crack; a displacement then continues while the crack runs, a force leaves the "
        "grips where they are."},
+      {"loading.traction", "", [](Scene& s) -> Slot { return &s.loading.traction; },
+       "Opposite tractions on the top and the bottom face along y, in place of the grips: put on when the "
+       "run "
+       "starts, and held while the beams break by themselves (`fracture.law`).",
+       pressure, above(0, 1e12)},
+      {"loading.rise_time", "1 us", [](Scene& s) -> Slot { return &s.loading.rise_time; },
+       "Time in which the traction rises, in proportion to time.", time, closed(0, 10)},
+      {"loading.rollers", "false", [](Scene& s) -> Slot { return &s.loading.rollers; },
+       "With `traction`: the left and the right face slide along y on rollers, without moving along x, as "
+       "planes of "
+       "symmetry do."},
       {"loading.shear", "0", [](Scene& s) -> Slot { return &s.loading.shear; },
        "The top face moves along x too, by this many times the displacement.", none, closed(-1000, 1000)},
       {"loading.tilt", "0", [](Scene& s) -> Slot { return &s.loading.tilt; },
@@ -206,6 +217,33 @@ std::vector<Parameter> crack_rows() {
        "friction. Without the key there is no contact, as in the paper, and the faces pass through each "
        "other.",
        none, closed(0, 100)},
+  };
+}
+
+std::vector<Parameter> fracture_rows() {
+  return {
+      {"fracture.law",
+       "prescribed",
+       [](Scene& s) -> Slot { return &s.breaking.law; },
+       "What breaks the beams: a crack that moves along its path as `[crack]` says; or each beam breaks by "
+       "itself wherever it is, softening (cohesive) or all at once (snap, which radiates most of the "
+       "energy). Then `crack.path` and `crack.start` make the notch.",
+       none,
+       {},
+       {"prescribed", "cohesive", "snap"}},
+      {"fracture.release_rate", "", [](Scene& s) -> Slot { return &s.breaking.release_rate; },
+       "Critical energy release rate G_c of the material, per area of the crack.", release_rate,
+       above(0, 1e9)},
+      {"fracture.strength", "", [](Scene& s) -> Slot { return &s.breaking.strength; },
+       "Tensile strength at which a cohesive beam begins to soften; lowered, with a note, where the lattice "
+       "does not resolve the zone over which its cracks soften.",
+       pressure, above(0, 1e13)},
+      {"fracture.kappa", "0.71", [](Scene& s) -> Slot { return &s.breaking.kappa; },
+       "Energy that breaking one beam takes, over G_c times the area that it stands for: a property of the "
+       "lattice, not of the material.",
+       none, above(0, 100)},
+      {"fracture.duration", "", [](Scene& s) -> Slot { return &s.breaking.duration; },
+       "Time that the run lasts where beams break by themselves.", time, above(0, 10)},
   };
 }
 
@@ -356,8 +394,8 @@ std::vector<Parameter> film_rows() {
 
 std::vector<Parameter> all_rows() {
   std::vector<Parameter> rows;
-  for (const auto part : {specimen_rows, material_rows, loading_rows, crack_rows, damping_rows, solver_rows,
-                          output_rows, calibration_rows, film_rows}) {
+  for (const auto part : {specimen_rows, material_rows, loading_rows, crack_rows, fracture_rows, damping_rows,
+                          solver_rows, output_rows, calibration_rows, film_rows}) {
     const std::vector<Parameter> table = part();
     rows.insert(rows.end(), table.begin(), table.end());
   }

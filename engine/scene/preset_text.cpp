@@ -50,7 +50,8 @@ std::vector<const Axis*> varied_in_lanes(const Preset& preset) {
 bool has_no_say(const Parameter& row, const Scene& scene) {
   const Scene::Loading& loading = scene.loading;
   if (row.key == "crack.velocity") return !scene.crack.history.empty();
-  return row.key == "loading.displacement" && (loading.force || !loading.curve.row.empty());
+  return row.key == "loading.displacement" &&
+         (loading.force || loading.traction || !loading.curve.row.empty());
 }
 
 }  // namespace

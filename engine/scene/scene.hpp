@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/ensemble/instruction_set.hpp"
+#include "engine/fracture/cohesive_law.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
 #include "engine/fracture/release.hpp"
 #include "engine/history/crack_history.hpp"
@@ -84,11 +85,14 @@ struct Scene {
     std::optional<double> micro_poisson_ratio, micro_radius_ratio;
   } material{};
   struct Loading {
-    double displacement;          // [m] of the top face along y, in its middle; below 0 it is pressed
-    std::optional<double> force;  // [N] of the top grip at the crack's start, in place of the displacement
-    LoadCurve curve;              // in place of both
-    double shear;                 // of the displacement, along x beside it
-    double tilt;                  // of the displacement, more at the right end and less at the left one
+    double displacement;             // [m] of the top face along y, in its middle; below 0 it is pressed
+    std::optional<double> force;     // [N] of the top grip at the crack's start, in place of the displacement
+    LoadCurve curve;                 // in place of both
+    std::optional<double> traction;  // [Pa] on top and bottom, in place of the grips; from the start on
+    double rise_time;                // [s] in which the traction rises
+    bool rollers;                    // on the left and the right face, with a traction
+    double shear;                    // of the displacement, along x beside it
+    double tilt;                     // of the displacement, more at the right end and less at the left one
     LoadingMethod method;
     int ramp_steps, hold_steps;
     double ramp_beta;  // numerical damping while ramping and holding, taken out before the crack starts
@@ -110,6 +114,14 @@ struct Scene {
     double damage_zone_ratio;        // r_l = L_CZM / R_mean
     std::optional<double> friction;  // mu of the faces; without it they do not touch
   } crack{};
+  /// What breaks the beams.
+  struct Fracture {
+    fracture::FractureLaw law;
+    std::optional<double> release_rate;  // G_c [J/m2]
+    std::optional<double> strength;      // sigma_t [Pa]
+    double kappa;                        // energy of breaking a beam over G_c times its area
+    std::optional<double> duration;      // [s] of a run whose crack nobody moves
+  } breaking{};
   struct Damping {
     double alpha;  // fraction of critical
     DampingRegion region;

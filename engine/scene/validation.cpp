@@ -40,13 +40,16 @@ std::string where(const Preset& preset, const std::string& key) {
   return origin.line == 0 ? origin.file : fmt::format("line {}", origin.line);
 }
 
-constexpr std::array<std::pair<const char*, const char*>, 9> exclusive{
+constexpr std::array<std::pair<const char*, const char*>, 12> exclusive{
     {{"specimen.thickness", "specimen.layers"},
      {"specimen.solid_fraction", "specimen.coordination"},
      {"material.density", "material.rayleigh_speed"},
      {"loading.force", "loading.displacement"},
      {"loading.curve", "loading.displacement"},
      {"loading.curve", "loading.force"},
+     {"loading.traction", "loading.displacement"},
+     {"loading.traction", "loading.force"},
+     {"loading.traction", "loading.curve"},
      {"crack.history", "crack.velocity"},
      {"crack.history", "crack.toughness"},
      {"solver.dt", "solver.dt_fraction"}}};
@@ -164,8 +167,48 @@ void check_curve(Checks& c) {
     c.say(key, "moves the grip along y alone: leave loading.tilt and loading.shear out");
 }
 
+/// What a crack that nobody moves needs, and what does not go with it yet.
+void check_breaking(Checks& c) {
+  if (!c.valid({"fracture.law"})) return;
+  const Scene::Fracture& breaking = c.scene.breaking;
+  const std::string law = word_of("fracture.law", breaking.law);
+  if (!breaks_freely(c.scene)) {
+    for (const char* key :
+         {"fracture.release_rate", "fracture.strength", "fracture.duration", "loading.traction"})
+      if (c.given(key)) c.say(key, "goes with fracture.law = \"cohesive\" or \"snap\" only");
+    return;
+  }
+  const bool snaps = breaking.law == fracture::FractureLaw::snap;
+  std::vector<std::string> missing;
+  for (const char* key : {"fracture.release_rate", "fracture.strength", "fracture.duration"})
+    if (!c.given(key) && !(snaps && std::string_view(key) == "fracture.strength")) missing.emplace_back(key);
+  if (!missing.empty()) c.say("fracture.law", fmt::format("needs {} as well", listed(missing, "and")));
+  if (snaps && c.given("fracture.strength"))
+    c.say("fracture.strength",
+          "goes with fracture.law = \"cohesive\" only: a beam that snaps bears what its "
+          "release rate says");
+  const auto excluded = [&](bool is_so, const char* key) {
+    if (is_so && c.valid({key})) c.say(key, fmt::format("does not go with fracture.law = \"{}\" yet", law));
+  };
+  excluded(c.scene.solver.kinematics == lattice::Kinematics::corotational, "solver.kinematics");
+  excluded(c.scene.loading.method == LoadingMethod::ramp, "loading.method");
+  excluded(c.scene.damping.region != DampingRegion::none, "damping.region");
+  excluded(c.scene.crack.tips == 2, "crack.tips");
+  excluded(c.scene.crack.friction.has_value(), "crack.friction");
+  for (const char* key : {"crack.history", "crack.toughness"})
+    if (c.given(key))
+      c.say(key, fmt::format("does not go with fracture.law = \"{}\": nobody moves that crack", law));
+}
+
 void check_loading(Checks& c) {
   const Scene::Loading& loading = c.scene.loading;
+  if (loading.rollers && !loading.traction)
+    c.say("loading.rollers", "goes with loading.traction only: the grips hold the plate");
+  if (loading.traction) {
+    if (loading.tilt != 0.0 || loading.shear != 0.0)
+      c.say("loading.traction", "goes without loading.tilt and loading.shear, which are the grips'");
+    return;
+  }
   const bool ramp = loading.method == LoadingMethod::ramp;
   if (loading.tilt != 0.0 && ramp) c.say("loading.tilt", "goes with loading.method = \"static\" only");
   if (loading.shear != 0.0 && ramp) c.say("loading.shear", "goes with loading.method = \"static\" only");
@@ -376,6 +419,7 @@ std::vector<Issue> validate(const Preset& preset, const std::set<std::string>& i
   check_micro(checks);
   if (!checks.valid({"specimen.shape"}) || !can_crack(preset.scene)) return std::move(checks.issues);
   check_damping(checks);
+  check_breaking(checks);
   check_loading(checks);
   check_gauges(checks);
   check_rows(checks);

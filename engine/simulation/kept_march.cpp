@@ -29,8 +29,9 @@ namespace rift::simulation {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rest, since, driving, reference, sum, looks, restarted_m)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(LaneSlot, scenario, next_sample, next_frame, framed_at, rest,
                                                 since_s)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BrokenBeams, gone, softened, first_s, leading_m)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LaneResult, outcome, steps, where, worst_residual, prestress_kinetic,
-                                   energy_at_crack_start, wall_s, arrested_m, changes, wake)
+                                   energy_at_crack_start, wall_s, arrested_m, changes, broken, wake)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(MarchNotes, lanes, instructions, dt, marched, lane_steps,
                                                 next_scenario, cracking, wall_prestress_s, wall_fracture_s,
                                                 seats, lane)

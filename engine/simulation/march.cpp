@@ -1,6 +1,7 @@
 #include "engine/simulation/march.hpp"
 
 #include "engine/base/process_limits.hpp"
+#include "engine/ensemble/breaking_beams.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/scene/issue.hpp"
 #include "engine/simulation/march_run.hpp"
@@ -34,6 +35,22 @@ int most_side_by_side(const Prepared& p, int wished) {
   const ensemble::Precision precision = p.preset.scene.solver.precision;
   return moves_one_grip(p) ? ensemble::most_lanes(precision)
                            : ensemble::lanes_in_register(precision, ensemble::instruction_set());
+}
+
+/// Within so many mean radii gone beams count as near each other.
+constexpr double near_radii = 2.0;
+
+bool breaks_freely(const Prepared& p) { return scene::breaks_freely(p.preset.scene); }
+
+std::vector<fracture::DamageableBeam> damageable_beams(const Prepared& p) {
+  const double notch = p.preset.scene.crack.start;
+  return breaks_freely(p) ? fracture::breakable_beams(p.path, p.lattice, notch)
+                          : fracture::damageable_beams(p.path, p.lattice, notch);
+}
+
+Eigen::Vector2d middle_of(const lattice::Lattice& lattice, int beam) {
+  const auto& [i, j] = lattice.ends[beam];
+  return 0.5 * (lattice.centre[i].head<2>() + lattice.centre[j].head<2>());
 }
 
 std::vector<fracture::LaneScenario> first_scenarios(const Prepared& p, int side_by_side) {
@@ -112,13 +129,13 @@ Run::Run(const Prepared& prepared, const Observer& observer, const MarchOptions&
     : prepared_(prepared),
       observer_(observer),
       lane_(prepared.lane),
-      tips_(std::make_shared<ensemble::PrescribedTips>(prepared.step.dt)),
-      ensemble_(
-          prepared.lattice,
-          fracture::damageable_beams(prepared.path, prepared.lattice, prepared.preset.scene.crack.start),
-          prepared.step.dt, first_scenarios(prepared, options.lanes), ensemble_options(prepared, options),
-          tips_),
-      slot_(ensemble_.scenarios()) {
+      tips_(breaks_freely(prepared) ? nullptr : std::make_shared<ensemble::PrescribedTips>(prepared.step.dt)),
+      ensemble_(prepared.lattice, damageable_beams(prepared), prepared.step.dt,
+                first_scenarios(prepared, options.lanes), ensemble_options(prepared, options),
+                tips_ ? std::shared_ptr<ensemble::ReleaseRule>(tips_)
+                      : std::make_shared<ensemble::BreakingBeams>(prepared.lattice, prepared.step.dt)),
+      slot_(ensemble_.scenarios()),
+      gone_(tips_ ? 0 : slot_.size(), fracture::GoneBeams(near_radii * prepared.lattice.mean_radius)) {
   result_.lane.resize(prepared.lane.size());
   for (LaneSlot& slot : slot_) {
     slot.scenario = next_scenario_++;
@@ -131,6 +148,8 @@ Run::Run(const Prepared& prepared, const Observer& observer, const MarchOptions&
 }
 
 RunResult Run::march(const Resumption* from) {
+  if (!prepared_.outside.empty()) ensemble_.set_loads(prepared_.outside);
+  ensemble_.set_rollers(prepared_.rollers);
   ensemble_.start_from(prepared_.displacement);
   result_.threads = ensemble_.threads();
   if (from)
@@ -210,6 +229,7 @@ void Run::refill() {
     slot = {.scenario = next_scenario_++, .since_s = marching_s()};
     ensemble_.set_units(index(slot), plan(slot).units);
     ensemble_.refill(index(slot), plan(slot).scenario);
+    if (!tips_) find_gone(slot);
     lane_of(slot).energy_at_crack_start = ensemble_.balance(index(slot)).elastic;
     observe(slot);
   }
@@ -225,8 +245,8 @@ void Run::end(LaneSlot& slot) {
   lane.steps = steps(slot);
   lane.wall_s = (marching_s() - slot.since_s) / static_cast<double>(slot_.size());
   result_.wall_fracture_s = marching_s();
-  if (lane.outcome == Outcome::finished)
-    lane.wake = wake_of(prepared_, ensemble_, index(slot), tips_->tip(index(slot)));
+  if (lane.outcome == Outcome::finished) lane.wake = wake_of(prepared_, ensemble_, index(slot), tip(slot));
+  if (!tips_) count_broken(slot);
   if (observer_.last_moment) observer_.last_moment(snapshot({}), slot.scenario);
   tell_end(slot);
   slot.scenario = -1;
@@ -277,7 +297,7 @@ void Run::tell_frame(LaneSlot& slot) {
 results::Frame Run::frame(const LaneSlot& slot, const std::vector<std::string>& fields) {
   results::Frame frame = frame_of(ensemble_, index(slot), fields);
   frame.lane = slot.scenario;
-  frame.tip_m = tips_->tip(index(slot));
+  frame.tip_m = tip(slot);
   return frame;
 }
 
@@ -289,9 +309,41 @@ results::Sample Run::sample(const LaneSlot& slot) {
   sample.phase = phase_at(sample.step);
   sample.lane = slot.scenario;
   sample.grip_force_n = ensemble_.grip_force(lane);
-  sample.tip_m = tips_->tip(lane);
-  if (ensemble_.cracking()) sample.velocity_m_s = tips_->speed(lane) / plan(slot).units.time;
+  sample.tip_m = tip(slot);
+  if (ensemble_.cracking()) sample.velocity_m_s = speed(slot);
   return sample;
+}
+
+double Run::tip(const LaneSlot& slot) const {
+  const int lane = index(slot);
+  return tips_ ? tips_->tip(lane) : gone_[lane].leading().value_or(scene().crack.start);
+}
+
+double Run::speed(const LaneSlot& slot) {
+  return tips_ ? tips_->speed(index(slot)) / plan(slot).units.time : 0.0;
+}
+
+void Run::note_gone(int lane, int k) {
+  gone_[lane].add(middle_of(prepared_.lattice, ensemble_.damageable()[k].beam));
+}
+
+void Run::find_gone(const LaneSlot& slot) {
+  const int lane = index(slot);
+  gone_[lane] = fracture::GoneBeams(near_radii * prepared_.lattice.mean_radius);
+  for (int k = 0; k < static_cast<int>(ensemble_.damageable().size()); ++k)
+    if (!ensemble_.damageable()[k].absent && ensemble_.factor(k, lane) == 0.0) note_gone(lane, k);
+}
+
+void Run::count_broken(LaneSlot& slot) {
+  BrokenBeams& broken = lane_of(slot).broken;
+  const fracture::GoneBeams& gone = gone_[index(slot)];
+  broken.gone = gone.count();
+  broken.leading_m = gone.leading().value_or(-1.0);
+  broken.softened = 0;
+  for (int k = 0; k < static_cast<int>(ensemble_.damageable().size()); ++k) {
+    const double left = ensemble_.factor(k, index(slot));
+    broken.softened += left > 0.0 && left < 1.0;
+  }
 }
 
 void Run::add_sample(LaneSlot& slot) {
@@ -332,15 +384,27 @@ void Run::read_gauges(const LaneSlot& slot) {
 }
 
 void Run::report_released() {
-  if (!observer_.event) return;
   for (const ensemble::DamageIncrement& d : ensemble_.damage()) {
     if (d.after != 0.0 || slot_[d.lane].scenario < 0) continue;
+    if (!tips_) {
+      note_gone(d.lane, d.k);
+      double& first = lane_of(slot_[d.lane]).broken.first_s;
+      if (first < 0.0) first = ensemble_.time(d.lane);
+    }
+    if (!observer_.event) continue;
     const fracture::DamageableBeam& beam = ensemble_.damageable()[d.k];
-    observer_.event({.beam = beam.beam,
-                     .lane = slot_[d.lane].scenario,
-                     .time_s = ensemble_.time(d.lane),
-                     .position_m = beam.position,
-                     .energy_j = ensemble_.fracture_energy(d.k, d.lane)});
+    const lattice::Beam& form = prepared_.lattice.beam[beam.beam];
+    const Eigen::Vector2d middle = middle_of(prepared_.lattice, beam.beam);
+    const double energy = lattice::energy_of(form, d.strain);
+    observer_.event(
+        {.beam = beam.beam,
+         .lane = slot_[d.lane].scenario,
+         .time_s = ensemble_.time(d.lane),
+         .position_m = beam.position,
+         .energy_j = ensemble_.fracture_energy(d.k, d.lane),
+         .x_m = middle.x(),
+         .y_m = middle.y(),
+         .tension = energy > 0.0 ? 0.5 * form.axial * d.strain.stretch * d.strain.stretch / energy : 0.0});
   }
 }
 

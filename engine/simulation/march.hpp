@@ -70,6 +70,13 @@ struct Observer {
 enum class Outcome { finished, stopped, diverged };
 const char* name_of(Outcome outcome);
 
+/// What became of beams that break by themselves.
+struct BrokenBeams {
+  int gone = 0, softened = 0;  // of the latter something is left; the notch's are not counted
+  double first_s = -1;         // when the first was gone; below 0: none is
+  double leading_m = -1;       // GoneBeams::leading(); below 0: there is none
+};
+
 /// What one scenario came to. Steps and times are its own: the same whatever ran beside it.
 struct LaneResult {
   Outcome outcome = Outcome::finished;
@@ -80,6 +87,7 @@ struct LaneResult {
   std::int64_t last_good_step = -1;      // at which the energy balance was looked at and not hopeless
   double prestress_kinetic = 0;          // kinetic over total energy when the crack started (ramp)
   double energy_at_crack_start = 0;      // elastic [J]
+  BrokenBeams broken;
   fracture::Wake wake;                 // when it finished, of two heights behind the tip, or between two tips
   double wall_s = 0;                   // its share of the time while its crack ran
   std::vector<scene::Change> changes;  // those that were made, its own velocities among them

@@ -222,6 +222,8 @@ void Run::go_on(const Resumption& from) {
   }
   if (notes.cracking) begin_cracking(damped_beams(prepared_, lane_));
   ensemble_.restore(from.checkpoint.state);
+  for (const LaneSlot& slot : slot_)
+    if (!tips_ && slot.scenario >= 0) find_gone(slot);
   marched_ = notes.marched, result_.lane_steps = notes.lane_steps, next_scenario_ = notes.next_scenario;
   count_steps();
   start_clock(notes.cracking ? notes.wall_fracture_s : notes.wall_prestress_s);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/clock.hpp"
+#include "engine/fracture/gone_beams.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/application_phase.hpp"
 #include "engine/simulation/kept_march.hpp"
@@ -80,6 +81,14 @@ class Run {
   void report_released();
   void add_sample(LaneSlot& slot);
   void read_gauges(const LaneSlot& slot);
+  /// Where a lane's crack is now [m]: its tip, or how far beams have broken by themselves.
+  double tip(const LaneSlot& slot) const;
+  /// Of its tip, in its own time [m/s]; 0 of one that nobody moves.
+  double speed(const LaneSlot& slot);
+  /// Takes note of a beam that broke by itself; of all that have so far, in a lane just put in.
+  void note_gone(int lane, int k);
+  void find_gone(const LaneSlot& slot);
+  void count_broken(LaneSlot& slot);
   results::Sample sample(const LaneSlot& slot);
   results::Frame frame(const LaneSlot& slot, const std::vector<std::string>& fields);
   void tell_end(const LaneSlot& slot) {
@@ -124,11 +133,12 @@ class Run {
 
   const Prepared& prepared_;
   const Observer& observer_;
-  std::vector<LanePlan> lane_;  // as they are after the changes so far
-  std::shared_ptr<ensemble::PrescribedTips> tips_;
+  std::vector<LanePlan> lane_;                      // as they are after the changes so far
+  std::shared_ptr<ensemble::PrescribedTips> tips_;  // null where beams break by themselves
   ensemble::Ensemble ensemble_;
   RunResult result_;
   std::vector<LaneSlot> slot_;
+  std::vector<fracture::GoneBeams> gone_;  // of each slot, where beams break by themselves
   int next_scenario_ = 0;
   std::int64_t marched_ = 0;  // steps of the ensemble
   std::int64_t total_ = 0;

@@ -2,6 +2,7 @@
 
 #include "engine/base/clock.hpp"
 #include "engine/base/interrupted.hpp"
+#include "engine/lattice/face_tractions.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/lattice/statics.hpp"
 #include "engine/packing/packing.hpp"
@@ -36,7 +37,8 @@ void build_specimen(Prepared& p, base::Cache& cache, const StageProgress& progre
     throw SpecimenRefused(scene::packing_issue(p.preset, error));
   }
   try {
-    p.specimen = packing::make_plate(packing, request.box, scene.specimen.contact_tolerance);
+    const auto make = scene.loading.traction ? packing::make_free_specimen : packing::make_plate;
+    p.specimen = make(packing, request.box, scene.specimen.contact_tolerance);
   } catch (const packing::PackingError& error) {
     throw SpecimenRefused(scene::issue_at(p.preset, "specimen.elements", error.what()));
   }
@@ -46,6 +48,7 @@ void build_specimen(Prepared& p, base::Cache& cache, const StageProgress& progre
 /// Where the preset says how the plate is loaded.
 const char* load_key(const scene::Scene& scene) {
   if (!scene.loading.curve.row.empty()) return "loading.curve";
+  if (scene.loading.traction) return "loading.traction";
   return scene.loading.force ? "loading.force" : "loading.displacement";
 }
 
@@ -90,6 +93,12 @@ LanePlan plan_lane(const Prepared& p, const scene::Scene& scene) {
   const double length = scene.specimen.length;
   const auto window = scene::window_over_length(scene);
   lane.window = {window[0] * length, window[1] * length};
+  if (scene::breaks_freely(scene)) {
+    lane.scenario.material = breaking_material(p, scene, lane.units);
+    lane.scenario.load = {scene.loading.traction.value_or(0.0) / lane.units.energy,
+                          scene.loading.rise_time / lane.units.time};
+    return lane;
+  }
   lane.scenario.law = release_law(scene, p.lattice);
   auto [history, lead] = lane_history(scene, lane.scenario.law.zone_length, p.rayleigh_speed, lane.units);
   lane.scenario.history = std::move(history);
@@ -190,8 +199,8 @@ std::vector<scene::Issue> each_once(const LanesRefused::Issues& of) {
 }  // namespace
 
 std::string specimen_key(const scene::Scene& scene) {
-  return fmt::format("{} contacts within {:a}", packing::key_of(scene::request_of(scene)),
-                     scene.specimen.contact_tolerance);
+  return fmt::format("{} contacts within {:a}{}", packing::key_of(scene::request_of(scene)),
+                     scene.specimen.contact_tolerance, scene.loading.traction ? " free" : "");
 }
 
 LanesRefused::LanesRefused(Issues found) : InputError(each_once(found)), of(std::move(found)) {}
@@ -231,6 +240,19 @@ void set_damping(fracture::LaneScenario& scenario, const scene::Scene& scene) {
   scenario.alpha_elsewhere = region == scene::DampingRegion::all ? scene.damping.alpha : 0.0;
 }
 
+fracture::CohesiveMaterial breaking_material(const Prepared& p, const scene::Scene& scene,
+                                             const LaneUnits& units) {
+  fracture::CohesiveMaterial material{.law = scene.breaking.law,
+                                      .release_rate = scene.breaking.release_rate.value() / units.energy,
+                                      .strength = 0.0,
+                                      .young_modulus = scene.material.young_modulus / units.energy,
+                                      .kappa = scene.breaking.kappa};
+  if (material.law == fracture::FractureLaw::cohesive)
+    material.strength = std::min(scene.breaking.strength.value() / units.energy,
+                                 fracture::resolved_strength(p.lattice, material));
+  return material;
+}
+
 double lattice_speed(const Prepared& p, const scene::Speed& speed, const LaneUnits& units) {
   return scene::speed_m_s(speed, p.rayleigh_speed) * units.time;
 }
@@ -255,7 +277,10 @@ void take_lanes(Prepared& p, std::vector<LanePlan> lanes) {
   }
   refuse_out_of_range(p, step_numbers(p));
   for (LanePlan& lane : p.lane)
-    lane.schedule = make_schedule(lane.scene, lane.scenario.history, p.step.dt, lane.crack_end, lane.window);
+    lane.schedule =
+        scene::breaks_freely(lane.scene)
+            ? schedule_of_duration(lane.scene, p.step.dt * lane.units.time)
+            : make_schedule(lane.scene, lane.scenario.history, p.step.dt, lane.crack_end, lane.window);
 }
 
 fracture::RateScale scale_of(const Prepared& prepared, const LanePlan& lane) {
@@ -289,6 +314,20 @@ Prepared prepare(const scene::Preset& preset, const std::vector<scene::Scene>& l
     base::tell_or_stop(stage(progress, "pre-stress"), 1.0, "solving the pre-stress");
   } catch (const lattice::StaticsError& error) {
     throw scene::InputError({scene::issue_at(p.preset, load_key(scene), error.what())});
+  }
+  if (scene.loading.traction) {
+    try {
+      p.outside = lattice::opposite_tractions(p.lattice, 1);
+    } catch (const packing::PackingError& error) {
+      throw scene::InputError({scene::issue_at(p.preset, "loading.traction", error.what())});
+    }
+    std::fill(p.lattice.grip.begin(), p.lattice.grip.end(), packing::Grip::none);
+    for (const packing::Boundary face : {packing::Boundary::left, packing::Boundary::right}) {
+      if (!scene.loading.rollers) continue;
+      const std::vector<int> at_face =
+          packing::elements_at(p.lattice.box, face, p.lattice.centre, p.lattice.radius, packing::grip_depth);
+      p.rollers.insert(p.rollers.end(), at_face.begin(), at_face.end());
+    }
   }
   p.gauge = gauges_of(p);
   p.stable = cached_stable_step(p, cache, stage(progress, "critical step"));
@@ -345,14 +384,14 @@ template <class Rows, class Of>
 void add_extremes(std::vector<scene::DerivedNumber>& numbers, const char* name, const char* unit,
                   const scene::Range& range, const Keys& keys, const Rows& rows, const Of& of) {
   if (rows.empty()) return;
-  double least = of(rows.front()), greatest = least;
+  double smallest = of(rows.front()), largest = smallest;
   for (const auto& row : rows) {
     const double value = of(row);
-    if (!(value >= least)) least = value;  // NaN, too
-    if (!(value <= greatest)) greatest = value;
+    if (!(value >= smallest)) smallest = value;  // NaN, too
+    if (!(value <= largest)) largest = value;
   }
-  numbers.push_back({std::string("an element or a beam with ") + name, least, range, unit, keys});
-  if (greatest != least) numbers.push_back({numbers.back().name, greatest, range, unit, keys});
+  numbers.push_back({std::string("an element or a beam with ") + name, smallest, range, unit, keys});
+  if (largest != smallest) numbers.push_back({numbers.back().name, largest, range, unit, keys});
 }
 
 }  // namespace
@@ -414,6 +453,16 @@ std::vector<scene::DerivedNumber> step_numbers(const Prepared& p) {
     const char* chosen = scene.solver.dt            ? "solver.dt"
                          : scene.solver.dt_fraction ? "solver.dt_fraction"
                                                     : "crack.damage_zone_ratio";
+    if (scene::breaks_freely(scene)) {
+      const Keys keys{"fracture.duration", "solver.dt", "solver.dt_fraction"};
+      numbers.push_back({"a step", p.step.dt * lane.units.time, step_range, "s", keys});
+      numbers.push_back({"a run",
+                         *scene.breaking.duration / (p.step.dt * lane.units.time),
+                         {1.0, most_steps},
+                         "steps",
+                         keys});
+      continue;
+    }
     const Keys keys{course, chosen, "damping.alpha", "crack.start", "crack.end", "specimen.length"};
     numbers.push_back({"a step", p.step.dt * lane.units.time, step_range, "s", keys});
     const double steps = steps_of_crack(lane.scenario.history, p.step.dt, lane.crack_end);

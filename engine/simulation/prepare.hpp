@@ -49,6 +49,7 @@ struct LanePlan {
   double lead = 0;                 // [s] from the start of the crack to a measured history's first row
   double crack_end = 0;            // tip position [m]
   std::array<double, 2> window{};  // tip positions [m]
+  double strength_wished = 0;      // of beams that break by themselves, before the lattice's limit [Pa]
   TimeStep step;                   // its own, whatever marches beside it
   std::size_t beams_damped = 0;    // by itself
   Schedule schedule;               // in steps of the run
@@ -70,6 +71,9 @@ struct Prepared {
   std::vector<lattice::Vector6>
       displacement;  // at the start of the run: at rest and pulled, or none for a ramp
   fracture::CrackPath path;
+  /// N forces and moments of opposite tractions of 1 Pa on top and bottom; none where grips hold the plate.
+  std::vector<lattice::Vector6> outside;
+  std::vector<int> rollers;  // elements that roll on the left or the right face
   std::vector<lattice::Gauge> gauge;
   std::vector<LanePlan> lane;
   std::vector<lattice::DampedBeam> damped;  // those that any lane damps
@@ -121,6 +125,9 @@ std::vector<lattice::DampedBeam> damped_beams(const Prepared& prepared, std::spa
 /// speed.
 fracture::ReleaseLaw release_law(const scene::Scene& scene, const lattice::Lattice& lattice);
 void set_damping(fracture::LaneScenario& scenario, const scene::Scene& scene);
+/// The law of beams that break by themselves, with the strength that the lattice resolves.
+fracture::CohesiveMaterial breaking_material(const Prepared& prepared, const scene::Scene& scene,
+                                             const LaneUnits& units);
 double lattice_speed(const Prepared& prepared, const scene::Speed& speed, const LaneUnits& units);
 
 /// The largest stable step [s] where the beams are damped as much as any of the lanes damps them.

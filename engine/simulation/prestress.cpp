@@ -169,10 +169,10 @@ std::string notch_key(const scene::Scene& scene) {
 }  // namespace
 
 std::string statics_key(const Prepared& p) {
-  return fmt::format("{} tolerance {:a} micro {:a} {:a} {:a}",
-                     packing::key_of(scene::request_of(p.preset.scene)),
-                     p.preset.scene.specimen.contact_tolerance, p.micro.young_modulus, p.micro.poisson_ratio,
-                     p.micro.radius_ratio);
+  return fmt::format(
+      "{} tolerance {:a}{} micro {:a} {:a} {:a}", packing::key_of(scene::request_of(p.preset.scene)),
+      p.preset.scene.specimen.contact_tolerance, p.preset.scene.loading.traction ? " free" : "",
+      p.micro.young_modulus, p.micro.poisson_ratio, p.micro.radius_ratio);
 }
 
 std::string dynamics_key(const Prepared& p) {
@@ -216,6 +216,11 @@ void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progr
   if (scene.crack.start > 0.0) notch = notch_key(scene);
   for (const fracture::Crossing& c : fracture::crossings(p.path, p.lattice))
     if (fracture::in_notch(c, scene.crack.start)) notched[c.beam] = 0;
+  if (scene.loading.traction) {
+    p.displacement.assign(p.lattice.centre.size(), lattice::Vector6::Zero());
+    p.scale = scale_against(p, *scene.breaking.release_rate, cache, progress);
+    return;
+  }
   const std::optional<double> force = scene::force_at_start(scene);
   p.pulled = force ? displacement_under(*force, statics, p.lattice, notched, notch)
                    : scene::displacement_at_start(scene);

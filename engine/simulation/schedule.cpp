@@ -104,4 +104,13 @@ Schedule make_schedule(const scene::Scene& scene, const history::CrackHistory& h
   return s;
 }
 
+Schedule schedule_of_duration(const scene::Scene& scene, double dt) {
+  Schedule s;
+  s.fracture = static_cast<std::int64_t>(std::ceil(*scene.breaking.duration / dt));
+  add_even(s.samples, 0, s.total(), scene.output.samples);
+  if (scene.output.frames > 0) add_even(s.frames, 0, s.total(), scene.output.frames);
+  sort_unique(s.samples), sort_unique(s.frames);
+  return s;
+}
+
 }  // namespace rift::simulation

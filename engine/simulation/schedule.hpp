@@ -65,4 +65,7 @@ double steps_of_crack(const history::CrackHistory& history, double dt, double en
 Schedule make_schedule(const scene::Scene& scene, const history::CrackHistory& history, double dt, double end,
                        const std::array<double, 2>& window);
 
+/// Of a run that lasts fracture.duration: even samples and frames over it. @param[in] dt  [s], of the scene
+Schedule schedule_of_duration(const scene::Scene& scene, double dt);
+
 }  // namespace rift::simulation

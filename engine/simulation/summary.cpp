@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace rift::simulation {
 namespace {
@@ -37,14 +38,17 @@ double history_clock(const Prepared& p, const LanePlan& lane) {
 void add_scenario(results::LaneSummary& s, const Prepared& p, const LanePlan& lane) {
   const scene::Scene& scene = lane.scene;
   if (scene::keeps_its_velocity(scene)) s.crack_velocity_over_cr = scene::highest_velocity(scene);
-  s.crack_course = !scene.crack.history.empty()         ? "measured"
+  s.crack_course = scene::breaks_freely(scene)          ? "free"
+                   : !scene.crack.history.empty()       ? "measured"
                    : !scene.crack.toughness.row.empty() ? "by itself"
                    : scene.crack.velocity.size() == 1   ? "constant"
                                                         : "piecewise";
   s.history_clock_s = history_clock(p, lane);
   s.tips = scene.crack.tips;
   s.technique = scene::word_of("crack.technique", scene.crack.technique);
-  if (scene.crack.technique == fracture::Technique::progressive) {
+  if (scene::breaks_freely(scene)) {
+    s.technique = scene::word_of("fracture.law", scene.breaking.law);
+  } else if (scene.crack.technique == fracture::Technique::progressive) {
     s.relaxation = scene.crack.relaxation;
     s.relaxation_name = scene::relaxation_name(scene.crack.relaxation);
     s.damage_zone_ratio = scene.crack.damage_zone_ratio;
@@ -158,6 +162,27 @@ void add_energy_balance(results::LaneSummary& s, const Prepared& p, const LanePl
     for (const scene::Change& c : r.changes) s.steering.push_back({c.step, c.axis, c.value});
 }
 
+/// What became of beams that break by themselves.
+void add_broken(results::LaneSummary& s, const Prepared& p, const LanePlan& lane, const LaneResult& r) {
+  const auto& material = lane.scenario.material;
+  if (!material) return;
+  s.release_rate_j_m2 = material->release_rate * lane.units.energy;
+  s.kappa = material->kappa;
+  if (material->law == fracture::FractureLaw::cohesive) {
+    s.strength_pa = material->strength * lane.units.energy;
+    s.strength_wished_pa = *lane.scene.breaking.strength;
+  }
+  s.beams_broken = r.broken.gone;
+  s.beams_softened = r.broken.softened;
+  if (r.broken.first_s >= 0.0) s.first_broken_s = r.broken.first_s;
+  if (r.broken.leading_m < 0.0) return;
+  s.crack_leading_m = r.broken.leading_m;
+  const double advance = r.broken.leading_m - lane.scene.crack.start;
+  if (advance > 0.0 && !r.samples.empty())
+    s.fracture_energy_over_gc =
+        r.samples.back().fracture_j / (s.release_rate_j_m2 * p.lattice.box.thickness * advance);
+}
+
 /// The motion that the crack has left behind; empty where it did not come to its end.
 void add_wake(results::LaneSummary& s, const fracture::Wake& wake) {
   s.wake_cell_m = wake.cell_m;
@@ -251,8 +276,8 @@ Rates rates_of(const Prepared& prepared, const RunResult& result, int lane) {
   std::vector<results::Sample> rows;
   for (const results::Sample& row : result.lane[lane].samples)
     if (row.phase == results::Phase::fracture) rows.push_back(row);
-  if (rows.size() < 2) return {};
   const LanePlan& plan = prepared.lane[lane];
+  if (rows.size() < 2 || scene::breaks_freely(plan.scene)) return {};
   const fracture::RateScale scale = scale_of(prepared, plan);
   Rates rates{fracture::plateau_of(rows, plan.window, scale), fracture::rate_curve(rows, scale)};
   if (changed_in_window(prepared, result, lane)) rates.plateau.reached = false;
@@ -279,7 +304,7 @@ Json header_of(const Prepared& prepared, const BuildInfo& build) {
           {"g_i0_j_m2", fracture::mean_g_i0(scale_of(prepared, first), first.window[0], first.window[1])},
           {"rate_scales", rate_scales_of(prepared)},
           {"rayleigh_speed_m_s", prepared.rayleigh_speed},
-          {"tips", prepared.path.tips},
+          {"tips", scene::breaks_freely(scene) ? 0 : prepared.path.tips},  // none to be drawn on the path
           {"path", path_of(prepared)},
           {"displacement_m", largest_displacement(prepared)},
           {"grip_moves", scene::grip_moves(scene)},
@@ -300,6 +325,7 @@ results::LaneSummary lane_summary(const Prepared& prepared, const RunResult& res
   add_step(summary, prepared, lane, result, result.lane[k], build);
   add_rates(summary, prepared, lane, rates);
   add_energy_balance(summary, prepared, lane, result.lane[k]);
+  add_broken(summary, prepared, lane, result.lane[k]);
   add_wake(summary, result.lane[k].wake);
   add_costs(summary, prepared, result, result.lane[k], wall_total_s);
   summary.left_out = scene::left_out(lane.scene);
@@ -321,6 +347,11 @@ results::Geometry geometry_of(const Prepared& prepared) {
     g.position.push_back({static_cast<float>(c.x()), static_cast<float>(c.y()), static_cast<float>(c.z())});
   for (double r : prepared.specimen.radius) g.radius.push_back(static_cast<float>(r));
   for (const auto& [i, j] : lattice.ends) g.beam.push_back({i, j});
+  if (scene::breaks_freely(prepared.preset.scene)) {
+    g.crossing.resize(lattice.beam.size());
+    std::iota(g.crossing.begin(), g.crossing.end(), 0);
+    return g;
+  }
   for (const fracture::Crossing& c : fracture::crossings(prepared.path, lattice))
     g.crossing.push_back(c.beam);
   std::sort(g.crossing.begin(), g.crossing.end());

@@ -65,6 +65,7 @@ constexpr double critical_radii = 0.63;        // critical step x c_r / R
 constexpr double preparation_steps = 10000.0;  // packing and static solve last as long as so many steps
 
 double crack_time(const scene::Scene& scene) {
+  if (scene::breaks_freely(scene)) return *scene.breaking.duration;
   if (!scene.crack.history.empty())
     return history::time_of_arrival(scene::smoothed_history(scene).history, scene::crack_end(scene));
   std::vector<history::SpeedUntil> pieces;

@@ -107,7 +107,13 @@ void add_film_options(CLI::App& command, FilmOptions& options) {
       ->check(CLI::Range(0.0, 1000.0));
   add("--close-up", request.close_up_m, "Height of a close-up [m]")->check(CLI::Range(1e-6, 100.0));
   add("--title", request.title, "Title above the picture")->type_name("TITLE");
-  command.add_flag("--no-chart", options.no_chart, "Leave out the chart of the energy budget")->group(group);
+  CLI::Option* chart =
+      add("--chart", request.chart,
+          "Under the picture: none, growing: the energy budget up to the moment, whole: energy budget and "
+          "G_ID/G_I0 of the whole run with a line at the moment")
+          ->type_name("NAME")
+          ->check(CLI::IsMember({"none", "growing", "whole"}));
+  command.add_flag("--no-chart", options.no_chart, "The same as --chart none")->group(group)->excludes(chart);
   command.add_flag("--no-text", options.no_text, "Leave out titles, colour bars and scales")->group(group);
   command.add_flag("--large-text", request.large_text, "Large text for lecture halls")->group(group);
   add("--size", options.size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
@@ -119,10 +125,23 @@ void add_film_options(CLI::App& command, FilmOptions& options) {
       ->capture_default_str();
 }
 
+void add_drawn_runs(CLI::App& command, std::vector<std::string>& runs, FilmOptions& options,
+                    const std::string& done) {
+  command
+      .add_option("run", runs,
+                  fmt::format("Folders of one to four runs, {} with one clock and one colour scale", done))
+      ->type_name("FOLDER")
+      ->required();
+  command
+      .add_option("--lane", options.request.lanes,
+                  "Lane of each run; repeat the option for more lanes (default: all)")
+      ->check(CLI::NonNegativeNumber);
+}
+
 std::vector<std::string> read_look(FilmOptions& options) {
   std::vector<std::string> notes;
   read_size(options, notes);
-  if (options.no_chart) options.request.chart = false;
+  if (options.no_chart) options.request.chart = viz::word_of(viz::Chart::none);
   options.request.texts = !options.no_text;
   if (!options.view.empty()) options.request.view = read_view(options.view);
   options.request.range_of_moment = options.range == "moment";

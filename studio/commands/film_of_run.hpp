@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace rift::studio {
 
@@ -23,6 +24,11 @@ struct FilmOptions {
 
 /// --field, --size, --camera, ... @param several_lanes  whether lanes can be chosen
 void add_film_options(CLI::App& command, FilmOptions& options);
+
+/// The runs that are drawn, one to four, and --lane.
+/// @param done  "drawn", "shown"
+void add_drawn_runs(CLI::App& command, std::vector<std::string>& runs, FilmOptions& options,
+                    const std::string& done);
 
 /// Reads size and range into the request. @return what was changed of them, for the user. Throws
 /// viz::BadRequest.

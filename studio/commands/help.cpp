@@ -34,7 +34,8 @@ constexpr std::array<Explained, 6> variable_table{
       "cells."},
      {"RIFT_PRESETS", "The folder of presets, in place of the one that was installed."},
      {"RIFT_SIMD",
-      "The instruction set of the kernels, baseline or AVX2, in place of the widest that the processor has."},
+      "The instruction set of the kernels, baseline, AVX2 or AVX-512, in place of the widest that the processor "
+      "has."},
      {"XDG_CACHE_HOME", "Packings and static solutions are kept in its folder rift (~/.cache/rift)."},
      {"XDG_DATA_HOME",
       "Presets of your own are kept in its folder rift/presets (~/.local/share/rift/presets)."}}};

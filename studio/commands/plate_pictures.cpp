@@ -5,7 +5,9 @@
 namespace rift::studio {
 
 MakePlatePicture plate_pictures(const std::filesystem::path& programs) {
-  return [programs](const std::filesystem::path& run) { return plate_of_run(run, programs); };
+  return [programs](const std::vector<std::filesystem::path>& runs) {
+    return plate_of_runs(runs, programs);
+  };
 }
 
 }  // namespace rift::studio

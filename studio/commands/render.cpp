@@ -177,15 +177,7 @@ ExitCode render(RenderOptions options) try {
 void add_render(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command = *app.add_subcommand("render", "Films and pictures of a run, without a display");
   const auto options = std::make_shared<RenderOptions>();
-  command
-      .add_option("run", options->runs,
-                  "Folders of one to four runs, drawn with one clock and one colour scale")
-      ->type_name("FOLDER")
-      ->required();
-  command
-      .add_option("--lane", options->look.request.lanes,
-                  "Lane of each run; repeat the option for more lanes (default: all)")
-      ->check(CLI::NonNegativeNumber);
+  add_drawn_runs(command, options->runs, options->look, "drawn");
   command
       .add_option("--film", options->film,
                   "Film: .mp4, .webm or .gif (default: film_FIELD.mp4 in the run's folder)")

@@ -32,6 +32,7 @@ ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session,
 bool panel_there() { return Terminal::there(); }
 
 std::optional<simulation::Recorded> run_in_panel(RunRequest request, bool color, const StopSignal& stop) {
+  const GraphicsWish wish = graphics_wish("rift run", {});  // refused before anything starts
   AppContext context = app_context(request.threads);
   auto screen = std::make_unique<RunScreen>(context, std::move(request), true);
   const RunScreen& panel = *screen;
@@ -42,8 +43,7 @@ std::optional<simulation::Recorded> run_in_panel(RunRequest request, bool color,
     line.show("run", panel.live().done, panel.live().state);
   };
   work_in_terminal(
-      std::move(screen), color, [&] { return stop.received() != 0; }, go_on_unseen,
-      graphics_wish("rift run", {}));
+      std::move(screen), color, [&] { return stop.received() != 0; }, go_on_unseen, wish);
   run->stop();
   return run->result();
 }

@@ -31,9 +31,9 @@ ExitCode open_studio(const StudioOptions& options) {
         why);
     return ExitCode::bad_input;
   }
+  const GraphicsWish wish = graphics_wish("rift studio", {});  // refused before a lesson's run starts
   AppContext context = app_context(options.threads);
-  return work_in_terminal(first_screen(options, context), Session("rift studio", options),
-                          graphics_wish("rift studio", {}));
+  return work_in_terminal(first_screen(options, context), Session("rift studio", options), wish);
 }
 
 }  // namespace

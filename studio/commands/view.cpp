@@ -52,15 +52,7 @@ void add_view(CLI::App& app, ExitCode& exit_code) {
   CLI::App& command =
       *app.add_subcommand("view", "A run's pictures in the terminal: played, turned, zoomed and asked");
   const auto options = std::make_shared<ViewOptions>();
-  command
-      .add_option("run", options->runs,
-                  "Folders of one to four runs, shown with one clock and one colour scale")
-      ->type_name("FOLDER")
-      ->required();
-  command
-      .add_option("--lane", options->look.request.lanes,
-                  "Lane of each run; repeat the option for more lanes (default: all)")
-      ->check(CLI::NonNegativeNumber);
+  add_drawn_runs(command, options->runs, options->look, "shown");
   add_graphics_options(command, options->graphics);
   add_color_option(command, options->color);
   add_film_options(command, options->look);

@@ -30,9 +30,10 @@ ExitCode watch(const WatchOptions& options) {
         why, options.run);
     return ExitCode::bad_input;
   }
+  const GraphicsWish wish = graphics_wish("rift watch", {});
   AppContext context = app_context(0);
   auto screen = std::make_unique<WatchScreen>(context, options.run);
-  return work_in_terminal(std::move(screen), Session("rift watch", options), graphics_wish("rift watch", {}));
+  return work_in_terminal(std::move(screen), Session("rift watch", options), wish);
 }
 
 }  // namespace

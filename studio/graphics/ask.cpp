@@ -67,7 +67,7 @@ Asked ask_terminal(int in, int out, const TerminalKind& kind, std::chrono::milli
     const int width = size.ws_xpixel / size.ws_col, height = size.ws_ypixel / size.ws_row;
     if (is_cell(width, height)) found.cell_width = width, found.cell_height = height;
   }
-  return {found, answers.typed()};
+  return {found, answers.complete(), answers.typed()};
 }
 
 }  // namespace rift::studio

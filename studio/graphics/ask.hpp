@@ -8,7 +8,8 @@ namespace rift::studio {
 
 struct Asked {
   Capabilities capabilities;
-  std::string typed;  // meanwhile
+  bool complete = false;  // the last of the answers has come
+  std::string typed;      // meanwhile
 };
 
 /// Asks the terminal behind two descriptors, for so long at most, with its modes set so that nothing is

@@ -67,6 +67,8 @@ Config config_of(const ScreenPicture& picture, const CanvasKind& kind) {
   chafa_canvas_config_set_dither_mode(config.get(), CHAFA_DITHER_MODE_NONE);
   chafa_canvas_config_set_preprocessing_enabled(config.get(), FALSE);
   chafa_canvas_config_set_work_factor(config.get(), 0.5F);
+  // A letter that is repeated by a code (REP) is not repeated by every terminal.
+  chafa_canvas_config_set_optimizations(config.get(), CHAFA_OPTIMIZATION_REUSE_ATTRIBUTES);
   const Symbols map(chafa_symbol_map_new());
   // Half blocks are in every font with any blocks at all.
   const auto blocks = static_cast<ChafaSymbolTags>(CHAFA_SYMBOL_TAG_SPACE | CHAFA_SYMBOL_TAG_SOLID |

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rift::studio {
 namespace {
 
@@ -54,15 +56,18 @@ std::string PictureEncoder::show_pixels(const ScreenPicture& picture) {
 }
 
 std::string PictureEncoder::show_symbols(const ScreenPicture& picture) {
-  std::vector<std::string> rows =
+  if (!same_place(picture.area, shown_)) rows_.clear();
+  rows_.resize(static_cast<std::size_t>(picture.area.height));
+  const std::vector<std::string> lines =
       lines_of(canvas_bytes(picture, {graphics_, kind_, cell_width_, cell_height_, image_}));
-  const bool anew = !same_place(picture.area, shown_);
-  std::string bytes;
-  for (std::size_t y = 0; y < rows.size() && y < static_cast<std::size_t>(picture.area.height); ++y)
-    if (anew || y >= rows_.size() || rows[y] != rows_[y])
-      bytes += at_cell(picture.area.x, picture.area.y + static_cast<int>(y)) + rows[y];
-  rows_ = std::move(rows);
-  return bytes;
+  SymbolChanges changes;
+  for (std::size_t y = 0; y < std::min(lines.size(), rows_.size()); ++y) {
+    std::vector<SymbolCell> row = cells_of(lines[y]);
+    if (picture.moves) std::for_each(row.begin(), row.end(), make_coarse);
+    changes.add(picture.area.x, picture.area.y + static_cast<int>(y), rows_[y], row);
+    rows_[y] = std::move(row);
+  }
+  return changes.codes();
 }
 
 std::string PictureEncoder::clear(const Area& area) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studio/graphics/protocol.hpp"
+#include "studio/graphics/symbol_cells.hpp"
 #include "studio/screen/screen_picture.hpp"
 
 #include <string>
@@ -17,8 +18,8 @@ class PictureEncoder {
   /// Whether this build can show pictures at all.
   [[nodiscard]] static bool there();
 
-  /// The picture in its rectangle; cursor and colours are as before. Symbols: only rows that differ from what
-  /// the last picture showed there.
+  /// The picture in its rectangle; cursor and colours are as before. Symbols: only cells that differ from what
+  /// the last picture showed there, of one that moves in coarser colours.
   [[nodiscard]] std::string show(const ScreenPicture& picture);
   /// Blanks its rectangle.
   [[nodiscard]] std::string clear(const Area& area);
@@ -34,7 +35,7 @@ class PictureEncoder {
   int cell_width_, cell_height_;
   int image_ = 1;  // kitty's number of the image; the next has the other of two
   Area shown_;
-  std::vector<std::string> rows_;  // of symbols that are shown
+  std::vector<std::vector<SymbolCell>> rows_;  // of symbols that are shown
 };
 
 /// Puts the cursor into a cell.

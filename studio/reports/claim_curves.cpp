@@ -23,12 +23,12 @@ namespace {
 
 using Style = ChartSeries::Style;
 using Points = std::vector<std::pair<double, double>>;  // tip position over length, value
+using Rows = std::vector<study::SummaryRow>;
 
 constexpr double half_width = 0.02, between = 0.01;  // of the length
 
-std::map<double, std::vector<study::SummaryRow>> rows_by_velocity(const claims::Evidence& evidence,
-                                                                  claims::Selection selection) {
-  std::map<double, std::vector<study::SummaryRow>> rows;
+std::map<double, Rows> rows_by_velocity(const claims::Evidence& evidence, claims::Selection selection) {
+  std::map<double, Rows> rows;
   for (const study::SummaryRow& row : claims::rows_in(evidence, std::move(selection)))
     rows[row.crack_velocity_over_cr].push_back(row);
   for (auto& [v, of_v] : rows)
@@ -69,52 +69,51 @@ ChartSeries running_mean(const std::string& label, const std::vector<Points>& sp
   return curve;
 }
 
-void set_up(Chart& chart) {
+std::string velocity_label(double v) { return fmt::format("{:g} c_R", v); }
+
+/// One curve of a velocity's specimens each, against the tip's position, with the moment of the first echo.
+template <class CurveOf>
+bool draw_velocities(Chart& chart, const claims::Evidence& evidence, claims::Selection selection,
+                     const CurveOf& curve_of) {
   chart.x_label = "tip position / length [-]";
   chart.x_range = {0.0, {}};
+  ChartSeries echo = echo_marks();
+  for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
+    ChartSeries curve = curve_of(velocity_label(v), rows);
+    if (curve.x.empty()) continue;
+    mark_echo(echo, curve, rows.front().echo_free_over_length);
+    chart.series.push_back(std::move(curve));
+  }
+  shade_in_order(chart.series);
+  if (!echo.x.empty()) chart.series.push_back(std::move(echo));
+  return !chart.series.empty();
 }
-
-std::string velocity_label(double v) { return fmt::format("{:g} c_R", v); }
 
 }  // namespace
 
 bool draw_ratio_against_position(Chart& chart, const claims::Evidence& evidence,
                                  claims::Selection selection) {
-  set_up(chart);
   chart.y_label = "G_{ID} / G_{I0}, mean over 0.04 L [-]";
   chart.y_range = {0.0, {}};
-  ChartSeries echo = echo_marks();
-  for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
-    std::vector<Points> specimens;
-    for (const study::SummaryRow& row : rows) specimens.push_back(fracture_points(evidence, row, "ratio"));
-    ChartSeries curve = running_mean(velocity_label(v), specimens);
-    if (curve.x.empty()) continue;
-    mark_echo(echo, curve, rows.front().echo_free_over_length);
-    chart.series.push_back(std::move(curve));
-  }
-  shade_in_order(chart.series);
-  if (!echo.x.empty()) chart.series.push_back(std::move(echo));
-  return !chart.series.empty();
+  return draw_velocities(chart, evidence, std::move(selection),
+                         [&](const std::string& label, const Rows& rows) {
+                           std::vector<Points> specimens;
+                           for (const study::SummaryRow& row : rows)
+                             specimens.push_back(fracture_points(evidence, row, "ratio"));
+                           return running_mean(label, specimens);
+                         });
 }
 
 bool draw_fracture_against_position(Chart& chart, const claims::Evidence& evidence,
                                     claims::Selection selection) {
-  set_up(chart);
   chart.y_label = "fracture energy [J]";
-  ChartSeries echo = echo_marks();
-  for (const auto& [v, rows] : rows_by_velocity(evidence, std::move(selection))) {
-    ChartSeries curve =
-        series_of(velocity_label(v), Style::line, 0,
-                  fracture_points(evidence, rows.front(), "energy_fracture_j"), [](const auto& p) {
-                    return ChartPoint{p.first, p.second};
-                  });
-    if (curve.x.empty()) continue;
-    mark_echo(echo, curve, rows.front().echo_free_over_length);
-    chart.series.push_back(std::move(curve));
-  }
-  shade_in_order(chart.series);
-  if (!echo.x.empty()) chart.series.push_back(std::move(echo));
-  return !chart.series.empty();
+  return draw_velocities(
+      chart, evidence, std::move(selection), [&](const std::string& label, const Rows& rows) {
+        return series_of(label, Style::line, 0, fracture_points(evidence, rows.front(), "energy_fracture_j"),
+                         [](const auto& p) {
+                           return ChartPoint{p.first, p.second};
+                         });
+      });
 }
 
 std::vector<ChartSeries> theory_curves(double poisson_ratio, theory::Plane plane) {

@@ -7,9 +7,10 @@
 namespace rift::studio {
 
 struct HomeLayout {
-  Area head, search, list, detail, foot;
+  Area head, search, list, preview, detail, foot;
 };
-[[nodiscard]] HomeLayout home_layout(int width, int height);
+/// @param preview  whether a plate is shown beside the list, or below it where the screen is narrow
+[[nodiscard]] HomeLayout home_layout(int width, int height, bool preview = false);
 
 struct FormLayout {
   Area head, search, rows, derived, detail, foot;
@@ -17,10 +18,11 @@ struct FormLayout {
 [[nodiscard]] FormLayout form_layout(int width, int height);
 
 struct CompareLayout {
-  Area head, titles, table, rates, foot;
+  Area head, titles, table, plates, rates, foot;
 };
-/// @param columns  scenarios beside each other
-[[nodiscard]] CompareLayout compare_layout(int width, int height, int columns);
+/// @param columns  scenarios beside each other;  @param plates  whether their plates are shown, for which the
+/// numbers of the narrow screen give way
+[[nodiscard]] CompareLayout compare_layout(int width, int height, int columns, bool plates = false);
 
 struct StudyLayout {
   Area head, chosen, grid, velocities, errors, foot;

@@ -44,18 +44,22 @@ bool shows_velocity(const Live& live, const LiveLook& look) {
   return look.velocity && live.lanes[look.shown].velocity.size() == live.geometry->position.size();
 }
 
-void draw_plate_of(Canvas& canvas, const Area& area, const Live& live, int k, bool velocity, Ink title,
+/// Of several lanes the first line of a plate's place is its title.
+Area below_title(Area area, std::size_t lanes) {
+  if (lanes > 1) ++area.y, --area.height;
+  return area;
+}
+
+void draw_plate_of(Canvas& canvas, const Area& area, const Live& live, int k, const LiveLook& look, Ink title,
                    Glyphs glyphs) {
   if (area.empty() || live.geometry == nullptr) return;
   const LiveLane& lane = live.lanes[k];
-  Area plate = area;
-  if (live.lanes.size() > 1) {
+  if (live.lanes.size() > 1)
     canvas.text(area.x, area.y, fmt::format("{} {}", k + 1, lane.title), {title, true}, area.width);
-    ++plate.y, --plate.height;
-  }
-  PlateLook look{live.length, live.height, live.pulled, lane.tips};
-  if (velocity) look.velocity = lane.velocity, look.fastest = live.fastest;
-  draw_plate(canvas, plate, *live.geometry, lane.displacement, look, glyphs);
+  if (look.picture) return;
+  PlateLook plate{live.length, live.height, live.pulled, lane.tips};
+  if (look.velocity) plate.velocity = lane.velocity, plate.fastest = live.fastest;
+  draw_plate(canvas, below_title(area, live.lanes.size()), *live.geometry, lane.displacement, plate, glyphs);
 }
 
 /// What the colours of the plates mean.
@@ -83,10 +87,11 @@ LiveLayout layout_of(const Live& live, const LiveLook& look, int width, int heig
   return live_layout(width, height, static_cast<int>(live.lanes.size()), two, aspect);
 }
 
-Area place_of_plates(const LiveLayout& layout) {
+Area place_of_plates(const Live& live, const LiveLook& look, int width, int height) {
+  const LiveLayout layout = layout_of(live, look, width, height);
   Area place = layout.plate;
   if (!layout.plate_beside.empty()) place.width = layout.plate_beside.x + layout.plate_beside.width - place.x;
-  return place;
+  return below_title(place, live.lanes.size());
 }
 
 void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs) {
@@ -97,10 +102,9 @@ void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs gl
   canvas.text(layout.foot.x, layout.foot.y, look.foot, {Ink::dim}, layout.foot.width);
   if (live.lanes.empty()) return;
   const LiveLane& lane = live.lanes[look.shown];
-  if (!look.picture)
-    draw_plate_of(canvas, layout.plate, live, look.shown, look.velocity, Ink::fracture, glyphs);
-  if (!look.picture && !layout.plate_beside.empty())
-    draw_plate_of(canvas, layout.plate_beside, live, look.beside, look.velocity, Ink::elastic, glyphs);
+  draw_plate_of(canvas, layout.plate, live, look.shown, look, Ink::fracture, glyphs);
+  if (!layout.plate_beside.empty())
+    draw_plate_of(canvas, layout.plate_beside, live, look.beside, look, Ink::elastic, glyphs);
   draw_colours(canvas, layout.colours, live, look, glyphs);
   draw_balance(canvas, layout.balance, lane, live.ledger_limit, glyphs);
   draw_result(canvas, layout.result, lane, glyphs);

@@ -63,9 +63,9 @@ struct LiveLayout {
 /// @param two  plates beside each other; @param aspect  length over height of a plate
 [[nodiscard]] LiveLayout live_layout(int width, int height, int lanes, bool two, double aspect);
 
-/// The layout of this screen, and where its plates are, one beside the other.
+/// The layout of this screen, and where its plates are below their titles, one beside the other.
 [[nodiscard]] LiveLayout layout_of(const Live& live, const LiveLook& look, int width, int height);
-[[nodiscard]] Area place_of_plates(const LiveLayout& layout);
+[[nodiscard]] Area place_of_plates(const Live& live, const LiveLook& look, int width, int height);
 
 /// Draws the screen.
 void draw_live(Canvas& canvas, const Live& live, const LiveLook& look, Glyphs glyphs);

@@ -16,7 +16,7 @@ struct PictureRoom {
   double bytes_per_s = 0;                // that the terminal takes, as last measured; 0 where not yet
   double bytes_per_pixel = 0;            // of the last picture
   std::uint64_t shown = 0;               // the number of the last picture that it was sent
-  bool rough = false;                    // that picture was sent in letters, for it moved on a slow line
+  bool rough = false;  // it moved and was sent in letters, on a slow line, or in coarser colours
 };
 
 /// A picture in a rectangle of cells, which the screen leaves blank.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr auto patience = std::chrono::milliseconds(300);
 constexpr auto write_patience = std::chrono::seconds(2);
+constexpr double late_s = 2;  // by which an answer may be late over a slow line
 constexpr const char* ends_string = "\033\\";
 constexpr const char* have_you_got_it = "\033[5n";
 
@@ -20,6 +21,7 @@ double now_s() { return base::seconds_since(base::Clock::time_point{}); }
 
 std::string TerminalPictures::ask() {
   const Asked asked = ask_terminal(STDIN_FILENO, STDOUT_FILENO, kind_, patience);
+  attributes_until_s_ = asked.complete ? 0 : now_s() + late_s;
   // One that has answered before is late this time.
   if (asked.capabilities.answers || !found_.answers) found_ = asked.capabilities;
   answers_ = found_.answers;
@@ -39,7 +41,7 @@ std::string TerminalPictures::ask() {
 
 const PictureRoom& TerminalPictures::room() {
   room_.shown = number_;
-  room_.rough = in_letters_;
+  room_.rough = in_letters_ || coarse_;
   room_.bytes_per_s = pace_ ? pace_->bytes_per_s() : 0;
   return room_;
 }
@@ -67,6 +69,7 @@ void TerminalPictures::show(const std::optional<ScreenPicture>& picture) {
     write(bytes + (answers_ ? have_you_got_it : ""));
     pace_->written(now_s());
   }
+  coarse_ = picture->moves && room_.symbols;
   room_.bytes_per_pixel = static_cast<double>(bytes.size()) / picture->width / picture->height;
   shown_ = picture->area;
   number_ = picture->number;
@@ -87,11 +90,15 @@ void TerminalPictures::forget_size() {
   if (answers_) encoder_.reset();
 }
 
-void TerminalPictures::taken() {
-  if (pace_) pace_->taken(now_s());
+void TerminalPictures::take_answer(std::string_view sequence) {
+  if (sequence == "\033[0n" && pace_) pace_->taken(now_s());
+  if (sequence.starts_with("\033[?") && sequence.ends_with('c')) attributes_until_s_ = 0;
 }
 
-void TerminalPictures::forget_answer() {
+bool TerminalPictures::awaits_attributes() const { return now_s() < attributes_until_s_; }
+
+void TerminalPictures::forget_answers() {
+  attributes_until_s_ = 0;
   if (pace_) pace_->forget();
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace rift::studio {
 
@@ -37,12 +38,13 @@ class TerminalPictures {
   void take_away();
   /// The terminal has another size: it is asked again.
   void forget_size();
-  /// It has answered that it took the picture.
-  void taken();
-  /// Whether that answer is still to come.
-  [[nodiscard]] bool awaits_answer() const { return pace_ && pace_->waits(); }
-  /// It is no longer waited for.
-  void forget_answer();
+  /// An answer of the terminal, a whole control sequence: that it took the picture, or, late, what it is.
+  void take_answer(std::string_view sequence);
+  /// Whether the answer to a picture is still to come, and whether that to the question what it is.
+  [[nodiscard]] bool awaits_picture() const { return pace_ && pace_->waits(); }
+  [[nodiscard]] bool awaits_attributes() const;
+  /// They are no longer waited for.
+  void forget_answers();
   /// Control codes that ncurses does not know.
   void write(const std::string& codes);
   /// What takes a picture away in a crash.
@@ -55,9 +57,10 @@ class TerminalPictures {
   GraphicsWish wish_;
   TerminalKind kind_;
   std::optional<PictureEncoder> encoder_, letters_;  // letters: while it moves on a slow line
-  bool in_letters_ = false;
+  bool in_letters_ = false, coarse_ = false;  // coarse: symbols of a picture that moves
   double pixels_bytes_ = 0;  // of the last picture in pixels
   std::optional<PicturePace> pace_;
+  double attributes_until_s_ = 0;  // it may still answer what it is; 0 where it has
   Capabilities found_;                     // as last answered
   bool answers_ = true, cut_off_ = false;  // cut off: the last codes were not written to their end
   PictureRoom room_;

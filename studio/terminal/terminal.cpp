@@ -270,17 +270,20 @@ void Terminal::report_drags(bool wanted) {
 void Terminal::give_back() {
   report_drags(false);
   pictures_->take_away();
-  await_answer();
+  await_answers();
   endwin();
 }
 
-/// The answer to the last picture would be typed into the shell.
-void Terminal::await_answer() {
+/// Answers that come later would be typed into the shell.
+void Terminal::await_answers() {
   using Clock = std::chrono::steady_clock;
-  if (!pictures_->awaits_answer()) return;
   const auto until = Clock::now() + std::chrono::milliseconds(500);
-  while (pictures_->awaits_answer() && Clock::now() < until) (void)key_event(20);
-  pictures_->forget_answer();
+  const auto awaited = [&] {
+    return pictures_->awaits_attributes() || (pictures_->awaits_picture() && Clock::now() < until);
+  };
+  if (!awaited()) return;
+  while (awaited()) (void)key_event(20);
+  pictures_->forget_answers();
   drop_typed();
 }
 
@@ -378,7 +381,7 @@ KeyEvent Terminal::escape() {
       break;
     }
     if (length > 0) {
-      if (sequence == "\033[0n") pictures_->taken();
+      pictures_->take_answer(sequence);
       return {};
     }
     timeout(between_letters_ms);

@@ -79,7 +79,7 @@ class Terminal {
   void guard();
   [[nodiscard]] KeyEvent escape();
   void give_back();
-  void await_answer();
+  void await_answers();
 
   bool color_, away_ = false, drags_ = false;
   Glyphs glyphs_;

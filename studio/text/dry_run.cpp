@@ -97,6 +97,15 @@ Json derived(const simulation::Prepared& p, double seconds_per_step) {
   j["window_m"] = lane.window;
   j["echo_free_m"] = scene::echo_free_tip_m(lane.scene, simulation::wave_speed_ratio(p, lane));
   j["damage_zone_m"] = zone;
+  if (const auto& material = lane.scenario.material) {
+    j["release_rate_j_m2"] = material->release_rate * lane.units.energy;
+    j["kappa"] = material->kappa;
+    if (lane.scene.breaking.strength) {
+      j["strength_pa"] = material->strength * lane.units.energy;
+      j["strength_wished_pa"] = *lane.scene.breaking.strength;
+    }
+  }
+  if (scene.loading.traction) j["traction_pa"] = *scene.loading.traction;
   j["dt_s"] = dt;
   j["dt_critical_s"] = p.step.critical * lane.units.time;
   j["dt_critical_damped_s"] = p.step.critical_damped * lane.units.time;
@@ -128,6 +137,52 @@ std::string window_text(const Json& j) {
                      mm(j.at("window_m")[1]), echo);
 }
 
+/// The load, and what breaks the beams.
+using Rows = std::vector<std::pair<std::string, std::string>>;
+void add_load(Rows& rows, const Json& j) {
+  const auto number = [&](const char* key) { return j.at(key).get<double>(); };
+  if (j.contains("traction_pa")) {
+    rows.emplace_back("load",
+                      fmt::format("opposite tractions of {:.4g} MPa on top and bottom, from the start on",
+                                  1e-6 * number("traction_pa")));
+    return;
+  }
+  rows.emplace_back(
+      "load",
+      fmt::format("top grip displaced by {:.4g} mm, {:.3g} % of the height; grip force {:.4g} kN",
+                  1e3 * number("displacement_m"), 100 * number("strain"), 1e-3 * number("grip_force_n")));
+  rows.emplace_back(
+      "pre-stress",
+      fmt::format(
+          "{:.4g} J stored, G_I0 = {:.5g} kJ/m² {}", number("energy_stored_j"), 1e-3 * number("g_i0_j_m2"),
+          j.at("g_i0_reference") == "griffith" ? "(griffith, mean over the window)" : "of the strip"));
+}
+
+void add_crack(Rows& rows, const Json& j) {
+  const auto number = [&](const char* key) { return j.at(key).get<double>(); };
+  if (!j.contains("release_rate_j_m2")) {
+    rows.emplace_back("crack", fmt::format("{}{:.0f} m/s to {:.4g} mm in {:.4g} ms, damage zone {:.4g} mm",
+                                           number("tips") == 2 ? "two tips, half length at " : "",
+                                           number("crack_speed_m_s"), 1e3 * number("crack_end_m"),
+                                           1e3 * number("fracture_time_s"), 1e3 * number("damage_zone_m")));
+    rows.emplace_back("", window_text(j));
+    return;
+  }
+  rows.emplace_back(
+      "crack", fmt::format("beams break by themselves for {:.4g} µs, G_c = {:.5g} J/m², kappa {:g}",
+                           1e6 * number("fracture_time_s"), number("release_rate_j_m2"), number("kappa")));
+  if (!j.contains("strength_pa")) return;
+  const double strength = number("strength_pa"), wished = number("strength_wished_pa");
+  rows.emplace_back(
+      "strength",
+      fmt::format("{:.4g} MPa{}", 1e-6 * strength,
+                  strength < wished
+                      ? fmt::format(", lowered from {:.4g} MPa, for which this lattice would need "
+                                    "elements of {:.3g} times the size",
+                                    1e-6 * wished, strength * strength / (wished * wished))
+                      : ""));
+}
+
 }  // namespace
 
 Json dry_run(const simulation::Prepared& prepared, int threads) {
@@ -149,18 +204,8 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
   row("waves",
       fmt::format("dilatational {:.0f}, shear {:.0f}, Rayleigh {:.0f} m/s", number("dilatational_speed_m_s"),
                   number("shear_speed_m_s"), number("rayleigh_speed_m_s")));
-  row("load",
-      fmt::format("top grip displaced by {:.4g} mm, {:.3g} % of the height; grip force {:.4g} kN",
-                  1e3 * number("displacement_m"), 100 * number("strain"), 1e-3 * number("grip_force_n")));
-  row("pre-stress",
-      fmt::format(
-          "{:.4g} J stored, G_I0 = {:.5g} kJ/m² {}", number("energy_stored_j"), 1e-3 * number("g_i0_j_m2"),
-          j.at("g_i0_reference") == "griffith" ? "(griffith, mean over the window)" : "of the strip"));
-  row("crack", fmt::format("{}{:.0f} m/s to {:.4g} mm in {:.4g} ms, damage zone {:.4g} mm",
-                           number("tips") == 2 ? "two tips, half length at " : "", number("crack_speed_m_s"),
-                           1e3 * number("crack_end_m"), 1e3 * number("fracture_time_s"),
-                           1e3 * number("damage_zone_m")));
-  row("", window_text(j));
+  add_load(rows, j);
+  add_crack(rows, j);
   row("step", fmt::format("{:.3e} s, {:.3g} of the critical step {:.3e} s (guaranteed stable: {:.3e} s)",
                           number("dt_s"), number("dt_fraction"), number("dt_critical_s"),
                           number("dt_element_bound_s")));

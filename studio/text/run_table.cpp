@@ -22,7 +22,10 @@ std::string predicted(const LaneSummary& s) {
                                  : "predicted velocity";
 }
 
+bool breaks_freely(const LaneSummary& s) { return s.crack_course == "free"; }
+
 std::string title(const LaneSummary& s) {
+  if (breaks_freely(s)) return fmt::format("free crack, {} beams, {} stiffness", s.technique, s.stiffness);
   const bool progressive = s.technique == "progressive";
   const std::string how =
       progressive ? fmt::format("progressive release, {}, r_l = {:g}", s.relaxation_name, s.damage_zone_ratio)
@@ -75,20 +78,57 @@ std::string theory(const LaneSummary& s) {
   return out + label_line("G_I0", fmt::format("{:.5g} kJ/m² {}{}", 1e-3 * s.g_i0_j_m2, reference, g_id));
 }
 
-/// To two decimals, and no "-0.00".
-double hundredths(double joule) { return std::round(1e2 * joule) / 1e2 + 0.0; }
+/// What became of beams that break by themselves.
+std::string broken_beams(const LaneSummary& s) {
+  std::string out = label_line(
+      "beams", s.beams_broken > 0 ? fmt::format("{:.0f} broken, the first at {:.4g} µs; {:.0f} softened",
+                                                s.beams_broken, 1e6 * s.first_broken_s, s.beams_softened)
+                                  : fmt::format("none broken; {:.0f} softened", s.beams_softened));
+  if (!std::isnan(s.crack_leading_m))
+    out += label_line("  leading position", fmt::format("{:.4g} mm", 1e3 * s.crack_leading_m));
+  if (!std::isnan(s.fracture_energy_over_gc))
+    out += label_line(
+        "  fracture energy",
+        fmt::format("{:.3f} of G_c times the advance of the leading position, all branches counted in",
+                    s.fracture_energy_over_gc));
+  out += label_line("G_c", fmt::format("{:.5g} J/m², kappa {:g}", s.release_rate_j_m2, s.kappa));
+  if (std::isnan(s.strength_pa)) return out;
+  const std::string lowered = s.strength_pa < s.strength_wished_pa
+                                  ? fmt::format(", lowered from {:.4g} MPa: this lattice resolves no more",
+                                                1e-6 * s.strength_wished_pa)
+                                  : "";
+  return out + label_line("strength", fmt::format("{:.4g} MPa{}", 1e-6 * s.strength_pa, lowered));
+}
+
+/// Joule to two decimals, and no "-0.00"; in the unit in which the largest of the balance has them.
+struct EnergyUnit {
+  const char* label;
+  double joule;
+  double operator()(double energy) const { return std::round(1e2 * energy / joule) / 1e2 + 0.0; }
+};
+
+EnergyUnit energy_unit(const LaneSummary& s) {
+  double largest = s.energy_initial_j;
+  for (const double energy : {s.energy_elastic_j, s.energy_fracture_j, s.work_external_j,
+                              s.energy_kinetic_translation_j + s.energy_kinetic_rotation_j})
+    largest = std::max(largest, std::abs(energy));
+  return largest < 0.1 ? EnergyUnit{"energy [mJ]", 1e-3} : EnergyUnit{"energy [J]", 1.0};
+}
 
 std::string energy_balance(const LaneSummary& s, bool color) {
   const bool closes = s.ledger_closes;
   const char *red = color && !closes ? "\x1b[31m" : "", *plain = color && !closes ? "\x1b[0m" : "";
+  const EnergyUnit hundredths = energy_unit(s);
   const std::string contact =
       std::isnan(s.friction) ? ""
                              : fmt::format(", {:.2f} contact of the faces", hundredths(s.energy_contact_j));
   std::string out = label_line(
-      "energy [J]",
+      hundredths.label,
       fmt::format(
-          "{:.2f} stored; at the end {:.2f} elastic, {:.2f} kinetic, {:.2f} fracture, {:.2f} damping{}",
-          hundredths(s.energy_initial_j), hundredths(s.energy_elastic_j),
+          "{:.2f} stored{}; at the end {:.2f} elastic, {:.2f} kinetic, {:.2f} fracture, {:.2f} damping{}",
+          hundredths(s.energy_initial_j),
+          breaks_freely(s) ? fmt::format(", {:.2f} work of the load", hundredths(s.work_external_j)) : "",
+          hundredths(s.energy_elastic_j),
           hundredths(s.energy_kinetic_translation_j + s.energy_kinetic_rotation_j),
           hundredths(s.energy_fracture_j), hundredths(s.energy_damping_j + s.energy_numerical_damping_j),
           contact));
@@ -167,8 +207,8 @@ std::string history_clock_text(double clock_s) {
 std::string run_table(const LaneSummary& s, bool color) {
   std::string out = heading(title(s), color) + "\n";
   if (!s.outcome_where.empty()) out += label_line(s.outcome, s.outcome_where);
-  return out + ratios(s) + theory(s) + energy_balance(s, color) + lattice(s) + clock(s) + costs(s) +
-         left_out(s);
+  out += breaks_freely(s) ? broken_beams(s) : ratios(s) + theory(s);
+  return out + energy_balance(s, color) + lattice(s) + clock(s) + costs(s) + left_out(s);
 }
 
 }  // namespace rift::studio

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace rift::studio {
 namespace {
@@ -16,24 +17,25 @@ constexpr auto between_looks = std::chrono::milliseconds(250),
 
 class RunPlate : public PlatePicture {
  public:
-  RunPlate(const std::filesystem::path& run, const std::filesystem::path& programs)
+  RunPlate(const std::vector<std::filesystem::path>& runs, const std::filesystem::path& programs)
       : server_(viz::Gl::any, programs) {
-    request_.runs = {run};
-    request_.chart = false, request_.texts = false;  // the panel has its own
+    request_.runs = runs;
+    request_.chart = viz::word_of(viz::Chart::none);  // the panel has its own
     server_.start();
   }
 
-  void look(const Area& place, const PictureRoom& room, const std::vector<int>& lanes,
-            bool velocity) override {
+  void look(const Area& place, const PictureRoom& room, const PlateView& view) override {
     if (server_.look()) ++number_, shown_at_ = ordered_at_;
-    const std::string field = velocity ? "vy" : "uy";
-    if (lanes != request_.lanes) lanes_.clear();
-    const bool other = lanes != request_.lanes || field != request_.field;
-    request_.lanes = lanes, request_.field = field;
-    request_.range_of_moment = velocity;  // nobody knows before how fast it will be
+    const std::string field = view.velocity ? "vy" : "uy";
+    if (view.lanes != request_.lanes) lanes_.clear();
+    const bool other =
+        view.lanes != request_.lanes || field != request_.field || view.titles != request_.texts;
+    request_.lanes = view.lanes, request_.field = field, request_.texts = view.titles;
+    request_.range_of_moment = view.velocity;  // nobody knows before how fast it will be
     place_ = limited(place, room);
     const bool soon = Clock::now() - looked_ < (trouble_.empty() ? between_looks : after_failure);
-    if (!other && soon && (!plan_ || same(ordered_at_, place_))) return;
+    if (!other && soon && view.until == until_ && (!plan_ || same(ordered_at_, place_))) return;
+    until_ = view.until;
     looked_ = Clock::now();
     if (other) plan_.reset();
     read();
@@ -78,7 +80,8 @@ class RunPlate : public PlatePicture {
   }
 
   void order(const PictureRoom& room) {
-    viz::Order order{plan_->job, plan_->times_s.back(), {}};
+    const auto last = static_cast<double>(plan_->times_s.size() - 1);
+    viz::Order order{plan_->job, plan_->times_s[static_cast<std::size_t>(std::lround(until_ * last))], {}};
     const auto size = pixels_for(place_, room, 1);
     order.job.width = size[0], order.job.height = size[1];
     std::string text = viz::to_json(order);
@@ -95,14 +98,15 @@ class RunPlate : public PlatePicture {
   Area place_, ordered_at_, shown_at_;
   std::string ordered_, trouble_;
   std::uint64_t number_ = 0;
+  double until_ = 1;
   Clock::time_point looked_{};
 };
 
 }  // namespace
 
-std::unique_ptr<PlatePicture> plate_of_run(const std::filesystem::path& run,
-                                           const std::filesystem::path& programs) {
-  return std::make_unique<RunPlate>(run, programs);
+std::unique_ptr<PlatePicture> plate_of_runs(const std::vector<std::filesystem::path>& runs,
+                                            const std::filesystem::path& programs) {
+  return std::make_unique<RunPlate>(runs, programs);
 }
 
 }  // namespace rift::studio

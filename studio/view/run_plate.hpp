@@ -4,13 +4,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace rift::studio {
 
-/// The plate of a run as `rift render` draws it, without its chart; drawn when nobody else wants the
+/// The plates of runs as `rift render` draws them, without its chart; drawn when nobody else wants the
 /// processor.
 /// @param programs  the folder of the programs that draw
-[[nodiscard]] std::unique_ptr<PlatePicture> plate_of_run(const std::filesystem::path& run,
-                                                         const std::filesystem::path& programs);
+[[nodiscard]] std::unique_ptr<PlatePicture> plate_of_runs(const std::vector<std::filesystem::path>& runs,
+                                                          const std::filesystem::path& programs);
 
 }  // namespace rift::studio

@@ -98,6 +98,21 @@ void ViewScreen::ask_at(const std::array<double, 2>& fraction) {
   player_.go_to(player_.moment());  // pauses
 }
 
+/// Of the first pane, as a fraction of the picture; its box's middle where the camera does not see that point.
+std::array<double, 2> ViewScreen::middle_of_plate() const {
+  const viz::Answer& answer = server_.answer();
+  if (answer.width == 0) return {0.5, 0.5};
+  const viz::PaneAnswer& pane = answer.pane[0];
+  const nlohmann::ordered_json& header = shown_.front().header;
+  const double middle = 0.5 * (header.value("height_m", 0.0) +
+                               plan_.job.look.magnification * header.value("displacement_m", 0.0));
+  std::array<double, 2> at = viz::to_pixels(viz::axes_of(plan_.job.look), pane.window, pane.picture,
+                                            {0.5 * header.value("length_m", 0.0), middle, 0});
+  if (!viz::holds(pane.picture, at))
+    at = {0.5 * (pane.picture.x0 + pane.picture.x1), 0.5 * (pane.picture.y0 + pane.picture.y1)};
+  return {at[0] / answer.width, at[1] / answer.height};
+}
+
 bool ViewScreen::move_crosshair(const KeyEvent& event) {
   constexpr double step = 0.01;
   std::array<double, 2>& at = *crosshair_;

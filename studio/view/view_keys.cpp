@@ -116,14 +116,16 @@ bool ViewScreen::act_on_look(Action action) {
       });
       return true;
     case Action::show_budget:
-      change([&](viz::Request& request) { request.chart = !look.chart; });
+      change([&](viz::Request& request) {
+        request.chart = viz::word_of(look.chart == viz::Chart::none ? viz::Chart::whole : viz::Chart::none);
+      });
       return true;
     case Action::magnify:
       asks_ = Asks::magnification;
       prompt_ = Prompt("magnification of the displacements", fmt::format("{:g}", look.magnification));
       return true;
     case Action::ask:
-      crosshair_ = crosshair_ ? std::nullopt : std::optional(std::array{0.5, 0.5});
+      crosshair_ = crosshair_ ? std::nullopt : std::optional(middle_of_plate());
       message_ = crosshair_ ? "the arrows move the crosshair, enter asks what is there, i takes it away" : "";
       show_crosshair();
       return true;

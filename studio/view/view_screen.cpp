@@ -54,6 +54,11 @@ ViewScreen::ViewScreen(viz::Request request, viz::Gl gl, std::filesystem::path p
   if (!notes.empty()) message_ = notes.front();
   server_.start();
   plan_ = viz::plan_of(request_, shown_);
+  asked_chart_ = request_.chart;
+  if (!asked_chart_ && plan_.job.look.chart == viz::Chart::growing) {  // which is for films
+    plan_.job.look.chart = viz::Chart::whole;
+    request_.chart = viz::word_of(viz::Chart::whole);
+  }
   player_ = Player(static_cast<int>(plan_.times_s.size()), usual_rate(plan_.times_s.size()));
 }
 
@@ -61,9 +66,9 @@ void ViewScreen::take_room(const PictureRoom& room) {
   room_ = room;
   if (!has_room_ && room.symbols) {  // texts could not be read
     const std::string said = message_;
-    const bool can = change([](viz::Request& request) {
+    const bool can = change([this](viz::Request& request) {
       request.texts = false;
-      request.chart = request.chart.value_or(false);
+      request.chart = asked_chart_.value_or(viz::word_of(viz::Chart::none));
     });
     if (can) message_ = said;
   }
@@ -105,7 +110,9 @@ void ViewScreen::take_picture() {
   if (text == shown_order_) return;
   shown_order_ = text;
   const auto all = pixels_for(image_for_, room_, 1);
-  if (answer.width == all[0] && answer.height == all[1]) drawn_s_ = answer.seconds;
+  const bool whole = answer.width == all[0] && answer.height == all[1];
+  if (whole) drawn_s_ = answer.seconds;
+  moves_ = !whole || moves_now();
   show_crosshair();
 }
 
@@ -133,7 +140,10 @@ void ViewScreen::follow_runs() try {
   followed_ = Clock::now();
   std::size_t before = plan_.times_s.size();
   for (const viz::Shown& pane : shown_)
-    if (!pane.journal->summary_json()) pane.journal->extend();
+    if (!pane.journal->summary_json()) {
+      pane.journal->extend();
+      if (pane.journal->summary_json()) ordered_.clear();  // its release rate is known from now on
+    }
   viz::choose_clock(plan_, shown_);
   if (plan_.times_s.size() != before) player_.grow(static_cast<int>(plan_.times_s.size()));
 } catch (const std::exception& error) {
@@ -167,7 +177,6 @@ void ViewScreen::order() {
     if (!moves && room_.rough && !server_.busy()) show_at_rest();
     return;
   }
-  moves_ = moves;
   if (asked_) order.asked = {(*asked_)[0] * order.job.width, (*asked_)[1] * order.job.height};
   asking_ = asked_.has_value();
   ordered_ = text;

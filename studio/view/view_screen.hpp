@@ -76,12 +76,14 @@ class ViewScreen : public Screen {
   void zoom(double factor, std::optional<std::array<double, 2>> pixel);
   void next_camera();
   void ask_at(const std::array<double, 2>& fraction);
+  [[nodiscard]] std::array<double, 2> middle_of_plate() const;
   bool move_crosshair(const KeyEvent& event);
   void press_mouse(const KeyEvent& event);
 
   void touch() { touched_ = Clock::now(); }
 
   viz::Request request_;
+  std::optional<std::string> asked_chart_;  // by the user, before any key
   std::vector<viz::Shown> shown_;
   viz::Plan plan_;
   viz::FrameServer server_;
@@ -93,7 +95,7 @@ class ViewScreen : public Screen {
   ViewLayout layout_;
 
   std::string ordered_, shown_order_;  // without what was asked: the last order, that of the picture
-  bool moves_ = false;                 // the picture was asked for while something moved
+  bool moves_ = false;                 // the picture is one of a few pixels, or came while something moved
   bool asking_ = false;                // it asks
   Area ordered_for_, image_for_;       // the places of that order and of the picture that is there
   std::uint64_t number_ = 0;           // of the picture

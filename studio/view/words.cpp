@@ -26,6 +26,16 @@ std::string one(std::string_view name, double value, double unit_in_si, std::str
   return std::isnan(value) ? std::string{} : fmt::format("   {} {:.4g}{}", name, value / unit_in_si, unit);
 }
 
+/// The nearest history that was recorded, at this moment.
+std::string gauge_text(const viz::Picked& picked) {
+  const results::GaugeRow& row = picked.gauge;
+  if (row.gauge < 0) return {};
+  constexpr double mm = 1e-3;
+  return fmt::format("   gauge {}, {:.3g} mm away: uy {:.4g} mm vy {:.4g} m/s strain yy {:.4g}", row.gauge,
+                     std::hypot(row.x_m - picked.position_m[0], row.y_m - picked.position_m[1]) / mm,
+                     row.uy_m / mm, row.vy_m_s, row.strain_yy);
+}
+
 double apart(const Three& a, const Three& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 Three sum(const Three& a, const Three& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -74,7 +84,8 @@ std::string text_of(const viz::Picked& picked) {
                       picked.position_m[2] * 1e3);
   text += three("u", picked.displacement_m, 1e-3, "mm") + three("v", picked.velocity_m_s, 1, "m/s");
   text += one("energy", picked.elastic_j, 1e-3, " mJ") + one("damage", picked.damage, 1, "");
-  return text;
+  text += one("released at", picked.released_s, 1e-6, " µs");
+  return text + gauge_text(picked);
 }
 
 std::string distance_between(const viz::Picked& a, const viz::Picked& b) {
@@ -108,7 +119,7 @@ std::vector<std::string> render_arguments(const viz::Job& job, const std::vector
   if (look.camera == viz::Camera::tip) add("--close-up", fmt::format("{}", look.close_up_m));
   add("--beams", viz::word_of(look.beams));
   add("--magnification", fmt::format("{}", look.magnification));
-  if (!look.chart) words.emplace_back("--no-chart");
+  add("--chart", viz::word_of(look.chart));
   if (!look.texts) words.emplace_back("--no-text");
   if (look.large_text) words.emplace_back("--large-text");
   add("--title", look.title);

@@ -13,7 +13,8 @@ namespace rift::studio {
 [[nodiscard]] std::string numbers_of(const viz::Answer& answer, const viz::Look& look, int moment,
                                      int moments, double rayleigh_m_s);
 
-/// The element or beam with its position, displacement, velocity, energy and damage.
+/// The element or beam with its position, displacement, velocity, energy and damage, and what the nearest
+/// gauge shows.
 [[nodiscard]] std::string text_of(const viz::Picked& picked);
 
 /// Between two that were asked for: unloaded, and as they are now.

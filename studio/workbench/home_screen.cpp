@@ -55,7 +55,7 @@ Ink ink_of(const std::string& outcome) {
 
 }  // namespace
 
-HomeScreen::HomeScreen(AppContext& context) : context_(context), jobs_(context.program) {
+HomeScreen::HomeScreen(AppContext& context) : context_(context), jobs_(context.program), preview_(context) {
   read();
   list_.chosen = 1;
 }
@@ -136,9 +136,10 @@ void HomeScreen::next_group() {
   }
 }
 
-void HomeScreen::draw(Canvas& canvas, Glyphs) {
+void HomeScreen::draw(Canvas& canvas, Glyphs glyphs) {
   if (draw_too_small(canvas)) return;
-  const HomeLayout layout = home_layout(canvas.width(), canvas.height());
+  const HomeLayout layout = home_layout(canvas.width(), canvas.height(), preview_.on());
+  preview_.draw(canvas, layout.preview, glyphs);
   const int x = canvas.text(layout.head.x, layout.head.y, "rift", {Ink::title, true});
   canvas.text(layout.head.x + x + 2, layout.head.y, "a workbench for dynamic fracture", {Ink::dim});
   if (search_.typing()) {
@@ -148,7 +149,7 @@ void HomeScreen::draw(Canvas& canvas, Glyphs) {
                 fmt::format("only entries with \"{}\"; press / and enter to show all", wanted_),
                 {Ink::reference}, layout.search.width);
   }
-  list_rows_ = layout.list.height;
+  list_rows_ = layout.list.height, list_width_ = layout.list.x + layout.list.width;
   list_.keep(static_cast<int>(rows_.size()), list_rows_);
   for (int k = 0; k < list_rows_ && list_.top + k < static_cast<int>(rows_.size()); ++k)
     draw_row(canvas, {layout.list.x, layout.list.y + k, layout.list.width, 1}, rows_[list_.top + k],
@@ -208,7 +209,13 @@ void HomeScreen::draw_detail(Canvas& canvas, const Area& area) const {
   }
 }
 
-Navigation HomeScreen::press(const KeyEvent& event) try {
+Navigation HomeScreen::press(const KeyEvent& event) {
+  Navigation navigation = take(event);
+  if (navigation.to == Navigation::To::forward) preview_.let_go();  // the next screen has the machine
+  return navigation;
+}
+
+Navigation HomeScreen::take(const KeyEvent& event) try {
   message_.clear();
   if (question_.typing()) {
     if (question_.press(event) != Prompt::State::typing) answer_question();
@@ -223,7 +230,7 @@ Navigation HomeScreen::press(const KeyEvent& event) try {
   }
   if (event.key == key_click) {
     const int at = list_.top + event.y - 2;
-    if (event.y < 2 || event.y >= 2 + list_rows_ || at >= static_cast<int>(rows_.size()) ||
+    if (event.x >= list_width_ || event.y < 2 || event.y >= 2 + list_rows_ || at >= static_cast<int>(rows_.size()) ||
         rows_[at].heading())
       return {};
     if (at == list_.chosen) return open(true);
@@ -269,6 +276,9 @@ Navigation HomeScreen::act(Action action) {
       return resume_chosen();
     case Action::film:
       message_ = row && row->run ? jobs_.film(row->run->path, {}) : "choose a run: only a run has a film";
+      return {};
+    case Action::picture:
+      preview_.toggle();
       return {};
     case Action::remove:
       if (!row || !row->run) {
@@ -338,6 +348,12 @@ void HomeScreen::answer_question() {
 }
 
 Navigation HomeScreen::look() {
+  const Row* row = chosen();
+  const bool is_run = row != nullptr && row->run;
+  preview_.look(is_run                              ? row->run->path
+                : row != nullptr && row->preset ? row->preset->path
+                                                : fs::path(),
+                is_run);
   if (const std::string news = jobs_.report_ended(); !news.empty()) message_ = news;
   return {};
 }

@@ -3,6 +3,7 @@
 #include "studio/screen/prompt.hpp"
 #include "studio/text/catalogue.hpp"
 #include "studio/workbench/background_jobs.hpp"
+#include "studio/workbench/home_preview.hpp"
 #include "studio/workbench/lesson.hpp"
 #include "studio/workbench/screen.hpp"
 
@@ -24,6 +25,10 @@ class HomeScreen : public Screen {
   void resume() override { read(); }
   [[nodiscard]] bool typing() const override { return search_.typing() || question_.typing(); }
   [[nodiscard]] Where where() const override { return Where::home; }
+  [[nodiscard]] bool wants_picture() const override { return preview_.on(); }
+  void take_room(const PictureRoom& room) override { preview_.take_room(room); }
+  [[nodiscard]] std::optional<ScreenPicture> picture() const override { return preview_.picture(); }
+  [[nodiscard]] int wakened_by() const override { return preview_.descriptor(); }
 
  private:
   /// A line of the list: a group's name, a preset, a lesson or a run.
@@ -54,6 +59,7 @@ class HomeScreen : public Screen {
   void skip_headings(int way);
   void next_group();
   void toggle_mark();
+  Navigation take(const KeyEvent& event);
   Navigation act(Action action);
   Navigation open(bool as_form);
   Navigation compare_marked();
@@ -62,6 +68,7 @@ class HomeScreen : public Screen {
 
   AppContext& context_;
   BackgroundJobs jobs_;
+  HomePreview preview_;
   std::vector<Row> all_, rows_;
   std::set<std::filesystem::path> marked_;
   ListView list_;
@@ -69,7 +76,7 @@ class HomeScreen : public Screen {
   std::string wanted_;  // letters that a row must hold
   std::string message_;
   std::filesystem::path to_remove_;
-  int list_rows_ = 10, longest_name_ = 20;
+  int list_rows_ = 10, list_width_ = 0, longest_name_ = 20;
 };
 
 }  // namespace rift::studio

@@ -69,13 +69,16 @@ const std::vector<Lesson>& table() {
       {"node-release",
        "Why nodes must not be released at once",
        "teach_node_release",
+       true,
        {"A plate is pulled and held. A crack runs through it at a velocity that we prescribe, and we ask how "
         "much energy is released per square metre of new crack area: the dynamic energy release rate G_ID, "
         "over the static one, G_I0.",
         "A lattice is cut beam by beam. Simple node release removes a beam at the moment when the tip "
         "reaches it. Its force vanishes from one step to the next, and its neighbours vibrate like a plucked "
         "string.\n\nProgressive release reduces the stiffness of a beam gradually while the tip approaches, "
-        "over a damage zone of some mean radii."},
+        "over a damage zone of some mean radii.\n\nBoth are run side by side. A terminal with pixels shows a "
+        "picture of all elements: behind the tip of the first plate neighbouring elements move against each "
+        "other, which cells, each the mean of several elements, smooth out."},
        "Both plates share one clock. The colours show the vertical velocity: look behind the tips (the "
        "dots). The curves below are the release-rate ratios, the horizontal lines are theory.",
        "Same plate, same pull, same velocity. Which of the two shows the larger G_ID / G_I0?",
@@ -87,6 +90,7 @@ const std::vector<Lesson>& table() {
       {"damping",
        "Can damping repair simple release?",
        "teach_damping",
+       false,
        {"Simple release leaves a plate that rings. An obvious cure is to damp the beams: either those along "
         "the crack, or all of them.",
         "Dampers dissipate kinetic energy. How should it be counted? The crack set it free, and the plate no "
@@ -101,6 +105,7 @@ const std::vector<Lesson>& table() {
       {"velocity",
        "What a faster crack leaves behind",
        "teach_velocity",
+       false,
        {"The energy that a crack releases flows to its tip from the surrounding plate, at the speed of "
         "waves. The Rayleigh speed c_R is the speed of waves along a free surface, and a crack consists of "
         "two new surfaces.",

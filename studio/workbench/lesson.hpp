@@ -24,6 +24,7 @@ struct Answer {
 
 struct Lesson {
   std::string_view name, title, preset;
+  bool in_pixels;                        // is watched as a picture where the terminal has pixels
   std::vector<std::string_view> before;  // pages
   std::string_view watch;                // above the panel
   std::string_view question;

@@ -26,10 +26,12 @@ fs::path folder_of(const AppContext& context, const Lesson& lesson) {
   return folder;
 }
 
-/// The lesson's run, with a few frames for the picture of its handout.
+/// The lesson's run, with a few frames for the picture of its handout, and more for one that is watched as a
+/// picture.
 RunRequest request_of(AppContext& context, const Lesson& lesson) {
   const scene::Preset preset =
-      scene::read_preset(context.presets / fmt::format("{}.toml", lesson.preset), {"output.frames=12"});
+      scene::read_preset(context.presets / fmt::format("{}.toml", lesson.preset),
+                         {lesson.in_pixels ? "output.frames=48" : "output.frames=12"});
   if (!preset.issues.empty()) throw scene::InputError(preset.issues);
   RunRequest request = request_for(context, preset, folder_of(context, lesson));
   request.force = true;
@@ -97,6 +99,7 @@ std::string_view LessonScreen::text_of_page() const {
 
 void LessonScreen::draw_watch(Canvas& canvas, const Area& area, Glyphs glyphs) {
   const int text = draw_paragraph(canvas, {2, area.y, area.width - 4, 4}, lesson_.watch, {Ink::reference});
+  panel_top_ = area.y + text;
   Canvas panel(area.width, std::max(least_height, area.height - text + 1));
   panel_->draw(panel, glyphs);
   for (int y = 0; y < panel.height() && area.y + text + y < canvas.height(); ++y)
@@ -163,6 +166,24 @@ void LessonScreen::write() try {
   message_ = "handout: " + file.string();
 } catch (const std::exception& error) {
   message_ = error.what();
+}
+
+bool LessonScreen::wants_picture() const {
+  return page_ == watch_page() && (panel_->wants_picture() || (lesson_.in_pixels && !picture_begun_));
+}
+
+/// A lesson that is taught with the picture begins with it where the terminal has pixels.
+void LessonScreen::take_room(const PictureRoom& room) {
+  if (!picture_begun_ && lesson_.in_pixels && room.pictures && !room.symbols) panel_->show_picture();
+  picture_begun_ = true;
+  panel_->take_room(room);
+}
+
+std::optional<ScreenPicture> LessonScreen::picture() const {
+  std::optional<ScreenPicture> picture;
+  if (page_ == watch_page() && !leave_.typing()) picture = panel_->picture();
+  if (picture) picture->area.y += panel_top_;
+  return picture;
 }
 
 /// Asks where the run has not finished.

@@ -6,6 +6,7 @@
 #include "studio/workbench/screen.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace rift::studio {
@@ -24,6 +25,10 @@ class LessonScreen : public Screen {
   [[nodiscard]] Where where() const override {
     return page_ == watch_page() ? Where::lesson_run : Where::lesson;
   }
+  [[nodiscard]] bool wants_picture() const override;
+  void take_room(const PictureRoom& room) override;
+  [[nodiscard]] std::optional<ScreenPicture> picture() const override;
+  [[nodiscard]] int wakened_by() const override { return panel_->wakened_by(); }
 
  private:
   [[nodiscard]] int watch_page() const { return static_cast<int>(lesson_.before.size()) + 1; }
@@ -44,6 +49,8 @@ class LessonScreen : public Screen {
   std::unique_ptr<RunScreen> panel_;
   Lanes lanes_;  // none as long as it runs
   int page_ = 0, chosen_ = -1;
+  int panel_top_ = 0;          // the row in which the panel begins
+  bool picture_begun_ = false;  // the lesson's own choice of cells or picture has been made
   Prompt leave_;
   std::string message_;
 };

@@ -17,42 +17,25 @@ void PanelScreen::draw(Canvas& canvas, Glyphs glyphs) {
   const std::string foot = foot_of(where(), canvas.width());
   look.foot = foot;
   draw_live(canvas, live(), look, glyphs);
-  if (plate_ && !plate_->picture()) {
-    const Area place = place_of_plates(layout_of(live(), look, width_, height_));
-    const std::string trouble =
-        !room_.pictures ? "this terminal gets no pictures: p shows cells" : plate_->trouble();
-    canvas.text(place.x + 1, place.y + place.height / 2, trouble, {Ink::dim}, place.width - 1);
-  }
+  plate_.draw_trouble(canvas, place_of_plates(live(), look, width_, height_));
   draw_question(canvas, glyphs);
 }
 
 LiveLook PanelScreen::look_of_panel() const {
   return {
-      .shown = shown_, .beside = beside_, .velocity = velocity_, .picture = plate_ != nullptr, .foot = {}};
+      .shown = shown_, .beside = beside_, .velocity = velocity_, .picture = plate_.on(), .foot = {}};
 }
 
 void PanelScreen::take_room(const PictureRoom& room) {
-  room_ = room;
-  if (!plate_ || !room.pictures || live().lanes.empty()) return;
-  std::vector<int> lanes{shown_};
-  if (beside_ >= 0) lanes.push_back(beside_);
-  plate_->look(place_of_plates(layout_of(live(), look_of_panel(), width_, height_)), room, lanes, velocity_);
+  plate_.take_room(room);
+  if (live().lanes.empty()) return;
+  PlateView view{.lanes = {shown_}, .velocity = velocity_};
+  if (beside_ >= 0) view.lanes.push_back(beside_);
+  plate_.look(place_of_plates(live(), look_of_panel(), width_, height_), view);
 }
 
 std::optional<ScreenPicture> PanelScreen::picture() const {
-  return plate_ && !typing() ? plate_->picture() : std::nullopt;
-}
-
-std::string PanelScreen::toggle_picture(const std::filesystem::path& run) try {
-  if (plate_) {
-    plate_.reset();
-    return "plate: cells";
-  }
-  if (!make_plate_) return "this rift was built without its renderer: the plate stays in cells";
-  plate_ = make_plate_(run);
-  return "plate: picture of the last stored moment";
-} catch (const std::exception& error) {
-  return error.what();
+  return typing() ? std::nullopt : plate_.picture();
 }
 
 bool PanelScreen::choose(const KeyEvent& event) {
@@ -84,7 +67,7 @@ Navigation WatchScreen::press(const KeyEvent& event) {
   if (choose(event)) return {};
   switch (action_of(Where::watch, event.key)) {
     case Action::picture:
-      live_.message = toggle_picture(folder_);
+      live_.message = plate_.toggle({folder_});
       return {};
     case Action::frame:
       live_.message = jobs_.picture(folder_, shown_);
@@ -219,7 +202,7 @@ Navigation RunScreen::act(Action action) {
       begin_change();
       return {};
     case Action::picture:
-      say(toggle_picture(run_->folder()));
+      say(plate_.toggle({run_->folder()}));
       return {};
     case Action::frame:
       take_frame();

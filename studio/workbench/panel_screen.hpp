@@ -4,6 +4,7 @@
 #include "studio/screen/prompt.hpp"
 #include "studio/workbench/background_jobs.hpp"
 #include "studio/workbench/live_run.hpp"
+#include "studio/workbench/plate_switch.hpp"
 #include "studio/workbench/screen.hpp"
 
 #include <chrono>
@@ -19,15 +20,13 @@ class PanelScreen : public Screen {
   void draw(Canvas& canvas, Glyphs glyphs) override;
   [[nodiscard]] virtual const Live& live() const = 0;
   void show_velocity(bool wanted) { velocity_ = wanted; }
-  [[nodiscard]] bool wants_picture() const override { return plate_ != nullptr; }
+  [[nodiscard]] bool wants_picture() const override { return plate_.on(); }
   void take_room(const PictureRoom& room) override;
   [[nodiscard]] std::optional<ScreenPicture> picture() const override;
-  [[nodiscard]] int wakened_by() const override { return plate_ ? plate_->descriptor() : -1; }
+  [[nodiscard]] int wakened_by() const override { return plate_.descriptor(); }
 
  protected:
-  explicit PanelScreen(AppContext& context) : jobs_(context.program), make_plate_(context.plate_picture) {}
-  /// Switches between cells and picture. @return what to say
-  std::string toggle_picture(const std::filesystem::path& run);
+  explicit PanelScreen(AppContext& context) : jobs_(context.program), plate_(context.plate_picture) {}
   /// Drawn over the last line where something is asked.
   virtual void draw_question(Canvas&, Glyphs) {}
   /// @return whether the key was about what is shown
@@ -35,15 +34,13 @@ class PanelScreen : public Screen {
   [[nodiscard]] int lanes() const { return static_cast<int>(live().lanes.size()); }
 
   BackgroundJobs jobs_;
+  PlateSwitch plate_;
   int shown_ = 0, beside_ = -1;
   bool velocity_ = false;
 
  private:
   [[nodiscard]] LiveLook look_of_panel() const;
 
-  MakePlatePicture make_plate_;
-  std::unique_ptr<PlatePicture> plate_;  // where the plate is a picture
-  PictureRoom room_;
   int width_ = 0, height_ = 0;
 };
 
@@ -76,6 +73,8 @@ class RunScreen : public PanelScreen {
   [[nodiscard]] bool typing() const override { return value_.typing() || choosing_; }
   [[nodiscard]] Where where() const override { return Where::live; }
   [[nodiscard]] std::string last_words() const override;
+  /// The plate is a picture from now on, if that can be.
+  void show_picture() { (void)plate_.show({run_->folder()}); }
   /// Outlives the screen where somebody wants its result.
   [[nodiscard]] std::shared_ptr<LiveRun> run() const { return run_; }
 

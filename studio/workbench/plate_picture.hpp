@@ -11,14 +11,21 @@
 
 namespace rift::studio {
 
-/// The plate of a run as a real picture, in place of its cells: the last stored moment, also while the run
-/// goes on. Who shows it knows no renderer.
+/// What of the runs a picture shows.
+struct PlateView {
+  std::vector<int> lanes = {};  // of each run; none: all
+  bool velocity = false;   // colours of the vertical velocity, not of the displacement
+  bool titles = false;     // and times above the plates, where texts in a picture can be read
+  double until = 1;        // which of the stored moments: 0 the first, 1 the last
+};
+
+/// The plates of runs as a real picture, in place of their cells; also while they go on. Who shows it knows
+/// no renderer.
 class PlatePicture {
  public:
   virtual ~PlatePicture() = default;
   /// What is to be seen where; called again and again.
-  virtual void look(const Area& place, const PictureRoom& room, const std::vector<int>& lanes,
-                    bool velocity) = 0;
+  virtual void look(const Area& place, const PictureRoom& room, const PlateView& view) = 0;
   [[nodiscard]] virtual std::optional<ScreenPicture> picture() const = 0;
   /// Becomes readable when look() has something to do; or -1.
   [[nodiscard]] virtual int descriptor() const = 0;
@@ -26,7 +33,8 @@ class PlatePicture {
   [[nodiscard]] virtual std::string trouble() const = 0;
 };
 
-/// Of the run in a folder; empty in a build without the renderer.
-using MakePlatePicture = std::function<std::unique_ptr<PlatePicture>(const std::filesystem::path& run)>;
+/// Of the runs in some folders; empty in a build without the renderer.
+using MakePlatePicture =
+    std::function<std::unique_ptr<PlatePicture>(const std::vector<std::filesystem::path>& runs)>;
 
 }  // namespace rift::studio

@@ -65,8 +65,8 @@ std::unique_ptr<Screen> resumption_of(AppContext& context, const fs::path& run) 
   return std::make_unique<RunScreen>(context, std::move(request));
 }
 
-std::unique_ptr<Screen> comparison_of(AppContext&, const std::vector<fs::path>& runs) {
-  return std::make_unique<CompareScreen>(runs);
+std::unique_ptr<Screen> comparison_of(AppContext& context, const std::vector<fs::path>& runs) {
+  return std::make_unique<CompareScreen>(context, runs);
 }
 
 std::unique_ptr<Screen> lesson_screen(AppContext& context, const std::string& name) {

@@ -82,7 +82,20 @@ inline results::Frame frame(int moment, int lane = 0) {
   return f;
 }
 
-/// `moments` of them, with books, in a folder of a run that has ended.
+/// One gauge, right of the middle, that is stretched more and more.
+constexpr std::array<double, 2> gauge{22e-3, 6e-3};
+inline results::GaugeRow gauge_row(int moment, int lane) {
+  return {.step = moment,
+          .time_s = 1e-6 * moment,
+          .lane = lane,
+          .gauge = 0,
+          .x_m = gauge[0],
+          .y_m = gauge[1],
+          .uy_m = 1e-5 * moment,
+          .strain_yy = 1e-3 * moment};
+}
+
+/// `moments` of them, with books, a gauge and release rates, in a folder of a run that has ended.
 inline std::filesystem::path write_run(const std::filesystem::path& run, int moments = 6, int lanes = 1,
                                        double contact_j = 0.0) {
   std::filesystem::create_directories(run);
@@ -102,8 +115,14 @@ inline std::filesystem::path write_run(const std::filesystem::path& run, int mom
       s.fracture_j = 0.75 * k;
       s.contact_j = contact_j * k;
       journal.write(s);
+      journal.write(gauge_row(k, lane));
       journal.write(frame(k, lane));
     }
+  for (int lane = 0; lane < lanes; ++lane) {
+    results::RateCurve curve{lane, {}};
+    for (int k = 1; k + 1 < moments; ++k) curve.points.push_back({tip_at_moment(k), 0.75});
+    journal.write(curve);
+  }
   journal.write(results::RunEnd{"{}"});
   journal.close();
   return run;

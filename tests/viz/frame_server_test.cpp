@@ -55,7 +55,7 @@ TEST(FrameServer, ShowsThePictureThatIsWrittenToFiles) {
   jobs[1].look.camera = Camera::free, jobs[1].look.view = {0.012, 0.004, 0.006, 0, 0};
   jobs[2].look.camera = Camera::free, jobs[2].look.view = {0.012, 0.004, 0.006, 0.5, -0.3};
   jobs[3].look.range_of_moment = true;
-  jobs[4].look.chart = false, jobs[4].look.beams = Beams::all;
+  jobs[4].look.chart = Chart::none, jobs[4].look.beams = Beams::all;
   jobs[5].look.texts = false, jobs[5].look.magnification = 3;
   jobs[6].width = 800, jobs[6].height = 500;
   jobs[7].width = 320, jobs[7].height = 180, jobs[7].look.beams = Beams::crossing;
@@ -167,7 +167,7 @@ TEST(FrameServer, FollowsARunThatGoesOn) {
   journal.write(frame(0));
   journal.flush();
   Job job = job_for(run);
-  job.look.chart = false;
+  job.look.chart = Chart::none;
   FrameServer server(Gl::any, programs());
   served(server, order_for(job, 3));
   EXPECT_DOUBLE_EQ(server.answer().pane[0].tip_m, 0);

@@ -20,7 +20,7 @@ TEST(Job, ComesBackFromItsText) {
               .spheres = false,
               .magnification = 3,
               .close_up_m = 0.01,
-              .chart = false,
+              .chart = Chart::whole,
               .boundaries = true,
               .large_text = true,
               .title = "a \"title\"\nof two lines",

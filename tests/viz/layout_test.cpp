@@ -7,7 +7,7 @@ namespace {
 
 constexpr Extent paper_plate{.length = 0.2, .height = 0.042, .middle = 0.02};
 
-Job job_of(int panes, int width, int height, bool chart = true, bool large = false) {
+Job job_of(int panes, int width, int height, Chart chart = Chart::growing, bool large = false) {
   Job job;
   job.panes.resize(panes);
   job.width = width;
@@ -28,6 +28,7 @@ std::vector<Box> boxes_of(const Layout& layout) {
   for (const PaneLayout& pane : layout.panes) all.insert(all.end(), {pane.title, pane.moment, pane.picture});
   all.insert(all.end(), layout.chart.begin(), layout.chart.end());
   if (!layout.chart.empty()) all.push_back(layout.key);
+  if (layout.ratio.width() > 0) all.push_back(layout.ratio);
   return all;
 }
 
@@ -35,7 +36,7 @@ TEST(Layout, NothingOverlapsAndNothingLeavesTheFrame) {
   for (int panes = 1; panes <= 4; ++panes)
     for (const auto& [width, height] :
          {std::pair{1280, 720}, {1920, 1080}, {640, 360}, {720, 720}, {1080, 1920}})
-      for (const bool chart : {true, false})
+      for (const Chart chart : {Chart::none, Chart::growing, Chart::whole})
         for (const bool large : {true, false})
           for (const Camera camera : {Camera::plate, Camera::tip, Camera::side}) {
             Job job = job_of(panes, width, height, chart, large);
@@ -122,7 +123,7 @@ TEST(Layout, TheDirectionsOfACameraAreUnitVectorsAtRightAngles) {
 }
 
 TEST(Layout, WithoutTextsThePlatesHaveTheirRoom) {
-  Job job = job_of(1, 640, 360, false);
+  Job job = job_of(1, 640, 360, Chart::none);
   const Box with = layout_of(job, paper_plate).panes.front().picture;
   job.look.texts = false;
   const Box without = layout_of(job, paper_plate).panes.front().picture;

@@ -80,6 +80,18 @@ TEST(Pick, NamesWhatABruteForceSearchFindsInEachOf1000Clicks) {
   EXPECT_LT(hits, 1000);
 }
 
+TEST(Pick, TheNearestGaugeIsReadAtTheMoment) {
+  const auto row = [](double time_s, int gauge, double x_m, double uy_m) {
+    return results::GaugeRow{.time_s = time_s, .gauge = gauge, .x_m = x_m, .uy_m = uy_m};
+  };
+  const std::vector<results::GaugeRow> rows{row(0, 0, 0.01, 1), row(0, 1, 0.03, 2), row(1, 0, 0.01, 3),
+                                            row(1, 1, 0.03, 4), row(2, 0, 0.01, 5), row(2, 1, 0.03, 6)};
+  EXPECT_EQ(nearest_gauge(rows, {0.022, 0, 0}, 1.5)->uy_m, 4);
+  EXPECT_EQ(nearest_gauge(rows, {0.018, 0, 0.5}, 2)->uy_m, 5);
+  EXPECT_FALSE(nearest_gauge(rows, {0.018, 0, 0}, -1));
+  EXPECT_FALSE(nearest_gauge({}, {0, 0, 0}, 1));
+}
+
 TEST(Pick, AnElementIsFoundWhereItsMiddleIsDrawn) {
   Heap h;
   h.geometry.position = {{0.2F, 0.1F, 0}, {0.2F, 0.1F, 0.1F}};

@@ -148,6 +148,38 @@ TEST(Picture, TheChartGrowsWithTime) {
   EXPECT_GT(late, 2 * early);
 }
 
+/// The column within a box in which most pixels have a colour, and how many.
+std::array<int, 2> column_like(const Image& image, const Box& box, const Colour& colour) {
+  std::array<int, 2> best{};
+  for (int x = static_cast<int>(box.x0); x < static_cast<int>(box.x1); ++x) {
+    int count = 0;
+    for (int y = static_cast<int>(box.y0); y < static_cast<int>(box.y1); ++y)
+      count += apart(pixel(image, x, y), colour) < 0.05 ? 1 : 0;
+    if (count > best[1]) best = {x, count};
+  }
+  return best;
+}
+
+TEST(Picture, WholeChartsShowTheWholeRunWithALineAtTheMoment) {
+  const TemporaryFolder folder;
+  Job job = job_for(write_run(folder / "run"));
+  job.width = 1280, job.height = 720;
+  job.look.chart = Chart::whole;
+  const Extent plate{length, height + pulled, 0.5 * height};
+  const Layout layout = layout_of(job, plate);
+  const Colour ink_of_line{33 / 255.0, 38 / 255.0, 46 / 255.0}, blue{0, 114 / 255.0, 178 / 255.0};
+  const Image first = drawn(job, 1), second = drawn(job, 2), third = drawn(job, 3);
+  for (const Box& box : {layout.chart.front(), layout.ratio}) {
+    const auto a = column_like(first, box, ink_of_line), b = column_like(second, box, ink_of_line),
+               c = column_like(third, box, ink_of_line);
+    for (const auto& column : {a, b, c}) EXPECT_GT(column[1], 0.4 * box.height());
+    EXPECT_GT(b[0], a[0] + 10);
+    EXPECT_NEAR(b[0] - a[0], c[0] - b[0], 2) << "as far as the moments are apart";
+  }
+  EXPECT_NEAR(pixels_like(first, blue), pixels_like(third, blue), 30) << "the energies of the whole run";
+  EXPECT_GT(pixels_like(first, {0, 0, 0}), 200) << "the release rate";
+}
+
 TEST(Picture, TwoRunsOfTheRendererGiveTheSameBytes) {
   const TemporaryFolder folder;
   const Job job = job_for(write_run(folder / "run", 6, 2), 2);
@@ -206,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(Picture, Baseline,
                                          Kept{"side", 1, [](Job& j) { j.look.camera = Camera::side; }},
                                          Kept{"boundaries", 1,
                                               [](Job& j) {
-                                                j.look.boundaries = true, j.look.chart = false,
+                                                j.look.boundaries = true, j.look.chart = Chart::none,
                                                 j.look.magnification = 0;
                                               }},
                                          Kept{"large_text", 2, [](Job& j) { j.look.large_text = true; }}),

@@ -68,7 +68,7 @@ TEST(Plan, LooksAsThePresetHasItUnlessAsked) {
   EXPECT_EQ(look.field, "vx");
   EXPECT_EQ(look.colours, "vik");
   EXPECT_EQ(look.camera, Camera::tip);
-  EXPECT_FALSE(look.chart);
+  EXPECT_EQ(look.chart, Chart::none);
   request.title = "mine";
   request.camera = "side";
   look = plan_of(request).job.look;

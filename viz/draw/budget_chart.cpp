@@ -1,17 +1,10 @@
 #include "viz/draw/budget_chart.hpp"
 
-#include "viz/draw/annotation.hpp"
-
 #include <vtkAxis.h>
-#include <vtkChartXY.h>
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
 #include <vtkFloatArray.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderer.h>
-#include <vtkTable.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,19 +42,6 @@ double energy_of(double results::Sample::*energy, const results::Sample& s) {
   return s.*energy + (kinetic ? s.kinetic_rotation_j : 0);
 }
 
-void style(vtkAxis& axis, int text_px, const char* title, double least, double most) {
-  axis.SetTitle(title);
-  axis.SetRange(least, most);
-  axis.SetBehavior(vtkAxis::FIXED);
-  axis.SetGridVisible(false);
-  for (vtkTextProperty* text : {axis.GetLabelProperties(), axis.GetTitleProperties()}) {
-    text->SetFontSize(text_px);
-    text->SetFontFamilyToArial();
-    text->SetBold(false);
-    text->SetColor(ink[0], ink[1], ink[2]);
-  }
-}
-
 }  // namespace
 
 BudgetLines budget_lines(std::span<const results::Sample> samples) {
@@ -85,15 +65,15 @@ std::vector<KeyEntry> budget_key(const BudgetLines& lines) {
   return key;
 }
 
-BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, double lasts_s, double most_j,
-                         const BudgetLines& lines) {
+BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, double lasts_s,
+                         const BudgetLines& lines, bool with_moment) {
   vtkNew<vtkFloatArray> time;
   time->SetName("t");
   table_->AddColumn(time);
   style(*chart_->GetAxis(vtkAxis::BOTTOM), text_px,
         box.width() > 24 * text_px ? "time since the crack's start [µs]" : "time [µs]", 0,
         lasts_s / microsecond);
-  style(*chart_->GetAxis(vtkAxis::LEFT), text_px, "energy [J]", 0, 1.05 * most_j);
+  style(*chart_->GetAxis(vtkAxis::LEFT), text_px, "energy [J]", 0, 1);
   for (const Entry& entry : shown(lines)) {
     vtkNew<vtkFloatArray> column;
     column->SetName(entry.name);
@@ -105,14 +85,14 @@ BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, dou
     line->SetWidth(static_cast<float>(0.16 * text_px));
     line->GetPen()->SetLineType(entry.line);
   }
-  chart_->SetAutoSize(false);
-  chart_->SetSize(vtkRectf(0, 0, static_cast<float>(box.width()), static_cast<float>(box.height())));
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(chart_);
-  renderer.AddActor(actor);
+  if (with_moment) moment_.emplace(*chart_, text_px);
+  put(*chart_, box, renderer);
 }
 
-void BudgetChart::show(std::span<const results::Sample> samples, double start_s) {
+void BudgetChart::show(std::span<const results::Sample> samples, double start_s, double moment_s,
+                       double most_j) {
+  chart_->GetAxis(vtkAxis::LEFT)->SetRange(0, 1.05 * most_j);
+  if (moment_) moment_->show(moment_s / microsecond, 1.05 * most_j);
   // A line has two points: the first row stands twice.
   const std::size_t rows = samples.empty() ? 0 : samples.size() + 1;
   table_->SetNumberOfRows(static_cast<vtkIdType>(rows));

@@ -2,11 +2,13 @@
 
 #include "engine/results/schema.hpp"
 #include "viz/draw/annotation.hpp"
+#include "viz/draw/chart_parts.hpp"
 
 #include <vtkChartXY.h>
 #include <vtkNew.h>
 #include <vtkTable.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,20 +28,22 @@ struct BudgetLines {
 /// Names and colours.
 [[nodiscard]] std::vector<KeyEntry> budget_key(const BudgetLines& lines);
 
-/// The energy budget of a pane [J], growing with time.
+/// The energy budget of a pane [J] against time.
 class BudgetChart {
  public:
-  /// @param lasts_s  the whole axis of time;  @param most_j  of the axis of energy
-  BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, double lasts_s, double most_j,
-              const BudgetLines& lines);
+  /// @param lasts_s  the whole axis of time;  @param with_moment  shows a line at the moment
+  BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, double lasts_s, const BudgetLines& lines,
+              bool with_moment);
 
-  /// @param start_s  when the crack started
-  void show(std::span<const results::Sample> samples, double start_s);
+  /// @param start_s  when the crack started;  @param moment_s  since then;  @param most_j  of the axis of
+  /// energy
+  void show(std::span<const results::Sample> samples, double start_s, double moment_s, double most_j);
 
  private:
   std::vector<double results::Sample::*> energy_;  // of each line; kinetic: of translation and rotation
   vtkNew<vtkTable> table_;
   vtkNew<vtkChartXY> chart_;
+  std::optional<MomentLine> moment_;
 };
 
 }  // namespace rift::viz

@@ -22,13 +22,13 @@ LaneReader::LaneReader(const Pane& pane)
       lane_(pane.lane),
       header_(results::read_json(index_.header_json(), pane.run / results::journal_name)) {}
 
-std::vector<results::Sample> LaneReader::samples_until(double since_start_s) const {
+std::span<const results::Sample> LaneReader::samples_until(double since_start_s) const {
   const auto& samples = index_.samples(lane_);
   const auto start = std::find_if(samples.begin(), samples.end(), [](const results::Sample& s) {
     return s.phase == results::Phase::fracture;
   });
   const auto end = first_after(samples, start_s() + since_start_s);
-  return start < end ? std::vector(start, end) : std::vector<results::Sample>{};
+  return start < end ? std::span(start, end) : std::span<const results::Sample>{};
 }
 
 double LaneReader::start_s() const {
@@ -59,9 +59,10 @@ double LaneReader::history_clock_s() const {
 
 Moment LaneReader::at(double since_start_s, const Look& look) {
   const double time_s = start_s() + since_start_s;
-  if (!index_.summary_json() && index_.frames(lane_).back().time_s < time_s) index_.extend();
   // A time that came as a difference may lie a rounding before the frame it means.
-  const auto after = first_after(index_.frames(lane_), time_s * (1 + 1e-12));
+  const double until_s = time_s * (1 + 1e-12);
+  if (!index_.summary_json() && index_.frames(lane_).back().time_s <= until_s) index_.extend();
+  const auto after = first_after(index_.frames(lane_), until_s);
   const results::FrameEntry& entry = after == index_.frames(lane_).begin() ? *after : *std::prev(after);
   if (offset_ != entry.offset) frame_ = index_.frame(entry);
   offset_ = entry.offset;

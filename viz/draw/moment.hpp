@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,12 @@ class LaneReader {
 
   [[nodiscard]] const results::Geometry& geometry() const { return index_.geometry(); }
   [[nodiscard]] const nlohmann::ordered_json& header() const { return header_; }
-  /// The samples of the crack up to a time since its start [s].
-  [[nodiscard]] std::vector<results::Sample> samples_until(double since_start_s) const;
+  /// The samples of the crack up to a time since its start [s]; as long as no later moment is asked for.
+  [[nodiscard]] std::span<const results::Sample> samples_until(double since_start_s) const;
+  /// The release rate against the tip; none before the run has ended.
+  [[nodiscard]] const std::vector<results::RatePoint>& rates() const { return index_.rates(lane_); }
+  [[nodiscard]] const std::vector<results::GaugeRow>& gauges() const { return index_.gauges(lane_); }
+  [[nodiscard]] const std::vector<results::ReleaseEvent>& events() const { return index_.events(lane_); }
   [[nodiscard]] bool has_history() const { return std::isfinite(history_clock_s()); }
   /// When the crack starts [s], and how long it lasts as far as is known.
   [[nodiscard]] double start_s() const;

@@ -63,6 +63,7 @@ Picked element(const results::Geometry& g, const results::Frame& frame, std::int
   picked.displacement_m = of_element(frame.displacement, i);
   picked.velocity_m_s = of_element(frame.velocity, i);
   picked.elastic_j = frame.elastic_energy.empty() ? not_stored : frame.elastic_energy[i];
+  picked.released_s = not_stored;
   picked.damage = damage_of(g, frame, [&](std::int32_t b) { return g.beam[b][0] == i || g.beam[b][1] == i; });
   return picked;
 }
@@ -160,9 +161,19 @@ Picked PaneView::at(const std::array<double, 2>& pixel) const {
                           axes_of(look_),
                           answer_.window,
                           answer_.picture};
-  if (const auto i = element_at(standing, shown_, sphere_scale(look_), pixel)) return element(g, frame, *i);
-  if (const auto b = beam_at(standing, look_.beams, pixel)) return beam(g, frame, *b);
-  return {};
+  Picked picked;
+  if (const auto i = element_at(standing, shown_, sphere_scale(look_), pixel)) {
+    picked = element(g, frame, *i);
+  } else if (const auto b = beam_at(standing, look_.beams, pixel)) {
+    picked = beam(g, frame, *b);
+    for (const results::ReleaseEvent& event : reader_.events())
+      if (event.beam == *b) picked.released_s = event.time_s - reader_.start_s();
+  } else {
+    return picked;
+  }
+  const double time_s = (reader_.start_s() + answer_.since_start_s) * (1 + 1e-12);
+  if (const auto row = nearest_gauge(reader_.gauges(), picked.position_m, time_s)) picked.gauge = *row;
+  return picked;
 }
 
 /// The tips where the lattice around them has been carried, as it is drawn.

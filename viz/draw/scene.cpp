@@ -25,9 +25,11 @@ Extent extent_of(const LaneReaders& readers, const Look& look) {
   return plate;
 }
 
+constexpr double all_times = 1e300;
+
 double most_energy(const LaneReader& reader) {
   double most = 0;
-  for (const results::Sample& s : reader.samples_until(1e300))
+  for (const results::Sample& s : reader.samples_until(all_times))
     most = std::max({most, s.elastic_j, s.fracture_j, s.damping_j, s.contact_j});
   return most;
 }
@@ -55,7 +57,7 @@ Scene::Scene(const Job& job, const LaneReaders& readers, vtkRenderWindow& window
   put_on_top(*overlay_, window_);
   add_panes();
   if (job_.look.texts) add_title();
-  if (job_.look.chart) add_charts();
+  if (job_.look.chart != Chart::none) add_charts();
 }
 
 Scene::~Scene() {
@@ -101,34 +103,55 @@ void Scene::show_scales(const std::array<double, 2>& range) {
 }
 
 void Scene::add_charts() {
-  double lasts = 0, most = 0;
+  double lasts = 0;
   BudgetLines lines;
   for (const auto& reader : reader_) {
     lasts = std::max(lasts, reader->lasts_s());
-    most = std::max(most, most_energy(*reader));
-    const BudgetLines own = budget_lines(reader->samples_until(1e300));
+    const BudgetLines own = budget_lines(reader->samples_until(all_times));
     lines.damping = lines.damping || own.damping, lines.contact = lines.contact || own.contact;
   }
-  add_key(*overlay_, layout_.key, layout_.text_px, budget_key(lines));
-  for (const Box& box : layout_.chart) {
-    const auto renderer = vtkSmartPointer<vtkRenderer>::New();
-    renderer->SetViewport(box.x0 / job_.width, box.y0 / job_.height, box.x1 / job_.width,
-                          box.y1 / job_.height);
-    renderer->SetBackground(1, 1, 1);
-    window_.AddRenderer(renderer);
-    chart_place_.push_back(renderer);
-    chart_.push_back(std::make_unique<BudgetChart>(*renderer, box, layout_.text_px, lasts, most, lines));
-  }
+  const bool whole = job_.look.chart == Chart::whole;
+  std::vector<KeyEntry> key = budget_key(lines);
+  if (whole)
+    for (KeyEntry& entry : ratio_key(reader_.size())) key.push_back(std::move(entry));
+  add_key(*overlay_, layout_.key, layout_.text_px, key);
+  for (const Box& box : layout_.chart)
+    chart_.push_back(
+        std::make_unique<BudgetChart>(chart_place(box), box, layout_.text_px, lasts, lines, whole));
+  if (whole)
+    ratio_ = std::make_unique<RatioChart>(chart_place(layout_.ratio), layout_.ratio, layout_.text_px,
+                                          reader_.size(), plate_.length);
+}
+
+/// A renderer of its own for a chart.
+vtkRenderer& Scene::chart_place(const Box& box) {
+  const auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetViewport(box.x0 / job_.width, box.y0 / job_.height, box.x1 / job_.width, box.y1 / job_.height);
+  renderer->SetBackground(1, 1, 1);
+  window_.AddRenderer(renderer);
+  chart_place_.push_back(renderer);
+  return *renderer;
+}
+
+void Scene::show_charts(double since_start_s) {
+  double most = 0;
+  for (const auto& reader : reader_) most = std::max(most, most_energy(*reader));
+  const double until_s = ratio_ == nullptr ? since_start_s : all_times;
+  for (std::size_t k = 0; k < chart_.size(); ++k)
+    chart_[k]->show(reader_[k]->samples_until(until_s), reader_[k]->start_s(),
+                    pane_[k]->answer().since_start_s, most);
+  if (ratio_ == nullptr) return;
+  std::vector<std::span<const results::RatePoint>> rates;
+  for (const auto& reader : reader_) rates.emplace_back(reader->rates());
+  ratio_->show(rates, pane_.front()->answer().tip_m);
 }
 
 void Scene::show(double since_start_s, const std::vector<Moment>& moments,
                  const std::array<double, 2>& range) {
   colours_->SetTableRange(range[0], range[1]);
   if (job_.look.texts) show_scales(range);
-  for (std::size_t k = 0; k < pane_.size(); ++k) {
-    pane_[k]->show(moments[k]);
-    if (!chart_.empty()) chart_[k]->show(reader_[k]->samples_until(since_start_s), reader_[k]->start_s());
-  }
+  for (std::size_t k = 0; k < pane_.size(); ++k) pane_[k]->show(moments[k]);
+  if (!chart_.empty()) show_charts(since_start_s);
 }
 
 }  // namespace rift::viz

@@ -3,6 +3,7 @@
 #include "viz/draw/budget_chart.hpp"
 #include "viz/draw/moment.hpp"
 #include "viz/draw/pane_view.hpp"
+#include "viz/draw/ratio_chart.hpp"
 
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
@@ -37,7 +38,8 @@ class Scene {
   void add_title();
   void add_charts();
   void show_scales(const std::array<double, 2>& range);
-  vtkRenderer& added();
+  void show_charts(double since_start_s);
+  vtkRenderer& chart_place(const Box& box);
 
   const Job& job_;
   const LaneReaders& reader_;
@@ -51,6 +53,7 @@ class Scene {
   std::vector<std::unique_ptr<PaneView>> pane_;
   std::vector<vtkSmartPointer<vtkRenderer>> chart_place_;
   std::vector<std::unique_ptr<BudgetChart>> chart_;
+  std::unique_ptr<RatioChart> ratio_;
 };
 
 }  // namespace rift::viz

@@ -180,13 +180,13 @@ TEST(ExportCsv, WritesEachTable) {
   const TemporaryFolder scratch;
   auto loading = small_run::sample(0, 0, 0.01);
   loading.phase = Phase::loading;
-  small_run::write_journal(
-      scratch.path(),
-      {RunHeader{"{}"}, small_run::geometry(), loading, small_run::sample(2, 0, 0.02),
-       ReleaseEvent{2, 0, 2e-8, 0.015, 3e-9}, RateCurve{0, {{0.02, 0.5, 0.25, 0.625, 0.75}}}});
+  small_run::write_journal(scratch.path(),
+                           {RunHeader{"{}"}, small_run::geometry(), loading, small_run::sample(2, 0, 0.02),
+                            ReleaseEvent{2, 0, 2e-8, 0.015, 3e-9, 0.014, 0.02, 0.75},
+                            RateCurve{0, {{0.02, 0.5, 0.25, 0.625, 0.75}}}});
   EXPECT_EQ(export_csv(scratch.path()), scratch / "csv");
   EXPECT_EQ(read_text(scratch / "csv/events.csv"),
-            "beam,lane,time_s,position_m,energy_j\n2,0,2e-08,0.015,3e-09\n");
+            "beam,lane,time_s,position_m,energy_j,x_m,y_m,tension\n2,0,2e-08,0.015,3e-09,0.014,0.02,0.75\n");
   EXPECT_EQ(read_text(scratch / "csv/rate.csv"),
             "lane,tip_m,ratio,ratio_fracture,ratio_paper,ratio_difference\n0,0.02,0.5,0.25,0.625,"
             "0.75\n");

@@ -174,6 +174,8 @@ TEST(March, ReportsEachReleasedBeamOnceWithItsFractureEnergy) {
 
 // Wider kernels are slower a lane: beyond a register the others wait for a lane to end.
 TEST(March, FillsARegisterWithLanesAndLetsTheOthersWait) {
+  if (!ensemble::is_available(ensemble::InstructionSet::baseline))
+    GTEST_SKIP() << "built for this processor only (RIFT_KERNELS)";
   ::setenv("RIFT_SIMD", "baseline", 1);
   std::vector<scene::Scene> scenes;
   for (const char* velocity : {"0.4 c_r", "0.5 c_r", "0.6 c_r", "0.7 c_r", "0.8 c_r"})

@@ -72,6 +72,8 @@ TEST(Resumption, GoesOnToTheSameBitsInEveryKindOfScene) {
        "loading.displacement=0.1 mm", "solver.kinematics=corotational"},
       {"loading.method=ramp", "loading.ramp_steps=300", "loading.hold_steps=100",
        "loading.displacement=0.1 mm", "solver.precision=single"},
+      {"fracture.law=cohesive", "fracture.release_rate=2 kJ/m2", "fracture.strength=200 MPa",
+       "fracture.duration=30 us", "crack.start=12 mm", "loading.traction=13 MPa"},
   };
   for (const auto& scene : scenes) {
     const Prepared p = small_plate(scene);

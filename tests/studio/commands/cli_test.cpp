@@ -109,6 +109,12 @@ TEST(Help, FitsEightyColumnsSaysWhatValuesAreAndEndsWithExamplesCodesAndVariable
   }
 }
 
+TEST(Cli, RefusesAnInstructionSetThatIsNone) {
+  const Ran ran = run_rift("list", "RIFT_SIMD=AVX3");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.err, "rift: RIFT_SIMD=AVX3: expected baseline, AVX2 or AVX-512\n");
+}
+
 TEST(Help, HasExamplesWhoseOptionsTheCommandKnows) {
   for (const std::string& command : all_commands()) {
     const std::string help = run_rift(command + " --help").out;

@@ -31,6 +31,11 @@ const std::vector<std::pair<const char*, Layout>>& layouts() {
          const HomeLayout l = home_layout(w, h);
          return std::vector{l.head, l.search, l.list, l.detail, l.foot};
        }},
+      {"home with preview",
+       [](int w, int h) {
+         const HomeLayout l = home_layout(w, h, true);
+         return std::vector{l.head, l.search, l.list, l.preview, l.detail, l.foot};
+       }},
       {"form",
        [](int w, int h) {
          const FormLayout l = form_layout(w, h);
@@ -45,6 +50,11 @@ const std::vector<std::pair<const char*, Layout>>& layouts() {
        [](int w, int h) {
          const CompareLayout l = compare_layout(w, h, 8);
          return std::vector{l.head, l.titles, l.table, l.rates, l.foot};
+       }},
+      {"compare 3 with plates",
+       [](int w, int h) {
+         const CompareLayout l = compare_layout(w, h, 3, true);
+         return std::vector{l.head, l.titles, l.table, l.plates, l.rates, l.foot};
        }},
       {"study",
        [](int w, int h) {
@@ -110,6 +120,8 @@ TEST(Layouts, EveryPartHasRoomOnTheTerminalsThatAreCommon) {
     EXPECT_GT(form.derived.height, 4);
     EXPECT_FALSE(study_layout(width, height).errors.empty());
     EXPECT_FALSE(compare_layout(width, height, 2).rates.empty());
+    EXPECT_GE(home_layout(width, height, true).preview.height, 8);
+    EXPECT_GE(compare_layout(width, height, 2, true).plates.height, 16);
   }
 }
 

@@ -2,14 +2,20 @@
 """Measures rift view against a terminal that reads at once and answers at once, for the table of docs/view.md.
 
 usage: figures.py RIFT RUN [--line BYTES_PER_S] [--memory]
-Prints pictures and bytes a second while it plays, the delay from a key to its picture, and the time to the first one.
+       figures.py RIFT PRESET --pairs N [--threads N]
+Prints pictures and bytes a second while it plays, the delay from a key to its picture, and the time to the first one; or
+how fast a run marches with the picture in its panel, against the same run with cells, in pairs one after the other.
 """
 import argparse
 import fcntl
+import json
 import os
 import pty
 import select
+import shutil
+import statistics
 import struct
+import tempfile
 import termios
 import time
 
@@ -35,6 +41,7 @@ class Terminal:
         return time.time() - self.start
 
     def read_for(self, seconds):
+        """Returns whether the program is still there."""
         until = self.now() + seconds
         while self.now() < until:
             if not select.select([self.master], [], [], 0.005)[0]:
@@ -42,7 +49,7 @@ class Terminal:
             try:
                 piece = os.read(self.master, 4096 if self.line else 65536)
             except OSError:  # it has ended
-                return
+                return False
             if self.line:
                 time.sleep(len(piece) / self.line)
             self.bytes += len(piece)
@@ -51,6 +58,7 @@ class Terminal:
                     if question == b"\x1b[5n":
                         self.pictures.append((self.now(), self.bytes))
                     os.write(self.master, answer)
+        return True
 
     def type(self, keys):
         os.write(self.master, keys)
@@ -79,13 +87,45 @@ class Terminal:
         os.waitpid(self.pid, 0)
 
 
+def march(rift, preset, threads, with_picture, folder):
+    """Seconds of the crack's march, and pictures shown."""
+    words = [rift, "run", preset, "--out", folder, "--threads", str(threads)]
+    terminal = Terminal(words, "kitty", 120, 40, (8, 16), {})
+    terminal.read_for(0.5)
+    if with_picture:
+        terminal.type(b"p")
+    while terminal.read_for(1):
+        pass
+    os.close(terminal.master)
+    os.waitpid(terminal.pid, 0)
+    scenario = json.load(open(folder + "/summary.json"))["scenarios"][0]
+    shutil.rmtree(folder)
+    return scenario["wall_pass_s"], len(terminal.pictures)
+
+
+def march_in_pairs(options):
+    ratios = []
+    with tempfile.TemporaryDirectory() as folder:
+        for k in range(options.pairs):
+            order = (False, True) if k % 2 == 0 else (True, False)  # each is first as often as the other
+            took = {shown: march(options.rift, options.run, options.threads, shown, folder + "/run") for shown in order}
+            ratios.append(took[False][0] / took[True][0])
+            print(f"cells {took[False][0]:.2f} s, picture {took[True][0]:.2f} s with {took[True][1]} pictures: "
+                  f"{ratios[-1]:.3f} x as fast", flush=True)
+    print(f"median {statistics.median(ratios):.3f}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("rift")
     parser.add_argument("run")
     parser.add_argument("--line", type=float, default=0.0, help="bytes a second")
     parser.add_argument("--memory", action="store_true", help="over 2,000 pictures")
+    parser.add_argument("--pairs", type=int, default=0, help="of runs")
+    parser.add_argument("--threads", type=int, default=1, help="of these runs")
     options = parser.parse_args()
+    if options.pairs:
+        return march_in_pairs(options)
     cases = [("sixel", 96, 31, (10, 20), {}), ("kitty", 96, 31, (10, 20), {}),
              ("symbols", 120, 44, (8, 16), {"COLORTERM": "truecolor"})]
     for kind, columns, rows, cell, environment in cases:

@@ -1,5 +1,6 @@
 #include "tests/studio/commands/pseudo_terminal.hpp"
 #include "tests/studio/commands/terminal.hpp"
+#include "tests/studio/commands/tiny_plate.hpp"
 #include "tests/studio/view/kitty_screen.hpp"
 #include "tests/viz/drawn_plate.hpp"
 
@@ -31,16 +32,15 @@ TEST(ViewInATerminal, KittyIsShownThePictureWithTheTipWhereItIs) {
   KittyScreen screen(view_of_run(plate::write_run(folder / "run")));
   ASSERT_TRUE(screen.shows_picture(1));
   screen.type("...");
-  ASSERT_TRUE(screen.rests());
-  const viz::Image& image = screen.image();
-  ASSERT_EQ(image.rgb.size(), std::size_t{3} * 1000 * 520);
-  EXPECT_EQ(image.width, 1000);
-  EXPECT_EQ(image.height, 520) << "26 rows of 20 pixels";
   viz::Job job = plate::job_for(folder / "run");
-  job.width = image.width, job.height = image.height;
-  const auto [x, y] =
+  job.width = 1000, job.height = 520;  // 26 rows of 20 pixels
+  const auto tip =
       plate::place_of(job, {plate::tip_at_moment(3), 0.5 * plate::height + 0.5 * plate::pulled}, {0, 0});
-  EXPECT_LT(plate::apart(plate::pixel(image, x, y), {0.05, 0.05, 0.05}), 0.02);
+  const viz::Image& image = screen.image();
+  ASSERT_TRUE(screen.reads_until([&] {
+    return image.width == job.width && image.height == job.height &&
+           plate::apart(plate::pixel(image, tip[0], tip[1]), {0.05, 0.05, 0.05}) < 0.02;
+  }));
   const int i = plate::element(33, 6);
   const auto p = plate::geometry().position[i];
   const double uy = plate::frame(3).displacement[i][1];
@@ -162,11 +162,81 @@ TEST(ViewInATerminal, OnASlowLineAMovingPictureIsInLettersAndARestingOneInPixels
   KittyScreen screen(view_of_run(plate::write_run(folder / "run")), 2.0);
   ASSERT_TRUE(screen.rests());
   const int before = screen.pictures();
-  screen.type(".");
+  screen.type("<<<<< ");  // plays for some ten seconds
   ASSERT_TRUE(screen.shows("\xE2\x96")) << "a block";
   EXPECT_EQ(screen.pictures(), before);
+  screen.type(" ");
   ASSERT_TRUE(screen.shows_picture(before + 1));
   EXPECT_EQ(screen.image().width, 1000);
+}
+
+/// A shell script that views a run and then says what a shell would have read from the terminal.
+std::string then_reads(const TemporaryFolder& folder, const std::filesystem::path& run) {
+  const auto script = folder / "script.sh";
+  std::ofstream(script) << view_of_run(run)
+                        << "\nIFS= read -r -t 2 -n 30 rest\nprintf 'left <%q>\\n' \"$rest\"\n";
+  return "bash '" + script.string() + "'";
+}
+
+TEST(ViewInATerminal, AnAnswerThatComesLateIsNotLeftToTheShell) {
+  const TemporaryFolder folder;
+  PseudoTerminal terminal(then_reads(folder, plate::write_run(folder / "run")));
+  ASSERT_TRUE(terminal.shows("frame 1 of 6"));
+  terminal.type("q\033[?62;4c");
+  EXPECT_TRUE(terminal.shows("left <''>"));
+}
+
+TEST(ViewInATerminal, TheAnswerToTheLastPictureIsNotLeftToTheShell) {
+  const TemporaryFolder folder;
+  KittyScreen screen(then_reads(folder, plate::write_run(folder / "run")), 0.3);
+  ASSERT_TRUE(screen.rests());
+  const int before = screen.pictures();
+  screen.type(".");
+  ASSERT_TRUE(screen.shows_picture(before + 1));
+  screen.type("q");  // while its answer is still to come
+  EXPECT_TRUE(screen.shows("left <''>"));
+}
+
+TEST(ViewInATerminal, DraggingIsReportedAgainAfterCtrlZ) {
+  const TemporaryFolder folder;
+  PseudoTerminal terminal("bash --norc -i");
+  terminal.type(view_of_run(plate::write_run(folder / "run")) + "\n");
+  ASSERT_TRUE(terminal.shows("frame 1 of 6"));
+  const auto times = [&] {
+    int count = 0;
+    const std::string drags = "\033[?1002h";
+    for (std::size_t at = 0; (at = terminal.said().find(drags, at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  ASSERT_TRUE(terminal.reads_until([&] { return times() == 1; }));
+  terminal.type("\x1a");
+  ASSERT_TRUE(terminal.shows("Stopped"));
+  EXPECT_EQ(times(), 1);
+  terminal.type("fg\n");
+  EXPECT_TRUE(terminal.reads_until([&] { return times() == 2; }));
+}
+
+TEST(ViewInATerminal, ControlCharactersOfAFoldersNameDoNotReachTheTerminal) {
+  const TemporaryFolder folder;
+  const auto run = plate::write_run(folder / "a\033]0;taken\ab");
+  PseudoTerminal terminal(view_of_run(run));
+  ASSERT_TRUE(terminal.shows("frame 1 of 6"));
+  terminal.type("c");
+  ASSERT_TRUE(terminal.shows("--magnification"));
+  terminal.type("q");
+  EXPECT_EQ(terminal.exit_code(), 0);
+  EXPECT_TRUE(contains(terminal.said(), "]0;taken"));
+  EXPECT_EQ(terminal.said().find("\033]0;taken"), std::string::npos);
+}
+
+TEST(Graphics, AWrongVariableIsRefusedBeforeARunStarts) {
+  const TinyPlate plate;
+  const auto run = plate.path() / "new";
+  PseudoTerminal terminal("env RIFT_GRAPHICS=png '" RIFT_EXE "' run '" + plate.preset().string() + "' --out '" +
+                          run.string() + "'");
+  EXPECT_EQ(terminal.exit_code(), 2);
+  EXPECT_TRUE(contains(terminal.said(), "RIFT_GRAPHICS=png: must be auto"));
+  EXPECT_FALSE(std::filesystem::exists(run));
 }
 
 TEST(ViewInATerminal, AForcedWayIsTaken) {

@@ -134,6 +134,21 @@ TEST(ViewScreen, ShowsThePictureOfItsCommand) {
   EXPECT_TRUE(std::equal(again.rgb.begin(), again.rgb.end(), shown->rgb.begin(), shown->rgb.end()));
 }
 
+TEST(ViewScreen, TheCommandTurnsTheChartOnWhereThePresetTurnsItOff) {
+  const TemporaryFolder folder;
+  viz::Request request = Viewer::request_for(plate::write_run(folder / "run"));
+  Viewer whole(request);
+  whole.press('c');
+  EXPECT_TRUE(contains(whole.commands.back(), " --chart whole "));
+  request.chart = "growing";  // asked for
+  Viewer growing(request);
+  growing.press('c');
+  EXPECT_TRUE(contains(growing.commands.back(), " --chart growing "));
+  growing.press('e');
+  growing.press('c');
+  EXPECT_TRUE(contains(growing.commands.back(), " --chart none "));
+}
+
 TEST(ViewScreen, PlaysToTheEndAndJumpsToATypedTimeOrTip) {
   const TemporaryFolder folder;
   Viewer viewer(plate::write_run(folder / "run"));
@@ -168,6 +183,7 @@ TEST(ViewScreen, AClickNamesTheElementAndTwoMeasure) {
     viewer.mouse(key_click, x, y);
     viewer.mouse(key_release, x, y);
     ASSERT_TRUE(viewer.shows("element " + std::to_string(i) + " "));
+    EXPECT_TRUE(viewer.shows("gauge 0, "));
   }
   EXPECT_TRUE(viewer.shows("distance 20 mm unloaded, 20 mm now"));
 }
@@ -180,12 +196,14 @@ TEST(ViewScreen, TheCrosshairAsksWhatIsUnderIt) {
   viewer.press('i');
   const auto with = viewer.picture();
   EXPECT_FALSE(std::equal(plain.begin(), plain.end(), with->rgb.begin(), with->rgb.end()));
-  const int i = plate::element(20, 6);  // its column is just beside the middle
+  const int i = plate::element(20, 6);  // its column is just beside the middle of the plate
   const auto p = plate::geometry().position[i];
-  const auto at =
-      plate::place_of(job_shown(folder / "run"), {p[0], p[1] + plate::frame(0).displacement[i][1]}, {0, 0});
-  for (int k = 0; k < std::lround(100 * at[1] / 480 - 50); ++k) viewer.press(key_up);
-  for (int k = 0; k < std::lround(100 * at[0] / 800 - 50); ++k) viewer.press(key_right);
+  const viz::Job job = job_shown(folder / "run");
+  const auto at = plate::place_of(job, {p[0], p[1] + plate::frame(0).displacement[i][1]}, {0, 0});
+  const auto middle =
+      plate::place_of(job, {0.5 * plate::length, 0.5 * (plate::height + plate::pulled)}, {0, 0});
+  for (int k = 0; k < std::lround(100 * (at[1] - middle[1]) / 480); ++k) viewer.press(key_up);
+  for (int k = 0; k < std::lround(100 * (at[0] - middle[0]) / 800); ++k) viewer.press(key_right);
   viewer.press(key_enter);
   EXPECT_TRUE(viewer.shows("element " + std::to_string(i) + " "));
   viewer.press('i');
@@ -235,7 +253,7 @@ TEST(ViewScreen, KeysChangeTheLookAndPassOverWhatIsNotStored) {
   viewer.press('e');
   viewer.press('c');
   EXPECT_TRUE(contains(viewer.commands.back(),
-                       "--camera tip --close-up 0.02 --beams crossing --magnification 4 --no-chart"));
+                       "--camera tip --close-up 0.02 --beams crossing --magnification 4 --chart none"));
 }
 
 TEST(ViewScreen, AnotherSizeIsDrawnAlsoWhileAPictureWaitsToBeSent) {

@@ -32,6 +32,9 @@ TEST(ViewWords, AnElementWithWhatIsStoredOfIt) {
   picked.damage = 0.25;
   EXPECT_EQ(text_of(picked), "element 7   at 10.000 20.000 0.000 mm   ux 0 uy 0.1 uz 0 mm   damage 0.25");
   EXPECT_EQ(text_of({}), "nothing is drawn there");
+  picked.gauge = {.gauge = 3, .x_m = 0.013, .y_m = 0.024, .uy_m = 2e-4, .vy_m_s = 1.5, .strain_yy = 0.01};
+  EXPECT_TRUE(text_of(picked).ends_with("   gauge 3, 5 mm away: uy 0.2 mm vy 1.5 m/s strain yy 0.01"))
+      << text_of(picked);
 }
 
 TEST(ViewWords, ADistanceUnloadedAndNow) {
@@ -51,14 +54,14 @@ TEST(ViewWords, TheCommandHasTheWholeLook) {
   job.look.title = "it's a plate";
   job.look.camera = viz::Camera::free;
   job.look.view = {0.1, 0.02, 0.05, 0, 0.5};
-  job.look.chart = false;
+  job.look.chart = viz::Chart::whole;
   job.width = 960, job.height = 540;
   const std::string line = shell_line(render_arguments(job, {0, 2}));
   EXPECT_TRUE(
       line.starts_with("render 'runs/a b' --lane 0 --lane 2 --field vy --colours coolwarm --range -10,10"))
       << line;
   EXPECT_TRUE(contains(line, "--view 100,20,50,0,28.64789"));
-  EXPECT_TRUE(contains(line, " --no-chart "));
+  EXPECT_TRUE(contains(line, " --chart whole "));
   EXPECT_TRUE(contains(line, "--title 'it'\\''s a plate' --size 960x540"));
 }
 

@@ -72,7 +72,7 @@ TEST(Xterm, HelpAndAZoomReplaceThePicture) {
   const viz::Job job = job_of_window(run);
   const Xterm xterm("'" RIFT_EXE "' view '" + run.string() + "' --no-chart");
   viz::Job shown = job;
-  shown.look.chart = false;
+  shown.look.chart = viz::Chart::none;
   const auto beside = plate::place_of(shown, {-0.3e-3, 0.5 * plate::height}, {0, 0});  // left of the plate
   const auto first = place_of_element(shown, plate::element(0, 7), 0);
   const viz::Colour red =

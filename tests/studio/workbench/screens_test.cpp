@@ -1,4 +1,5 @@
 #include "engine/base/ownership.hpp"
+#include "engine/results/archive.hpp"
 #include "studio/screen/layouts.hpp"
 #include "studio/workbench/compare_screen.hpp"
 #include "studio/workbench/form_screen.hpp"
@@ -171,6 +172,141 @@ TEST(HomeScreen, ComparesTheMarkedRuns) {
        {"2 scenarios side by side", "first: progressive", "second: simple", "G_ID / G_I0", "balance error"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   expect_drawn_at_any_size(*navigation.next);
+}
+
+/// A picture that says what it is asked for.
+struct Told {
+  std::vector<fs::path> runs;
+  PlateView view;
+  Area place;
+};
+
+MakePlatePicture told_picture(Told& told) {
+  struct Picture : PlatePicture {
+    explicit Picture(Told& to) : told(to) {}
+    void look(const Area& place, const PictureRoom&, const PlateView& view) override {
+      told.place = place, told.view = view;
+    }
+    std::optional<ScreenPicture> picture() const override {
+      if (told.place.empty()) return {};
+      return ScreenPicture{.area = told.place, .width = 2, .height = 2, .rgb = pixels, .number = 1};
+    }
+    int descriptor() const override { return -1; }
+    std::string trouble() const override { return {}; }
+    Told& told;
+    std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(12);
+  };
+  return [&told](const std::vector<fs::path>& runs) {
+    told.runs = runs;
+    return std::make_unique<Picture>(told);
+  };
+}
+
+constexpr PictureRoom pixels_room{.pictures = true, .cell_width = 10, .cell_height = 20};
+
+/// A round of the event loop.
+void round_of(Screen& screen, const PictureRoom& room, Canvas& canvas) {
+  if (screen.wants_picture()) screen.take_room(room);
+  (void)screen.look();
+  screen.draw(canvas, Glyphs::unicode);
+}
+
+/// Whether nothing is written where a picture lies.
+bool is_blank(const Canvas& canvas, const Area& area) {
+  for (int y = area.y; y < area.y + area.height; ++y)
+    for (int x = area.x; x < area.x + area.width; ++x)
+      if (canvas.at(x, y).glyph != U' ') return false;
+  return true;
+}
+
+bool rounds_until(Screen& screen, const PictureRoom& room, const std::function<bool(const Canvas&)>& is_so) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(patience_s);
+  while (std::chrono::steady_clock::now() < until) {
+    Canvas canvas(120, 40);
+    round_of(screen, room, canvas);
+    if (is_so(canvas)) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+std::string all_of(const Canvas& canvas) {
+  std::string text;
+  for (int y = 0; y < canvas.height(); ++y) text += canvas.row(y) + "\n";
+  return text;
+}
+
+TEST(HomeScreen, ShowsTheLoadedSpecimenOfAPresetInCellsOrAsAPicture) {
+  Shop shop;
+  for (const bool pixels : {false, true}) {
+    Told told;
+    shop.context.plate_picture = told_picture(told);
+    HomeScreen home(shop.context);
+    EXPECT_FALSE(home.wants_picture());
+    type(home, "p");
+    EXPECT_TRUE(home.wants_picture());
+    ASSERT_TRUE(rounds_until(home, pixels ? pixels_room : PictureRoom{}, [&](const Canvas& canvas) {
+      return all_of(canvas).find(" elements, ") != std::string::npos &&
+             (pixels ? home.picture().has_value() : all_of(canvas).find("▀") != std::string::npos);
+    }));
+    if (pixels) {
+      EXPECT_TRUE(fs::exists(told.runs.at(0) / results::journal_name));
+      Canvas canvas(120, 40);
+      round_of(home, pixels_room, canvas);
+      EXPECT_TRUE(is_blank(canvas, home.picture()->area)) << all_of(canvas);
+    } else {
+      EXPECT_TRUE(told.runs.empty());
+    }
+    expect_drawn_at_any_size(home);
+    type(home, "p");
+    EXPECT_FALSE(home.picture());
+  }
+}
+
+TEST(HomeScreen, ShowsTheLastMomentOfARun) {
+  Shop shop;
+  ASSERT_EQ(shop.run("first").exit_code, 0);
+  Told told;
+  shop.context.plate_picture = told_picture(told);
+  HomeScreen home(shop.context);
+  type(home, "p");
+  ASSERT_TRUE(rounds_until(home, pixels_room, [&](const Canvas&) { return home.picture().has_value(); }));
+  EXPECT_EQ(told.runs.at(0), shop.context.runs / "first");
+  home.press({key_down});
+  home.press({key_down});
+  Canvas canvas(120, 40);
+  round_of(home, pixels_room, canvas);
+  EXPECT_FALSE(home.picture()) << "of another row";
+}
+
+TEST(CompareScreen, ShowsThePlatesOfTheRunsAtOneMoment) {
+  Shop shop;
+  ASSERT_EQ(shop.run("first").exit_code, 0);
+  ASSERT_EQ(shop.run("second").exit_code, 0);
+  Told told;
+  shop.context.plate_picture = told_picture(told);
+  const std::vector<fs::path> runs{shop.context.runs / "first", shop.context.runs / "second"};
+  CompareScreen screen(shop.context, runs);
+  Canvas canvas(120, 40);
+  type(screen, "p");
+  round_of(screen, PictureRoom{}, canvas);
+  EXPECT_NE(all_of(canvas).find("▀"), std::string::npos) << "cells: " << all_of(canvas);
+  round_of(screen, pixels_room, canvas);
+  round_of(screen, pixels_room, canvas);
+  EXPECT_EQ(told.runs, runs);
+  EXPECT_TRUE(told.view.lanes.empty());
+  EXPECT_TRUE(told.view.titles);
+  EXPECT_EQ(told.view.until, 1);
+  Canvas drawn(120, 40);
+  round_of(screen, pixels_room, drawn);
+  ASSERT_TRUE(screen.picture());
+  EXPECT_TRUE(is_blank(drawn, screen.picture()->area)) << all_of(drawn);
+  screen.press({key_left});
+  round_of(screen, pixels_room, canvas);
+  EXPECT_NEAR(told.view.until, 0.975, 1e-12);
+  expect_drawn_at_any_size(screen);
+  type(screen, "p");
+  EXPECT_FALSE(screen.picture());
 }
 
 TEST(HomeScreen, AClickChoosesAndASecondOneOpens) {
@@ -553,6 +689,40 @@ TEST(LessonScreen, LeadsFromTextThroughTheRunToItsAnswerAndAHandout) {
                            "<table", "Broberg, ", "strip"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
   EXPECT_EQ(screen->press({'q'}).to, Navigation::To::back);  // it has finished
+}
+
+TEST(LessonScreen, IsWatchedAsAPictureWhereTheTerminalHasPixels) {
+  Shop shop;
+  write_text(shop.context.presets / "teach_node_release.toml",
+             read_text(shop.preset()) +
+                 "[[lanes]]\ntechnique = \"simple\"\n[[lanes]]\ntechnique = \"progressive\"\n");
+  Told told;
+  shop.context.plate_picture = told_picture(told);
+  constexpr PictureRoom letters{.pictures = true, .symbols = true};
+  for (const bool pixels : {true, false}) {
+    const auto screen = lesson_screen(shop.context, "node-release");
+    EXPECT_FALSE(screen->wants_picture());
+    for (int k = 0; k < 3; ++k) screen->press({key_enter});
+    const PictureRoom& room = pixels ? pixels_room : letters;
+    const auto is_drawn = [&](const Canvas& canvas) {
+      return all_of(canvas).find("1 simple release") != std::string::npos &&
+             (!pixels || screen->picture().has_value());
+    };
+    ASSERT_TRUE(rounds_until(*screen, room, is_drawn));
+    EXPECT_EQ(screen->picture().has_value(), pixels);
+    Canvas canvas(120, 40);
+    round_of(*screen, room, canvas);
+    if (pixels) {
+      EXPECT_TRUE(told.view.velocity);
+      EXPECT_TRUE(is_blank(canvas, screen->picture()->area)) << all_of(canvas);
+      EXPECT_GT(screen->picture()->area.y, told.place.y) << "below the lesson's text";
+    }
+    type(*screen, "p");
+    round_of(*screen, room, canvas);
+    EXPECT_EQ(screen->wants_picture(), !pixels);
+    screen->press({key_enter});
+    EXPECT_FALSE(screen->picture()) << "the question has none";
+  }
 }
 
 TEST(LessonScreen, ARunWithoutAHandoutGivesWayToTheNext) {

@@ -1,0 +1,23 @@
+# kernel_sets: the instruction sets whose kernels are built, from RIFT_KERNELS: `all` for a program that runs at its
+# best on any processor, `native` for the best that this machine has (a third of the compiler's time), or a list.
+set(RIFT_KERNELS all CACHE STRING "Instruction sets of the hot loop: all, native, or some of baseline;avx2;avx512")
+
+if(RIFT_KERNELS STREQUAL "all")
+  set(kernel_sets baseline avx2 avx512)
+elseif(RIFT_KERNELS STREQUAL "native")
+  file(STRINGS /proc/cpuinfo processor_flags REGEX "^flags" LIMIT_COUNT 1)
+  if(processor_flags MATCHES " avx512f .* avx512dq .* avx512vl ")
+    set(kernel_sets avx512)
+  elseif(processor_flags MATCHES " fma .* avx2 ")
+    set(kernel_sets avx2)
+  else()
+    set(kernel_sets baseline)
+  endif()
+else()
+  set(kernel_sets ${RIFT_KERNELS})
+  foreach(kernels IN LISTS kernel_sets)
+    if(NOT kernels MATCHES "^(baseline|avx2|avx512)$")
+      message(FATAL_ERROR "RIFT_KERNELS '${kernels}': expected all, native, or some of baseline;avx2;avx512")
+    endif()
+  endforeach()
+endif()
