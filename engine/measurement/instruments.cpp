@@ -96,6 +96,7 @@ std::vector<ArrivingStretch> arriving_of(const Instruments& seen, const scene::S
   if (!is_paper_strip(scene)) return all;
   for (const theory::TransientStretch& t : theory::strip_transient(scene::highest_velocity(scene))) {
     ArrivingStretch stretch{t.from * seen.plate.x(), t.to * seen.plate.x(), 0, 0.0, t.over_g_i0};
+    if (seen.samples.empty() || seen.samples.back().tip_m < (1.0 - 1e-3) * stretch.to) continue;
     for (const IntensityPoint& p : seen.intensity) {
       if (!p.k || p.tip < stretch.from || p.tip > stretch.to) continue;
       ++stretch.moments;

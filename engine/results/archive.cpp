@@ -225,8 +225,7 @@ void write_gauges(Group& root, const JournalScan& scan) {
 void write_lattice(Group& scene, const JournalScan& scan) {
   const Mechanics& m = scan.mechanics;
   const Geometry& geometry = *scan.geometry;
-  if (m.centre.size() != geometry.position.size() || m.axial.size() != geometry.beam.size() ||
-      m.crossing_position.size() != geometry.crossing.size() || m.centre.empty())
+  if (m.centre.size() != geometry.position.size() || m.axial.size() != geometry.beam.size() || m.centre.empty())
     return;
   std::vector<std::array<double, 3>> axis;
   std::vector<double> length;
@@ -249,6 +248,8 @@ void write_lattice(Group& scene, const JournalScan& scan) {
   lattice.write("axial_n_m", m.axial);
   lattice.write("bending_n_m", m.bending);
   lattice.write("twist_n_m", m.twist);
+  // Of beams that break by themselves no path says where the tip meets them.
+  if (m.crossing_position.size() != geometry.crossing.size()) return;
   lattice.write("crossing", geometry.crossing);
   lattice.write("crossing_position_m", m.crossing_position);
 }

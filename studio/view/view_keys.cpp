@@ -98,10 +98,7 @@ bool ViewScreen::act_on_look(Action action) {
       return true;
     case Action::next_colours:
       change([&](viz::Request& request) {
-        const std::string now = look.colours.empty()
-                                    ? std::string(viz::colour_map_of(*viz::find_field(look.field)).name)
-                                    : look.colours;
-        request.colours = next_name(viz::colour_maps(), now);
+        request.colours = next_name(viz::colour_maps(), colours_of(look));
       });
       message_ = "colours: " + plan_.job.look.colours;
       return true;

@@ -60,6 +60,11 @@ bool is_plain(char c) {
 
 }  // namespace
 
+std::string colours_of(const viz::Look& look) {
+  const viz::ColourMap* named = viz::find_colour_map(look.colours);
+  return std::string((named != nullptr ? *named : viz::colour_map_of(*viz::find_field(look.field))).name);
+}
+
 std::string numbers_of(const viz::Answer& answer, const viz::Look& look, int moment, int moments,
                        double rayleigh_m_s) {
   const viz::PaneAnswer& pane = answer.pane[0];
@@ -109,8 +114,7 @@ std::vector<std::string> render_arguments(const viz::Job& job, const std::vector
   };
   for (const int lane : lanes) add("--lane", fmt::format("{}", lane));
   add("--field", look.field);
-  add("--colours", look.colours.empty() ? std::string(viz::colour_map_of(*viz::find_field(look.field)).name)
-                                        : look.colours);
+  add("--colours", colours_of(look));
   add("--range", range_text(look));
   if (look.camera == viz::Camera::free)
     add("--view", view_text(look.view));

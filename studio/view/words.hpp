@@ -20,6 +20,9 @@ namespace rift::studio {
 /// Between two that were asked for: unloaded, and as they are now.
 [[nodiscard]] std::string distance_between(const viz::Picked& a, const viz::Picked& b);
 
+/// The colour map that a look has: the one that it names, or that of its field.
+[[nodiscard]] std::string colours_of(const viz::Look& look);
+
 /// The arguments of the `rift render` that makes this picture, without the program's name and what is to be
 /// written. @param lanes  that were asked for; none: all
 [[nodiscard]] std::vector<std::string> render_arguments(const viz::Job& job, const std::vector<int>& lanes);

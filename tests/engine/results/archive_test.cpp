@@ -336,6 +336,27 @@ TEST(Archive, HoldsTheLatticeInDoublePrecisionAndTheRotationsAskedFor) {
   EXPECT_EQ(archive.values("/VTKHDF/PointData/rotation"), (Numbers{0.5, 0, 0, 0.5, 1, 0, 0.5, 2, 0, 0.5, 3, 0}));
 }
 
+// Beams that break by themselves have no positions along a path: the rest of the lattice is there all the same.
+TEST(Archive, OfACrackWithoutAPathHoldsTheLatticeWithoutCrossings) {
+  const Mechanics mechanics{.centre = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0.5, 0.25}},
+                            .radius = {0.5, 0.4, 0.3, 0.2},
+                            .mass = {1, 2, 3, 4},
+                            .inertia = {5, 6, 7, 8},
+                            .grip = {1, 0, 0, 2},
+                            .axial = {8, 9, 10},
+                            .bending = {11, 12, 13},
+                            .twist = {14, 15, 16},
+                            .crossing_position = {}};
+  std::vector<Record> records = one_lane();
+  records.insert(records.begin() + 2, mechanics);
+  const TemporaryFolder scratch;
+  small_run::write_journal(scratch.path(), records);
+  assemble_archive(scratch.path());
+  const Archive archive(scratch.path());
+  EXPECT_EQ(archive.values("/scene/lattice/mass_kg"), (Numbers{1, 2, 3, 4}));
+  EXPECT_FALSE(archive.has("/scene/lattice/crossing"));
+}
+
 TEST(Archive, OfAJournalWithoutALatticeHasNone) {
   const TemporaryFolder scratch;
   small_run::write_journal(scratch.path(), one_lane());

@@ -33,8 +33,8 @@ TEST(FreeCrack, RunsFromTheNotchAndSaysWhatBroke) {
   for (const results::ReleaseEvent& e : events) {
     energy += e.energy_j;
     EXPECT_TRUE(e.tension >= 0.0 && e.tension <= 1.0) << e.tension;
-    // Each takes the energy of breaking a beam, but for what its last step passes over.
-    EXPECT_NEAR(e.energy_j / (0.71 * 2000.0 * fracture::area_of_beam(p.lattice)), 1.0, 0.2);
+    // Each takes the energy of breaking a beam, and more where it is torn faster than a step can follow.
+    EXPECT_GT(e.energy_j / (0.71 * 2000.0 * fracture::area_of_beam(p.lattice)), 0.9);
   }
   EXPECT_LT(energy, lane.samples.back().fracture_j);
   EXPECT_GT(energy, 0.3 * lane.samples.back().fracture_j);

@@ -23,7 +23,7 @@ TEST(Reproduce, ANameThatResemblesNothingGetsTheList) {
   const Ran ran = run_rift("reproduce nonsense_of_a_name");
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_TRUE(
-      contains(ran.err, "unknown name 'nonsense_of_a_name': the names are all, beyond, fig01, fig02"));
+      contains(ran.err, "unknown name 'nonsense_of_a_name': the names are all, beyond, readings, fig01, fig02"));
   EXPECT_TRUE(contains(ran.err, "sec5_bending, beyond_map"));
 }
 

@@ -81,12 +81,13 @@ class Viewer {
   }
   /// The picture of the present state, all of its pixels.
   std::optional<ScreenPicture> picture() {
-    EXPECT_TRUE(until(
-        [&] { return screen_.picture() && screen_.picture()->width == 800 && screen_.patience_ms() > 20; }));
-    for (int k = 0; k < 60; ++k) {  // until nothing newer comes
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      round();
-    }
+    int at_rest = 0;  // rounds in which nothing moves and nothing is being drawn
+    EXPECT_TRUE(until([&] {
+      const bool rests = screen_.picture() && screen_.picture()->width == 800 && screen_.patience_ms() > 20 &&
+                         screen_.wakened_by() < 0;
+      at_rest = rests ? at_rest + 1 : 0;
+      return at_rest > 3;
+    }));
     return screen_.picture();
   }
   std::vector<std::string> commands;

@@ -50,6 +50,7 @@ TEST(ViewWords, TheCommandHasTheWholeLook) {
   viz::Job job;
   job.panes = {{"runs/a b", 0, ""}, {"runs/a b", 2, ""}};
   job.look.field = "vy";
+  job.look.colours = "of the field";  // as a preset's [film] has it
   job.look.range = {-10, 10};
   job.look.title = "it's a plate";
   job.look.camera = viz::Camera::free;
