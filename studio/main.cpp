@@ -1,6 +1,5 @@
 #include "engine/base/console.hpp"
 #include "engine/base/files.hpp"
-#include "engine/ensemble/instruction_set.hpp"
 #include "engine/results/run_folder.hpp"
 #include "engine/scene/issue.hpp"
 #include "studio/commands/commands.hpp"
@@ -13,7 +12,6 @@
 
 #include <exception>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -41,10 +39,8 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 ExitCode run(int argc, char** argv) {
-  try {
-    (void)rift::ensemble::instruction_set();
-  } catch (const std::invalid_argument& error) {
-    rift::base::message("rift: {}\n", error.what());
+  if (const auto mistake = rift::studio::mistake_in_variables()) {
+    rift::base::message("rift: {}\n", *mistake);
     return ExitCode::bad_input;
   }
   CLI::App app("Dynamic fracture on a discrete-element beam lattice.", "rift");

@@ -13,6 +13,7 @@
 
 #include <cstdlib>
 #include <set>
+#include <stdexcept>
 #include <system_error>
 #include <vector>
 
@@ -77,6 +78,13 @@ bool is_cut_off(const fs::path& folder, ReportKind kind) {
 }
 
 }  // namespace
+
+std::optional<std::string> mistake_in_variables() try {
+  (void)ensemble::instruction_set();
+  return {};
+} catch (const std::invalid_argument& error) {
+  return error.what();
+}
 
 fs::path presets_folder() {
   const std::string chosen = environment("RIFT_PRESETS");

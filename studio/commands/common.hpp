@@ -25,6 +25,9 @@ enum class ExitCode {
   not_whole = 6
 };
 
+/// What is wrong with a variable of the environment that every command reads.
+std::optional<std::string> mistake_in_variables();
+
 /// Where the presets are: $RIFT_PRESETS if set, else those installed beside the program
 /// (../share/rift/presets), else those of the source tree. The folder need not exist.
 std::filesystem::path presets_folder();
