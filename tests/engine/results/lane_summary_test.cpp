@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A summary in which every column holds something else.
-LaneSummary filled() {
+LaneSummary filled(const char* course = "by itself") {
   LaneSummary s;
   double next = 0.5;
   for (const SummaryColumn& column : summary_columns()) {
@@ -28,15 +28,38 @@ LaneSummary filled() {
   s.window_over_length = {0.25, 0.75};
   s.left_out = {"damping", "gauges"};
   s.steering = {{21, "crack_velocity", "0.3 c_r"}};
-  s.crack_course = "by itself";
+  s.crack_course = course;
   return s;
 }
 
-TEST(LaneSummary, IsReadBackAsItWasWritten) {
-  const Json json = to_json(filled());
-  EXPECT_EQ(json.size(), summary_columns().size());
+/// The columns that such a crack has.
+std::vector<std::string> columns_of(const LaneSummary& s) {
+  std::vector<std::string> names;
+  for (const SummaryColumn& column : summary_columns())
+    if (!column.is_there || column.is_there(s)) names.emplace_back(column.name);
+  return names;
+}
+
+class LaneSummaryOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(LaneSummaryOf, IsReadBackAsItWasWritten) {
+  const Json json = to_json(filled(GetParam()));
+  EXPECT_EQ(json.size(), columns_of(filled(GetParam())).size());
   EXPECT_EQ(to_json(lane_summary_of(Json::parse(json.dump()))), Json::parse(json.dump()));
 }
+
+TEST_P(LaneSummaryOf, HasItsColumnsInTheirOrderThoseOfTheScenarioFirst) {
+  std::vector<std::string> names;
+  const Json json = to_json(filled(GetParam()));
+  for (const auto& [name, value] : json.items()) names.push_back(name);
+  EXPECT_EQ(names, columns_of(filled(GetParam())));
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  EXPECT_EQ(std::string(scenario_columns().back().name), "seed");
+  EXPECT_EQ(to_json(filled(GetParam()), scenario_columns()).size(), scenario_columns().size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Cracks, LaneSummaryOf, testing::Values("by itself", "free"),
+                         [](const auto& course) { return course.index == 0 ? "Predicted" : "Free"; });
 
 TEST(LaneSummary, OfVersion01IsReadUnderThePresentNames) {
   const LaneSummary s = lane_summary_of(Json{{"ratio", 0.340},
@@ -47,17 +70,6 @@ TEST(LaneSummary, OfVersion01IsReadUnderThePresentNames) {
   EXPECT_EQ(s.ratio_fracture, 0.341);
   EXPECT_NEAR(s.ratio_paper, 0.350 + 0.034, 1e-15);
   EXPECT_NEAR(s.ratio_difference, -0.001, 1e-15);
-}
-
-TEST(LaneSummary, WritesItsColumnsInTheirOrderThoseOfTheScenarioFirst) {
-  std::vector<std::string> names;
-  const Json json = to_json(filled());
-  for (const auto& [name, value] : json.items()) names.push_back(name);
-  std::size_t k = 0;
-  for (const SummaryColumn& column : summary_columns()) EXPECT_EQ(names.at(k++), column.name);
-  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
-  EXPECT_EQ(std::string(scenario_columns().back().name), "seed");
-  EXPECT_EQ(to_json(filled(), scenario_columns()).size(), scenario_columns().size());
 }
 
 TEST(LaneSummary, WritesNullForWhatIsUndefinedAndWholeNumbersWithoutAFraction) {

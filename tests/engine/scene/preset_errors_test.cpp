@@ -98,7 +98,8 @@ TEST(PresetErrors, PointFromUnknownNamesToTheNearestOne) {
 
 TEST(PresetErrors, ListTheTablesWhereNoneIsNear) {
   EXPECT_EQ(complaints_of_preset("[geometry]\n"),
-            "x.toml:1: unknown table [geometry]: a preset has specimen, material, loading, crack, damping, "
+            "x.toml:1: unknown table [geometry]: a preset has specimen, material, loading, crack, fracture, "
+            "damping, "
             "solver, output, calibration, film, study and lanes\n");
 }
 
