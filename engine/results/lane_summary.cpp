@@ -177,7 +177,10 @@ std::vector<LaneSummary> lane_summaries_of(const Json& list) {
 
 namespace {
 
-std::string technique(const LaneSummary& s) { return s.technique.empty() ? "" : s.technique + " release"; }
+std::string technique(const LaneSummary& s) {
+  if (s.technique.empty()) return "";
+  return s.technique + (is_free(s) ? " beams" : " release");
+}
 
 std::string velocity(const LaneSummary& s) {
   if (!std::isnan(s.crack_velocity_over_cr)) return fmt::format("{:.3g} c_R", s.crack_velocity_over_cr);
