@@ -89,6 +89,10 @@ class PseudoTerminal {
  private:
   /// What the command writes in the next tenth of a second at most. @return bytes, or -1 where it has ended
   ssize_t read_some() {
+    if (master_ < 0) {  // hung up: nothing comes any more
+      usleep(10000);
+      return -1;
+    }
     pollfd master{master_, POLLIN, 0};
     char buffer[4096];
     const bool ready = poll(&master, 1, 100) > 0;
