@@ -7,7 +7,7 @@
 
 namespace rift::fracture {
 
-/// What decides which beams break: a tip that moves as it is told, or each beam by its own opening, which
+/// What decides which beams break: a tip that follows its history, or each beam by its own opening, which
 /// softens it or breaks it at once.
 enum class FractureLaw : std::uint8_t { prescribed, cohesive, snap };
 

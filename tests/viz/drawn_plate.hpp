@@ -95,7 +95,7 @@ inline results::GaugeRow gauge_row(int moment, int lane) {
           .strain_yy = 1e-3 * moment};
 }
 
-/// `moments` of them, with books, a gauge and release rates, in a folder of a run that has ended.
+/// `moments` of them, with energy balances, a gauge and release rates, in a folder of a run that has ended.
 inline std::filesystem::path write_run(const std::filesystem::path& run, int moments = 6, int lanes = 1,
                                        double contact_j = 0.0) {
   std::filesystem::create_directories(run);
