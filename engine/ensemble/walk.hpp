@@ -32,6 +32,27 @@ inline EndLoads<Pack<Real, Width>> damper_loads_at(const PartView<Real>& p, cons
   return damper_loads<V>(axis, alpha * d.axial, alpha * d.twist, alpha * d.bend, at_i, at_j);
 }
 
+/// The beams of other parts' elements to this part's: their loads on the second element go into the ring.
+/// A function of its own, as add_extra_forces().
+template <template <class, int> class Form, class Real, int Width, bool Damped>
+[[gnu::noinline, gnu::flatten]] void walk_halo(const ViewOf<Form, Real>& p) {
+  using F = Form<Real, Width>;
+  using V = Pack<Real, Width>;
+  for (long b = 0; b < p.halo; ++b) {
+    const auto& beam = p.intact[b];
+    const auto form = F::form(beam.form);
+    const EndLoads<V> e = F::loads(form, position_at<Form, Real, Width>(p.q, p.halo_i[b]),
+                                   position_at<Form, Real, Width>(p.q, beam.j));
+    add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
+    if (!Damped || !p.dampers || p.dampers[b].at_surface < 0) continue;
+    V at_i[6];
+    rates_at<Width>(p, p.halo_i[b], at_i);
+    const EndLoads<V> taken =
+        damper_loads_at<Real, Width>(p, p.dampers[b], F::initial_axis(form), at_i, beam.j);
+    add_to<Width>(p.damping_ring + beam.slot * 6L * Width, [&](V(&d)[6]) { put_opposite(d, taken); });
+  }
+}
+
 /// Walks over the elements in their order: each gets the forces of its beams to later ones and, in the ring,
 /// of earlier ones' beams to it; then nothing is missing and `finish` may move it on, since no later beam
 /// asks for it. Every element sums in one order, whoever walks. Forces of dampers go through a ring of their
@@ -46,20 +67,8 @@ template <template <class, int> class Form, class Real, int Width, bool Damped, 
 inline void walk_lanes(const ViewOf<Form, Real>& p, const Finish& finish) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
-  long b = 0;  // intact beam
-  for (; b < p.halo; ++b) {
-    const auto& beam = p.intact[b];
-    const auto form = F::form(beam.form);
-    const EndLoads<V> e = F::loads(form, position_at<Form, Real, Width>(p.q, p.halo_i[b]),
-                                   position_at<Form, Real, Width>(p.q, beam.j));
-    add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
-    if (!Damped || !p.dampers || p.dampers[b].at_surface < 0) continue;
-    V at_i[6];
-    rates_at<Width>(p, p.halo_i[b], at_i);
-    const EndLoads<V> taken =
-        damper_loads_at<Real, Width>(p, p.dampers[b], F::initial_axis(form), at_i, beam.j);
-    add_to<Width>(p.damping_ring + beam.slot * 6L * Width, [&](V(&d)[6]) { put_opposite(d, taken); });
-  }
+  walk_halo<Form, Real, Width, Damped>(p);
+  long b = p.halo;  // intact beam
   ElementIndex extra{p.extra_element, p.extras}, damped{p.damped_element, p.damped_elements};
   for (int i = p.begin; i < p.end; ++i) {
     const auto qi = position_at<Form, Real, Width>(p.q, i);

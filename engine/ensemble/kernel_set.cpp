@@ -1,5 +1,6 @@
-// The kernels of one instruction set; RIFT_INSTRUCTIONS names it, RIFT_REGISTER_BYTES is the width of its
-// registers.
+// The kernels of one instruction set and precision. engine/CMakeLists.txt compiles this file once for each of
+// them: RIFT_INSTRUCTIONS names the set, RIFT_REGISTER_BYTES is the width of its registers, RIFT_REAL the
+// number of the state.
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/ensemble/kernels.hpp"
 
@@ -43,11 +44,8 @@ double multiply_and_add(long rounds) {
   return sum == Real(-1) ? 0.0 : 2.0 * static_cast<double>(rounds) * chains * width;
 }
 
-template Kernel<LinearBeam<double>> find_kernel(int);
-template Kernel<LinearBeam<float>> find_kernel(int);
-template Kernel<CorotationalBeam<double>> find_kernel(int);
-template Kernel<CorotationalBeam<float>> find_kernel(int);
-template double multiply_and_add<double>(long);
-template double multiply_and_add<float>(long);
+template Kernel<LinearBeam<RIFT_REAL>> find_kernel(int);
+template Kernel<CorotationalBeam<RIFT_REAL>> find_kernel(int);
+template double multiply_and_add<RIFT_REAL>(long);
 
 }  // namespace rift::ensemble::RIFT_INSTRUCTIONS
