@@ -32,7 +32,7 @@ ExitCode work_in_terminal(std::unique_ptr<Screen> first, const Session& session,
 bool panel_there() { return Terminal::there(); }
 
 std::optional<simulation::Recorded> run_in_panel(RunRequest request, bool color, const StopSignal& stop) {
-  const GraphicsWish wish = graphics_wish("rift run", {});  // refused before anything starts
+  const GraphicsWish wish = graphics_wish(request.resume ? "rift resume" : "rift run", {});  // refused before anything starts
   AppContext context = app_context(request.threads);
   auto screen = std::make_unique<RunScreen>(context, std::move(request), true);
   const RunScreen& panel = *screen;

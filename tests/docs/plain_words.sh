@@ -45,18 +45,15 @@ prose() {
   sed -E 's/`[^`]*`//g; s/^# ?//; s/^$/\x01/' "$1" | tr '\n' ' ' | tr '\001' '\n'
 }
 
-wrong=0
-check() { # FILE, its text on standard input
-  local found
-  found=$(grep -ioE ".{0,40}($banned).{0,40}") || return 0
-  while IFS= read -r line; do echo "$1: $line"; done <<<"$found"
-  wrong=1
+# FUNCTION FILE...: what the function finds in each file, behind the file's name.
+texts() {
+  local function=$1 file
+  shift
+  for file; do "$function" "$file" | sed "s@^@$file: @"; done
 }
 
-while IFS= read -r file; do
-  check "$file" < <(literals "$file")
-done < <(find engine studio viz -name '*.[ch]pp' | LC_ALL=C sort)
-while IFS= read -r file; do
-  check "$file" < <(prose "$file")
-done < <(find docs CHANGELOG.md CONTRIBUTING.md presets -name '*.md' -o -name '*.toml' | LC_ALL=C sort)
-exit $wrong
+mapfile -t sources < <(find engine studio viz -name '*.[ch]pp' | LC_ALL=C sort)
+mapfile -t documents < <(find docs CHANGELOG.md CONTRIBUTING.md presets -name '*.md' -o -name '*.toml' | LC_ALL=C sort)
+found=$({ texts literals "${sources[@]}"; texts prose "${documents[@]}"; } | LC_ALL=C grep -iE ": .*($banned)") || exit 0
+LC_ALL=C grep -ioE "^[^:]*:|.{0,40}($banned).{0,40}" <<<"$found"
+exit 1
