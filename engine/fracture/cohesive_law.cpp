@@ -53,4 +53,20 @@ double resolved_strength(const lattice::Lattice& lattice, const CohesiveMaterial
   return strength;
 }
 
+void BrokenBeams::add(const Eigen::Vector2d& middle) {
+  Broken added{middle, 1};
+  for (Broken& other : broken_) {
+    if ((other.middle - middle).norm() > reach_) continue;
+    ++added.near, ++other.near;
+    look_at(other);
+  }
+  broken_.push_back(added);
+  look_at(added);
+}
+
+void BrokenBeams::look_at(const Broken& beam) {
+  constexpr int enough = 3;
+  if (beam.near >= enough) leading_ = std::max(leading_.value_or(beam.middle.x()), beam.middle.x());
+}
+
 }  // namespace rift::fracture

@@ -2,7 +2,10 @@
 
 #include "engine/lattice/lattice.hpp"
 
+#include <Eigen/Core>
+
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace rift::fracture {
@@ -48,5 +51,31 @@ inline constexpr double resolved_radii = 16.0;
 /// The largest strength [Pa] that the lattice resolves: sqrt((9 pi / 32) E G_c / (16 R)), and no more than
 /// what lets each beam soften at all (delta_0 <= delta_f). Of the material's strength nothing is used.
 double resolved_strength(const lattice::Lattice& lattice, const CohesiveMaterial& material);
+
+/// The beams that broke by themselves, as the crack that they make; whatever the order in which they are
+/// added.
+class BrokenBeams {
+ public:
+  /// @param[in] reach  [m] within which other broken beams count as near
+  explicit BrokenBeams(double reach) : reach_(reach) {}
+
+  /// @param[in] middle  of the beam [m]
+  void add(const Eigen::Vector2d& middle);
+  int count() const { return static_cast<int>(broken_.size()); }
+
+  /// The largest x of a broken beam that has two others near it [m]: one alone may break anywhere.
+  std::optional<double> leading() const { return leading_; }
+
+ private:
+  struct Broken {
+    Eigen::Vector2d middle;
+    int near;  // broken beams, itself among them
+  };
+  void look_at(const Broken& beam);
+
+  double reach_;
+  std::vector<Broken> broken_;
+  std::optional<double> leading_;
+};
 
 }  // namespace rift::fracture

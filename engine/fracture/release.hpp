@@ -2,7 +2,7 @@
 
 #include "engine/fracture/cohesive_law.hpp"
 #include "engine/history/crack_history.hpp"
-#include "engine/lattice/step_load.hpp"
+#include "engine/lattice/loads.hpp"
 
 #include <cmath>
 #include <optional>

@@ -37,7 +37,7 @@ int most_side_by_side(const Prepared& p, int wished) {
                            : ensemble::lanes_in_register(precision, ensemble::instruction_set());
 }
 
-/// Within so many mean radii gone beams count as near each other.
+/// Within so many mean radii broken beams count as near each other.
 constexpr double near_radii = 2.0;
 
 bool breaks_freely(const Prepared& p) { return scene::breaks_freely(p.preset.scene); }
@@ -135,7 +135,7 @@ Run::Run(const Prepared& prepared, const Observer& observer, const MarchOptions&
                 tips_ ? std::shared_ptr<ensemble::ReleaseRule>(tips_)
                       : std::make_shared<ensemble::BreakingBeams>(prepared.lattice, prepared.step.dt)),
       slot_(ensemble_.scenarios()),
-      gone_(tips_ ? 0 : slot_.size(), fracture::GoneBeams(near_radii * prepared.lattice.mean_radius)) {
+      broken_(tips_ ? 0 : slot_.size(), fracture::BrokenBeams(near_radii * prepared.lattice.mean_radius)) {
   result_.lane.resize(prepared.lane.size());
   for (LaneSlot& slot : slot_) {
     slot.scenario = next_scenario_++;
@@ -316,7 +316,7 @@ results::Sample Run::sample(const LaneSlot& slot) {
 
 double Run::tip(const LaneSlot& slot) const {
   const int lane = index(slot);
-  return tips_ ? tips_->tip(lane) : gone_[lane].leading().value_or(scene().crack.start);
+  return tips_ ? tips_->tip(lane) : broken_[lane].leading().value_or(scene().crack.start);
 }
 
 double Run::speed(const LaneSlot& slot) {
@@ -324,19 +324,19 @@ double Run::speed(const LaneSlot& slot) {
 }
 
 void Run::note_gone(int lane, int k) {
-  gone_[lane].add(middle_of(prepared_.lattice, ensemble_.damageable()[k].beam));
+  broken_[lane].add(middle_of(prepared_.lattice, ensemble_.damageable()[k].beam));
 }
 
 void Run::find_gone(const LaneSlot& slot) {
   const int lane = index(slot);
-  gone_[lane] = fracture::GoneBeams(near_radii * prepared_.lattice.mean_radius);
+  broken_[lane] = fracture::BrokenBeams(near_radii * prepared_.lattice.mean_radius);
   for (int k = 0; k < static_cast<int>(ensemble_.damageable().size()); ++k)
     if (!ensemble_.damageable()[k].absent && ensemble_.factor(k, lane) == 0.0) note_gone(lane, k);
 }
 
 void Run::count_broken(LaneSlot& slot) {
   BrokenBeams& broken = lane_of(slot).broken;
-  const fracture::GoneBeams& gone = gone_[index(slot)];
+  const fracture::BrokenBeams& gone = broken_[index(slot)];
   broken.gone = gone.count();
   broken.leading_m = gone.leading().value_or(-1.0);
   broken.softened = 0;

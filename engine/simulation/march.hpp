@@ -74,7 +74,7 @@ const char* name_of(Outcome outcome);
 struct BrokenBeams {
   int gone = 0, softened = 0;  // of the latter something is left; the notch's are not counted
   double first_s = -1;         // when the first was gone; below 0: none is
-  double leading_m = -1;       // GoneBeams::leading(); below 0: there is none
+  double leading_m = -1;       // BrokenBeams::leading(); below 0: there is none
 };
 
 /// What one scenario came to. Steps and times are its own: the same whatever ran beside it.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/fracture/cohesive_law.hpp"
 #include "engine/base/clock.hpp"
-#include "engine/fracture/gone_beams.hpp"
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/application_phase.hpp"
 #include "engine/simulation/kept_march.hpp"
@@ -138,7 +138,7 @@ class Run {
   ensemble::Ensemble ensemble_;
   RunResult result_;
   std::vector<LaneSlot> slot_;
-  std::vector<fracture::GoneBeams> gone_;  // of each slot, where beams break by themselves
+  std::vector<fracture::BrokenBeams> broken_;  // of each slot, where beams break by themselves
   int next_scenario_ = 0;
   std::int64_t marched_ = 0;  // steps of the ensemble
   std::int64_t total_ = 0;

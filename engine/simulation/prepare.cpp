@@ -2,7 +2,7 @@
 
 #include "engine/base/clock.hpp"
 #include "engine/base/interrupted.hpp"
-#include "engine/lattice/face_tractions.hpp"
+#include "engine/lattice/loads.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/lattice/statics.hpp"
 #include "engine/packing/packing.hpp"

@@ -1,6 +1,6 @@
 #include "engine/ensemble/breaking_beams.hpp"
 
-#include "engine/lattice/face_tractions.hpp"
+#include "engine/lattice/loads.hpp"
 #include "tests/engine/lattice/hand_made.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 

@@ -1,6 +1,5 @@
 #include "engine/fracture/cohesive_law.hpp"
 
-#include "engine/fracture/gone_beams.hpp"
 #include "tests/engine/calibration/cubic_lattice.hpp"
 
 #include <gtest/gtest.h>
@@ -63,8 +62,8 @@ TEST(ResolvedStrength, IsThatOfSixteenRadii) {
   }
 }
 
-TEST(GoneBeams, LeadWhereThreeAreNearEachOther) {
-  GoneBeams gone(1.0);
+TEST(BrokenBeams, LeadWhereThreeAreNearEachOther) {
+  BrokenBeams gone(1.0);
   gone.add({0.0, 0.0}), gone.add({5.0, 0.0}), gone.add({0.5, 0.5});
   EXPECT_FALSE(gone.leading());
   gone.add({0.9, 0.0});

@@ -1,4 +1,4 @@
-#include "engine/lattice/face_tractions.hpp"
+#include "engine/lattice/loads.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>

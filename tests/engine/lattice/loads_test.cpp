@@ -1,4 +1,4 @@
-#include "engine/lattice/face_tractions.hpp"
+#include "engine/lattice/loads.hpp"
 
 #include "tests/engine/packing/packed_once.hpp"
 
