@@ -10,8 +10,9 @@
 namespace rift::simulation {
 namespace {
 
-constexpr double least = 4.4, most = 6.0;  // looser packings hold too many elements that nothing holds
-constexpr double good = 0.01;              // of the modulus
+/// Where it is looked for: looser packings have too many elements that nothing holds.
+constexpr double loosest = 4.4, densest = 6.0;
+constexpr double modulus_tolerance = 0.01;
 constexpr int trials = 8;
 
 double modulus_at(scene::Preset preset, double coordination, std::span<const int> seeds, base::Cache& cache,
@@ -38,21 +39,22 @@ MatchedCoordination matching_coordination(const scene::Preset& preset, std::span
     found.packings += static_cast<int>(seeds.size());
     return found.strip_modulus / found.wanted - 1.0;
   };
-  double former = most, of_former = over(former), now = 5.2, of_now = over(now);
-  for (int k = 0; k < trials && std::abs(of_now) > good; ++k) {
-    const double next = std::clamp(now - of_now * (now - former) / (of_now - of_former), least, most);
+  double former = densest, of_former = over(former), now = 5.2, of_now = over(now);
+  for (int k = 0; k < trials && std::abs(of_now) > modulus_tolerance; ++k) {
+    const double next = std::clamp(now - of_now * (now - former) / (of_now - of_former), loosest, densest);
     if (next == now) break;
     former = now, of_former = of_now;
     // To a hundredth: a packing that another trial made serves.
     now = 0.01 * std::round(100.0 * next), of_now = over(now);
     if (now == former) break;
   }
-  if (std::abs(of_now) > good)
+  if (std::abs(of_now) > modulus_tolerance)
     throw scene::InputError({scene::issue_at(
         preset, "specimen.coordination",
-        fmt::format("no coordination from {:g} to {:g} makes the plate as stiff as its beams' cylinder: {:.4g} "
-                    "GPa at {:g} where {:.4g} GPa are wanted",
-                    least, most, 1e-9 * found.strip_modulus, found.coordination, 1e-9 * found.wanted))});
+        fmt::format(
+            "no coordination from {:g} to {:g} makes the plate as stiff as its beams' cylinder: {:.4g} "
+            "GPa at {:g} where {:.4g} GPa are wanted",
+            loosest, densest, 1e-9 * found.strip_modulus, found.coordination, 1e-9 * found.wanted))});
   return found;
 }
 
