@@ -28,7 +28,8 @@ Released released_in(const SeriesTable& s, Kinetic kinetic) {
     if (s.phase[k] != "fracture") continue;
     const auto of = [&](const char* name) { return s.at(name)[k]; };
     double energy = of("work_external_j") - of("energy_elastic_j") - of("energy_kinetic_translation_j") +
-                    of("energy_step_correction_j") - of("energy_numerical_damping_j") - of("energy_contact_j");
+                    of("energy_step_correction_j") - of("energy_numerical_damping_j") -
+                    of("energy_contact_j");
     if (kinetic == Kinetic::all) energy -= of("energy_kinetic_rotation_j");
     r.tip.push_back(of("tip_m")), r.energy.push_back(energy);
   }
@@ -37,8 +38,8 @@ Released released_in(const SeriesTable& s, Kinetic kinetic) {
 
 /// Linear between samples; NaN beyond them.
 double energy_at(const Released& r, double tip) {
-  constexpr double slack = 1e-6;  // [m]
-  if (r.tip.size() < 2 || tip < r.tip.front() - slack || tip > r.tip.back() + slack) return NAN;
+  constexpr double same_length = 1e-6;  // [m]
+  if (r.tip.size() < 2 || tip < r.tip.front() - same_length || tip > r.tip.back() + same_length) return NAN;
   const auto after = std::lower_bound(r.tip.begin() + 1, r.tip.end() - 1, tip);
   const auto k = static_cast<std::size_t>(after - r.tip.begin());
   const double part = (tip - r.tip[k - 1]) / (r.tip[k] - r.tip[k - 1]);
@@ -110,7 +111,8 @@ std::vector<Reading> all_readings() {
   for (const Beams beams : {Beams::in_situ, Beams::bulk, Beams::matched})
     for (const char* kinematics : {"linear", corotational})
       for (const Kinetic kinetic : {Kinetic::all, Kinetic::translation})
-        for (const WindowChoice window : {WindowChoice::default_window, WindowChoice::text, WindowChoice::early})
+        for (const WindowChoice window :
+             {WindowChoice::default_window, WindowChoice::text, WindowChoice::early})
           all.push_back({kinetic, kinematics, window, beams});
   return all;
 }
