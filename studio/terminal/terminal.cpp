@@ -100,12 +100,12 @@ namespace {
 constexpr int own = -1;  // the terminal's own colour
 
 /// Colours of the inks by their order, on terminals of 256, 16 and 8 colours; after Okabe and Ito (2008)
-/// where there are 256.
+/// where there are 256. None is near white or black: a terminal's background is either.
 constexpr std::size_t inks = static_cast<std::size_t>(Ink::shades);
-constexpr std::array<int, inks> inks_256{own, 245, own, 35, 160, 32, 214, 166, 36, 250};
-constexpr std::array<int, inks> inks_16{own, 8, own, 10, 9, 12, 11, 9, 14, 7};
+constexpr std::array<int, inks> inks_256{own, 245, own, 35, 160, 32, 214, 166, 36, own};
+constexpr std::array<int, inks> inks_16{own, 8, own, 10, 9, 12, 11, 9, 14, own};
 constexpr std::array<int, inks> inks_8{own,        own,          own,       COLOR_GREEN, COLOR_RED,
-                                       COLOR_BLUE, COLOR_YELLOW, COLOR_RED, COLOR_CYAN,  COLOR_WHITE};
+                                       COLOR_BLUE, COLOR_YELLOW, COLOR_RED, COLOR_CYAN,  own};
 
 int ink_colour(Ink ink) {
   const auto k = static_cast<std::size_t>(ink);
