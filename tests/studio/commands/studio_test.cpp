@@ -1,3 +1,4 @@
+#include "tests/studio/commands/pseudo_terminal.hpp"
 #include "tests/studio/commands/terminal.hpp"
 #include "tests/studio/commands/tiny_plate.hpp"
 
@@ -14,6 +15,18 @@ TEST(Studio, WithoutATerminalSaysWhatToUse) {
     EXPECT_EQ(ran.exit_code, 2) << arguments;
     EXPECT_TRUE(contains(ran.err, "rift run PRESET")) << arguments;
     EXPECT_EQ(ran.out, "") << arguments;
+  }
+}
+
+TEST(Studio, DrawsNoTextInWhiteOrPaleGreyWhichALightTerminalDoesNotShow) {
+  for (const std::string name : {"xterm", "xterm-256color"}) {
+    PseudoTerminal terminal("env TERM=" + name +
+                            " RIFT_PRESETS='" RIFT_SOURCE_DIR "/presets' '" RIFT_EXE "' studio study_four");
+    const auto said = [&](const char* part) { return terminal.said().find(part) != std::string::npos; };
+    ASSERT_TRUE(terminal.reads_until([&] { return said("left out") || said("built without"); })) << name;
+    if (said("built without")) GTEST_SKIP() << "no panels in this build";
+    for (const char* colour : {"\x1b[37m", "\x1b[97m", "38;5;250m", "38;5;255m"})
+      EXPECT_FALSE(said(colour)) << name << ", " << colour + 1;
   }
 }
 
