@@ -203,7 +203,7 @@ inline void clear(Real* from, long count) {
 }
 
 /// Evaluates all additional loads, before the walk. A function of its own, though advance() is flattened: it
-/// runs once a part and step, and the three of a kernel share it, for a third of the compiler's time.
+/// runs once a part and step, and the three of a kernel share it, which saves the compiler half of its time.
 template <template <class, int> class Form, class Real, int Width>
 [[gnu::noinline, gnu::flatten]] void add_extra_forces(const ViewOf<Form, Real>& p) {
   clear(p.extra, 6L * Width * p.extras);
