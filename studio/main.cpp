@@ -10,6 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <csignal>
 #include <exception>
 #include <sstream>
 #include <string>
@@ -78,9 +80,11 @@ int main(int argc, char** argv) {
     rift::base::message("rift: {}\n", rift::base::plain_text(error));
     code = ExitCode::world_failed;
   }
-  if (const int failure = rift::base::printing_failure(); failure != 0) {
-    rift::base::message("rift: cannot write to standard output: {}\n",
-                        std::generic_category().message(failure));
+  const int failure = rift::base::printing_failure();
+  constexpr int ended_by_a_pipe = 128 + SIGPIPE;  // as the signal does it: `rift list | head` is no mistake
+  if (failure == EPIPE) return code == ExitCode::done ? ended_by_a_pipe : static_cast<int>(code);
+  if (failure != 0) {
+    rift::base::message("rift: cannot write to standard output: {}\n", rift::base::reason_of(failure));
     if (code == ExitCode::done) code = ExitCode::world_failed;
   }
   return static_cast<int>(code);

@@ -29,10 +29,12 @@ Area limited(const Area& area, const PictureRoom& room) {
 
 ViewLayout view_layout(int width, int height, const PictureRoom& room) {
   if (width < least_width || height < least_height) return {};
-  constexpr int below = 4;
-  return {limited({0, 0, width, height - below}, room),
-          {1, height - 4, width - 2, 1},
-          {1, height - 3, width - 2, 2},
+  // What is known of an element has some 220 letters.
+  const int message = width < 112 ? 3 : 2;
+  const int numbers_at = height - message - 2;
+  return {limited({0, 0, width, numbers_at}, room),
+          {1, numbers_at, width - 2, 1},
+          {1, numbers_at + 1, width - 2, message},
           {1, height - 1, width - 2, 1}};
 }
 

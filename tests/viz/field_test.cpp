@@ -23,7 +23,8 @@ results::Frame frame_of_two() {
   return {.displacement = {{1, -2, 2}, {0, 3, 4}},
           .velocity = {{10, 0, 0}, {0, 3, 4}},
           .damage_factor = {0.25F},
-          .elastic_energy = {2e-4F, 0}};
+          .elastic_energy = {2e-4F, 0},
+          .rotation = {}};
 }
 
 std::vector<float> values(std::string_view name) {

@@ -65,14 +65,14 @@ std::vector<KeyEntry> budget_key(const BudgetLines& lines) {
   return key;
 }
 
-BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, double lasts_s,
-                         const BudgetLines& lines, bool with_moment) {
+BudgetChart::BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, const std::string& since,
+                         double lasts_s, const BudgetLines& lines, bool with_moment) {
   vtkNew<vtkFloatArray> time;
   time->SetName("t");
   table_->AddColumn(time);
-  style(*chart_->GetAxis(vtkAxis::BOTTOM), text_px,
-        box.width() > 24 * text_px ? "time since the crack's start [µs]" : "time [µs]", 0,
-        lasts_s / microsecond);
+  const bool is_wide = box.width() > 24 * text_px;
+  const std::string title = is_wide ? "time since " + since + " [µs]" : "time [µs]";
+  style(*chart_->GetAxis(vtkAxis::BOTTOM), text_px, title.c_str(), 0, lasts_s / microsecond);
   style(*chart_->GetAxis(vtkAxis::LEFT), text_px, "energy [J]", 0, 1);
   for (const Entry& entry : shown(lines)) {
     vtkNew<vtkFloatArray> column;

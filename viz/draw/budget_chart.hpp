@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 class vtkRenderer;
@@ -31,12 +32,13 @@ struct BudgetLines {
 /// The energy budget of a pane [J] against time.
 class BudgetChart {
  public:
+  /// @param since  what the axis of time begins with: "the crack's start"
   /// @param lasts_s  the whole axis of time;  @param with_moment  shows a line at the moment
-  BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, double lasts_s, const BudgetLines& lines,
-              bool with_moment);
+  BudgetChart(vtkRenderer& renderer, const Box& box, int text_px, const std::string& since, double lasts_s,
+              const BudgetLines& lines, bool with_moment);
 
-  /// @param start_s  when the crack started;  @param moment_s  since then;  @param most_j  of the axis of
-  /// energy
+  /// @param start_s  where the axis of time begins;  @param moment_s  since then;  @param most_j  of the axis
+  /// of energy
   void show(std::span<const results::Sample> samples, double start_s, double moment_s, double most_j);
 
  private:

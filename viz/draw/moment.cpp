@@ -49,12 +49,12 @@ double LaneReader::velocity_at(double time_s) const {
   return after == samples.begin() ? 0 : std::prev(after)->velocity_m_s;
 }
 
-/// What is added to the run's time; NaN where the crack has no measured history.
-double LaneReader::history_clock_s() const {
+/// What the header says of the lane; undefined where it says nothing.
+results::LaneSummary LaneReader::scenario() const {
   const auto scenarios =
       results::lane_summaries_of(header_.value("scenarios", nlohmann::ordered_json::array()));
   const auto lane = static_cast<std::size_t>(lane_);
-  return lane < scenarios.size() ? scenarios[lane].history_clock_s : results::LaneSummary::undefined;
+  return lane < scenarios.size() ? scenarios[lane] : results::LaneSummary{};
 }
 
 Moment LaneReader::at(double since_start_s, const Look& look) {
@@ -70,7 +70,7 @@ Moment LaneReader::at(double since_start_s, const Look& look) {
   moment.since_start_s = entry.time_s - start_s();
   moment.tip_m = entry.tip_m;
   moment.velocity_m_s = velocity_at(entry.time_s);
-  moment.history_s = entry.time_s + history_clock_s();
+  moment.history_s = entry.time_s + scenario().history_clock_s;
   moment.is_last = index_.summary_json() && after == index_.frames(lane_).end();
   moment.value = values_of(*find_field(look.field), frame_, geometry(), header_);
   if (look.magnification != 0) moment.displacement = frame_.displacement;

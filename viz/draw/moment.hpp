@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/results/journal_index.hpp"
+#include "engine/results/lane_summary.hpp"
 #include "viz/field.hpp"
 #include "viz/job.hpp"
 
@@ -39,8 +40,11 @@ class LaneReader {
   [[nodiscard]] const std::vector<results::RatePoint>& rates() const { return index_.rates(lane_); }
   [[nodiscard]] const std::vector<results::GaugeRow>& gauges() const { return index_.gauges(lane_); }
   [[nodiscard]] const std::vector<results::ReleaseEvent>& events() const { return index_.events(lane_); }
-  [[nodiscard]] bool has_history() const { return std::isfinite(history_clock_s()); }
-  /// When the crack starts [s], and how long it lasts as far as is known.
+  [[nodiscard]] bool has_history() const { return std::isfinite(scenario().history_clock_s); }
+  /// Whether its beams break by themselves: what starts then is the loads, not a crack.
+  [[nodiscard]] bool breaks_by_itself() const { return scenario().crack_course == "free"; }
+  /// When the crack, or the loads of beams that break by themselves, start [s], and how long that lasts as
+  /// far as is known.
   [[nodiscard]] double start_s() const;
   [[nodiscard]] double lasts_s() const;
   /// The last stored moment until a time since the crack's start [s], or the first, with what the look needs
@@ -51,7 +55,7 @@ class LaneReader {
 
  private:
   [[nodiscard]] double velocity_at(double time_s) const;
-  [[nodiscard]] double history_clock_s() const;
+  [[nodiscard]] results::LaneSummary scenario() const;
 
   results::JournalIndex index_;
   std::int32_t lane_;

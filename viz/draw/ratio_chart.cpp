@@ -1,9 +1,8 @@
 #include "viz/draw/ratio_chart.hpp"
 
+#include <fmt/format.h>
 #include <vtkAxis.h>
 #include <vtkPen.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

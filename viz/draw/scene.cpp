@@ -30,7 +30,8 @@ constexpr double all_times = 1e300;
 double most_energy(const LaneReader& reader) {
   double most = 0;
   for (const results::Sample& s : reader.samples_until(all_times))
-    most = std::max({most, s.elastic_j, s.fracture_j, s.damping_j, s.contact_j});
+    most = std::max({most, s.elastic_j, s.kinetic_translation_j + s.kinetic_rotation_j, s.fracture_j,
+                     s.damping_j, s.contact_j});
   return most;
 }
 
@@ -115,9 +116,12 @@ void Scene::add_charts() {
   if (whole)
     for (KeyEntry& entry : ratio_key(reader_.size())) key.push_back(std::move(entry));
   add_key(*overlay_, layout_.key, layout_.text_px, key);
+  const bool free = std::all_of(reader_.begin(), reader_.end(),
+                                [](const auto& reader) { return reader->breaks_by_itself(); });
+  const char* since = free ? "the loads' start" : "the crack's start";
   for (const Box& box : layout_.chart)
     chart_.push_back(
-        std::make_unique<BudgetChart>(chart_place(box), box, layout_.text_px, lasts, lines, whole));
+        std::make_unique<BudgetChart>(chart_place(box), box, layout_.text_px, since, lasts, lines, whole));
   if (whole)
     ratio_ = std::make_unique<RatioChart>(chart_place(layout_.ratio), layout_.ratio, layout_.text_px,
                                           reader_.size(), plate_.length);

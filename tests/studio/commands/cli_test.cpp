@@ -153,6 +153,11 @@ TEST(CommandLine, AFullDiskUnderStdoutIsAFailureOfTheWorld) {
   EXPECT_EQ(ran.err, "rift: cannot write to standard output: No space left on device\n");
 }
 
+TEST(CommandLine, AReaderThatReadsNoMoreIsNoMistake) {
+  const Ran ran = run_shell("( { sleep 0.2; '" RIFT_EXE "' theory; echo $? >&2; } | true )");
+  EXPECT_EQ(ran.err, "141\n") << "128 + SIGPIPE, as other programs of a pipeline end";
+}
+
 TEST(Color, IsAbsentFromPipesUnlessAskedFor) {
   const std::string escape = "\033[";
   EXPECT_FALSE(contains(run_rift("theory").out, escape));

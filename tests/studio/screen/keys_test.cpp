@@ -73,8 +73,9 @@ TEST(Keymap, HelpOfEveryScreenIsReadPageByPageOnAnOrdinaryTerminal) {
       for (int y = 0; y < 24; ++y) text += canvas.row(y) + "\n";
     } while (from > 0 && ++pages < 9);
     for (const Binding& b : bindings())
-      if (b.where == where || b.where == Where::anywhere)
+      if (b.where == where || b.where == Where::anywhere) {
         EXPECT_NE(text.find(std::string(b.help)), std::string::npos) << b.help << " in\n" << text;
+      }
   }
 }
 

@@ -33,7 +33,7 @@ TEST(ViewInATerminal, KittyIsShownThePictureWithTheTipWhereItIs) {
   ASSERT_TRUE(screen.shows_picture(1));
   screen.type("...");
   viz::Job job = plate::job_for(folder / "run");
-  job.width = 1000, job.height = 520;  // 26 rows of 20 pixels
+  job.width = 1000, job.height = 500;  // 25 rows of 20 pixels
   const auto tip =
       plate::place_of(job, {plate::tip_at_moment(3), 0.5 * plate::height + 0.5 * plate::pulled}, {0, 0});
   const viz::Image& image = screen.image();
@@ -69,7 +69,7 @@ TEST(ViewInATerminal, ThePictureFollowsTheSize) {
   ASSERT_TRUE(screen.rests());
   screen.resize(80, 24);
   ASSERT_TRUE(screen.reads_until([&] { return screen.image().width == 800; }));
-  EXPECT_EQ(screen.image().height, 400);
+  EXPECT_EQ(screen.image().height, 380);
   EXPECT_EQ(screen.images_there(), 1);
   screen.resize(20, 5);
   ASSERT_TRUE(screen.shows("20x5 is too small"));
