@@ -144,6 +144,9 @@ double wave_speed_ratio(const Prepared& prepared, const LanePlan& lane);
 // What follows from a scene with its lattice, and the numbers that it may be; asked for as soon as each is
 // known, before anything is computed with it.
 
+/// The key by which the preset says how the plate is loaded.
+const char* load_key(const scene::Scene& scene);
+
 /// Throws InputError with all that are out of their ranges.
 void refuse_out_of_range(const Prepared& p, const std::vector<scene::DerivedNumber>& numbers);
 
