@@ -63,6 +63,10 @@ obtainable() { # MISSING...
         say "this system has no chromium: the tests of the reports' pages will be skipped"
         continue
         ;;
+      slurm-wlm | munge)
+        say "this system has no $package: the test of a study under Slurm will be skipped"
+        continue
+        ;;
       libchafa-dev)
         say "this system has no libchafa-dev: terminals get no pictures, and rift view shows cells"
         continue
@@ -131,7 +135,7 @@ done
 [ "$what" = demo ] || packages+=('tmux|tests of the panels' 'doxygen|reference of the engine' 'python3-h5py|tests of the Python examples'
   'python3-numpy|the run that a test rebuilds' 'python3-scipy|the same'
   "chromium|tests of the reports' pages" 'xterm|tests of pictures in a terminal' 'xvfb|the same' 'xfonts-base|the same'
-  'imagemagick|the same')
+  'imagemagick|the same' 'slurm-wlm|tests of studies on a cluster' 'munge|the same')
 
 install_missing
 if [ "$what" = demo ]; then

@@ -95,7 +95,7 @@ std::string end_of_file(int descriptor, off_t most) {
 }  // namespace
 
 StartError::StartError(const std::string& program, int why)
-    : WorldError("start", program, std::generic_category().message(why)), error(why) {}
+    : WorldError("start", program, reason_of(why)), error(why) {}
 
 ChildProcess::ChildProcess(std::vector<std::string> command, const ChildOptions& options)
     : outlives_(options.outlives) {

@@ -1,24 +1,20 @@
 #include "engine/base/files.hpp"
 
 #include "engine/base/ownership.hpp"
+#include "engine/base/process_name.hpp"
 #include "engine/base/world_error.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <climits>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <random>
 #include <system_error>
@@ -29,31 +25,18 @@ namespace {
 
 constexpr std::size_t flush_from = std::size_t{4} << 20;
 
-std::string errno_text(int error) { return std::generic_category().message(error); }
-
 /// Puts the file, or the names a folder holds, on the disk itself.
 void sync_to_disk(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw WorldError("open", path, errno_text(errno));
+  if (descriptor < 0) throw WorldError("open", path, reason_of(errno));
   const int result = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
   // Some file systems (and /dev) know no fsync; that is not a failed write.
-  if (result != 0 && error != EINVAL && error != EROFS) throw WorldError("flush", path, errno_text(error));
+  if (result != 0 && error != EINVAL && error != EROFS) throw WorldError("flush", path, reason_of(error));
 }
 
 constexpr std::string_view temporary_ending = ".part";
-
-/// This node's name up to its first dot, of letters, digits and '_' only.
-std::string host_name() {
-  std::array<char, HOST_NAME_MAX + 1> name{};
-  if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
-  std::string host(name.data(), std::find(name.begin(), name.end(), '.') - name.begin());
-  host.resize(std::strlen(host.c_str()));
-  for (char& c : host)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  return host.empty() ? "host" : host;
-}
 
 /// What a temporary name says.
 struct TemporaryName {
@@ -82,21 +65,21 @@ std::optional<TemporaryName> read_temporary_name(std::string_view name) {
 
 AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)) {
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) throw WorldError("create", path_, errno_text(errno));
+  if (descriptor_ < 0) throw WorldError("create", path_, reason_of(errno));
   (void)::flock(descriptor_, LOCK_EX | LOCK_NB);  // some file systems know no locks; then nobody is warned
 }
 
 AppendFile::AppendFile(std::filesystem::path path, std::uint64_t kept) : path_(std::move(path)) {
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor_ < 0) throw WorldError("open", path_, errno_text(errno));
+  if (descriptor_ < 0) throw WorldError("open", path_, reason_of(errno));
   const auto fail = [&](const char* attempt, const std::string& why) {
     ::close(std::exchange(descriptor_, -1));
     throw WorldError(attempt, path_, why);
   };
   if (try_lock(descriptor_, true) == LockResult::held_by_another)
     fail("write", "another process is writing it");
-  if (::ftruncate(descriptor_, static_cast<off_t>(kept)) != 0) fail("cut", errno_text(errno));
-  if (::lseek(descriptor_, 0, SEEK_END) != static_cast<off_t>(kept)) fail("continue", errno_text(errno));
+  if (::ftruncate(descriptor_, static_cast<off_t>(kept)) != 0) fail("cut", reason_of(errno));
+  if (::lseek(descriptor_, 0, SEEK_END) != static_cast<off_t>(kept)) fail("continue", reason_of(errno));
 }
 
 AppendFile::~AppendFile() {
@@ -125,15 +108,15 @@ void AppendFile::flush() {
       error = errno;
   }
   waiting_.erase(0, done);  // after a failure the next flush goes on at the very byte where this one stopped
-  if (error != 0) throw WorldError("write", path_, errno_text(error));
+  if (error != 0) throw WorldError("write", path_, reason_of(error));
 }
 
 void AppendFile::close() {
   flush();
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
-    throw WorldError("flush", path_, errno_text(errno));
+    throw WorldError("flush", path_, reason_of(errno));
   const int descriptor = std::exchange(descriptor_, -1);
-  if (::close(descriptor) != 0) throw WorldError("close", path_, errno_text(errno));
+  if (::close(descriptor) != 0) throw WorldError("close", path_, reason_of(errno));
 }
 
 bool is_being_written(const std::filesystem::path& path) {
@@ -156,21 +139,6 @@ std::string target_name(const std::string& name) {
   if (const auto read = read_temporary_name(name)) return read->target;
   return name.ends_with(temporary_ending) ? name.substr(0, name.size() - temporary_ending.size()) : name;
 }
-
-namespace {
-
-/// Whether a process of this machine is gone, or has ended and waits for a parent that does not ask
-/// (containers without an init keep such for ever).
-bool has_ended(pid_t process) {
-  if (::kill(process, 0) != 0) return errno == ESRCH;
-  std::ifstream status(fmt::format("/proc/{}/stat", process));
-  const std::string text{std::istreambuf_iterator<char>(status), {}};
-  const std::size_t name_end = text.rfind(')');  // "PID (NAME) STATE ..."
-  return name_end != text.npos && name_end + 2 < text.size() &&
-         (text[name_end + 2] == 'Z' || text[name_end + 2] == 'X');
-}
-
-}  // namespace
 
 bool is_leftover(const std::filesystem::path& part) {
   const auto name = read_temporary_name(part.filename().string());
@@ -198,14 +166,14 @@ void check_target(const std::filesystem::path& path) {
     throw WorldError("write", path, folder.string() + " is no folder");
   if (std::filesystem::is_directory(path, ignored))
     throw WorldError("write", path, "a folder of that name exists");
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) throw WorldError("write", path, errno_text(errno));
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) throw WorldError("write", path, reason_of(errno));
 }
 
 PendingFile::PendingFile(std::filesystem::path path)
     : path_(std::move(path)), temporary_(temporary_name(path_)) {
   check_target(path_);
   const int descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw WorldError("create", path_, errno_text(errno));
+  if (descriptor < 0) throw WorldError("create", path_, reason_of(errno));
   ::close(descriptor);
 }
 
@@ -236,7 +204,7 @@ void write_whole_file(const std::filesystem::path& path, std::string_view text) 
 
 std::string read_whole_file(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw WorldError("open", path, errno_text(errno));
+  if (descriptor < 0) throw WorldError("open", path, reason_of(errno));
   std::string text;
   std::array<char, 65536> piece;
   ssize_t count = 0;
@@ -248,7 +216,7 @@ std::string read_whole_file(const std::filesystem::path& path) {
       error = errno;
   }
   ::close(descriptor);
-  if (error != 0) throw WorldError("read", path, errno_text(error));
+  if (error != 0) throw WorldError("read", path, reason_of(error));
   return text;
 }
 

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason_of(int error) { return std::generic_category().message(error); }
-
 /// Makes the folder. @return what was made, innermost first
 std::vector<fs::path> make_with_parents(const fs::path& folder) {
   std::vector<fs::path> made;

@@ -15,7 +15,7 @@ PrivateFolder::PrivateFolder(const std::string& purpose) {
   if (error) throw WorldError("find the folder for temporary files", "TMPDIR", error.message());
   std::string name = (base / ("rift_" + purpose + "_XXXXXX")).string();
   if (::mkdtemp(name.data()) == nullptr)
-    throw WorldError("create a folder in", base, std::generic_category().message(errno));
+    throw WorldError("create a folder in", base, reason_of(errno));
   path_ = name;
 }
 

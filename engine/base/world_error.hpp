@@ -3,8 +3,12 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace rift::base {
+
+/// What the system says of an errno: "No space left on device".
+inline std::string reason_of(int error) { return std::generic_category().message(error); }
 
 /// The world failed (disk, HDF5): `what()` reads "cannot <attempt> <path>: <reason>". Commands exit with 1.
 class WorldError : public std::runtime_error {

@@ -23,7 +23,7 @@ void fail(const std::string& attempt, const Place& place) {
   H5Eclear2(H5E_DEFAULT);  // the library's reasons are for those who know its insides
   const bool whole_file = place.object.empty();
   throw base::WorldError(attempt + (whole_file ? "" : " " + place.object + " of"), place.file,
-                         place.disk->error != 0 ? std::generic_category().message(place.disk->error)
+                         place.disk->error != 0 ? base::reason_of(place.disk->error)
                          : whole_file           ? "it is damaged, or no HDF5 file"
                                                 : "it is missing or damaged");
 }

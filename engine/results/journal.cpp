@@ -67,7 +67,7 @@ void write_preamble(const std::filesystem::path& path) {
   std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
   file.write(preamble().data(), preamble_size);
   file.close();
-  if (!file) throw base::WorldError("write", path, std::generic_category().message(errno));
+  if (!file) throw base::WorldError("write", path, base::reason_of(errno));
 }
 
 }  // namespace
@@ -98,11 +98,11 @@ JournalReader::JournalReader(const std::filesystem::path& path, std::uint64_t fr
   size_ = std::filesystem::file_size(path, error);
   if (error) throw base::WorldError("open", path, error.message());
   stream_.open(path, std::ios::binary);
-  if (!stream_) throw base::WorldError("open", path, std::generic_category().message(errno));
+  if (!stream_) throw base::WorldError("open", path, base::reason_of(errno));
 
   std::array<char, preamble_size> bytes{};
   stream_.read(bytes.data(), std::min<std::streamsize>(preamble_size, static_cast<std::streamsize>(size_)));
-  if (stream_.bad()) throw base::WorldError("read", path, std::generic_category().message(errno));
+  if (stream_.bad()) throw base::WorldError("read", path, base::reason_of(errno));
   const std::string_view head(bytes.data(), std::min<std::size_t>(preamble_size, size_));
   version_ = version_of(head).value_or(0);
   if (head.size() < preamble_size && std::string_view(preamble().data(), preamble_size).starts_with(head)) {
@@ -132,7 +132,7 @@ std::optional<Record> JournalReader::next() {
 
   Head head{};
   stream_.read(reinterpret_cast<char*>(&head), sizeof(head));
-  if (!stream_) throw base::WorldError("read", path_, std::generic_category().message(errno));
+  if (!stream_) throw base::WorldError("read", path_, base::reason_of(errno));
   if (head.check != head_check(head.kind, head.size))
     return stop(JournalState::damaged,
                 fmt::format("the head of the record at byte {} is damaged", good_bytes_));
@@ -144,7 +144,7 @@ std::optional<Record> JournalReader::next() {
   std::uint64_t checksum = 0;
   stream_.read(payload.data(), static_cast<std::streamsize>(payload.size()));
   stream_.read(reinterpret_cast<char*>(&checksum), sizeof(checksum));
-  if (!stream_) throw base::WorldError("read", path_, std::generic_category().message(errno));
+  if (!stream_) throw base::WorldError("read", path_, base::reason_of(errno));
   if (checksum != XXH3_64bits(payload.data(), payload.size()))
     return stop(JournalState::damaged, fmt::format("the record at byte {} is damaged", good_bytes_));
   auto record = decode(head.kind, payload);

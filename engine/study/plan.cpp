@@ -162,7 +162,8 @@ std::vector<StudyItem> plan_scenes(std::vector<scene::Scene> scenes, const std::
     StudyItem item;
     item.row = static_cast<int>(items.size());
     item.key = result_key(scene, version);
-    item.group = groups.emplace(shared_text(scene), static_cast<int>(groups.size())).first->second;
+    item.shares = hash_text(shared_text(scene));
+    item.group = groups.emplace(item.shares, static_cast<int>(groups.size())).first->second;
     item.specimen =
         specimens.emplace(simulation::specimen_key(scene), static_cast<int>(specimens.size())).first->second;
     item.scene = std::move(scene);

@@ -28,10 +28,11 @@ std::string study_hash(const scene::Preset& preset);
 struct StudyItem {
   int row = 0;  // of preset.study
   scene::Scene scene;
-  std::string key;   // of its result
-  int group = 0;     // those of one group share specimen, lattice and pre-stress
-  int specimen = 0;  // those of one packing share its number
-  double cost = 0;   // its share of the pass that it marches in
+  std::string key;     // of its result
+  int group = 0;       // those of one group share specimen, lattice and pre-stress
+  std::string shares;  // the name of what its group shares, the same for every call
+  int specimen = 0;    // those of one packing share its number
+  double cost = 0;     // its share of the pass that it marches in
 };
 
 /// Scenarios, group by group in the order of first appearance.

@@ -45,7 +45,8 @@ double disk_bytes_of_run(const scene::Scene& scene, const LatticeSize& size, std
   constexpr double geometry = 48.0;
   // In journal and archive together, of which the latter has axes and lengths too and is compressed.
   constexpr double mechanics_of_element = 98.0, mechanics_of_beam = 84.0;
-  constexpr double scene_and_names = 6e4;  // texts of the scene, names and attributes of the archive's datasets
+  constexpr double scene_and_names =
+      6e4;  // texts of the scene, names and attributes of the archive's datasets
   double bytes = scene_and_names + (geometry + mechanics_of_beam) * size.beams +
                  (geometry + mechanics_of_element) * size.elements;
   for (const Moments& lane : lanes)

@@ -41,12 +41,24 @@ nlohmann::ordered_json to_json(const SummaryRow& row);
 using StudyRows = std::vector<std::optional<SummaryRow>>;
 nlohmann::ordered_json to_json(const StudyRows& rows);
 
+/// What a call does of a study that several calls may work on.
+enum class StudyWork {
+  everything,  // computes what is missing and what no other call is at
+  share,  // the same as one of several tasks: some scenarios of a group at a time, for the others to have
+          // some
+  preparation,  // packs and pre-stresses each specimen, for the cache
+  gathering     // computes nothing
+};
+
 struct StudyOptions {
   std::filesystem::path folder;  // of the study; made or continued
   int threads = 0;               // 0: one per available CPU
   bool shared = false;           // several studies lie in the folder, each finds its scenarios: no study.json
   double checkpoint_s = 30;      // between two checkpoints of a pass
   int shard = 1, shards = 1;  // this call computes the i-th part of n and gathers what is there of the others
+  StudyWork work = StudyWork::everything;
+  int tasks = 1;           // that share the work, this one included
+  std::string label = {};  // of this call among those that share the study's folder, such as a job's number
 };
 
 struct StudyObserver {
@@ -60,17 +72,20 @@ struct StudyResult {
   std::vector<NotMade> not_made;
   simulation::Outcome outcome = simulation::Outcome::finished;
   int computed = 0, found = 0;
+  int elsewhere = 0;  // scenarios that other calls are computing as this one ends
   double wall_s = 0;
   std::int64_t lane_steps = 0, lane_room = 0;  // of the scenarios computed, as of RunResult
 };
 
-/// Computes the scenarios of a preset's study that the folder does not hold yet. Each result is bit for bit
-/// that of the scenario run by itself, but for wall times, lanes and threads, and is on the disk as soon as
-/// the scenario ends. Of a pass under way a checkpoint is kept in passes/ now and then and at a stop, with
-/// which the next call goes on. Scenarios that differ only in what lanes may differ in share specimen,
-/// lattice and pre-stress, and march side by side where their steps are equal. Damaged files are noted in
-/// cache.notes and computed again. Scenarios that cannot be run stand in `not_made`, and the others are
-/// computed all the same. Throws FolderExists (open_study), InputError where none can be run, and WorldError.
+/// Computes the scenarios of a preset's study that the folder does not hold yet and that no other process, on
+/// this node or another one, has taken on: each keeps a claim in claims/ for what it is at. Each result is
+/// bit for bit that of the scenario run by itself, but for wall times, lanes and threads, and is on the disk
+/// as soon as the scenario ends. Of a pass under way a checkpoint is kept in passes/ now and then and at a
+/// stop, with which the next call goes on. Scenarios that differ only in what lanes may differ in share
+/// specimen, lattice and pre-stress, and march side by side where their steps are equal. Damaged files are
+/// noted in cache.notes and computed again. Scenarios that cannot be run stand in `not_made` and in
+/// not_made/, and the others are computed all the same. Throws FolderExists (open_study), InputError where
+/// none can be run, and WorldError.
 StudyResult run_study(const scene::Preset& preset, const StudyOptions& options, base::Cache& cache,
                       const simulation::BuildInfo& build, const StudyObserver& observer);
 

@@ -141,6 +141,51 @@ results::LaneSummary write_result(const fs::path& folder, const std::string& key
 
 namespace {
 
+constexpr const char* not_made_folder = "not_made";
+
+fs::path not_made_file(const fs::path& folder, const std::string& key) {
+  return folder / not_made_folder / (hash_text(key) + ".json");
+}
+
+}  // namespace
+
+void write_not_made(const fs::path& folder, const std::string& key, const std::vector<scene::Issue>& issues) {
+  Json why = Json::array();
+  for (const scene::Issue& issue : issues)
+    why.push_back({{"file", issue.file},
+                   {"line", issue.line},
+                   {"key", issue.key},
+                   {"text", issue.text},
+                   {"value", issue.value},
+                   {"column", issue.column}});
+  base::make_folder(folder / not_made_folder);
+  base::write_whole_file(not_made_file(folder, key),
+                         base::json_text(Json{{"key", key}, {"why", why}}, 2) + "\n");
+}
+
+std::optional<std::vector<scene::Issue>> read_not_made(const fs::path& folder, const std::string& key) {
+  const fs::path file = not_made_file(folder, key);
+  if (!fs::exists(file)) return std::nullopt;
+  const Json kept = results::json_or_discarded(base::read_whole_file(file));
+  if (text_of(kept, "key") != key || !kept.contains("why") || !kept["why"].is_array()) return std::nullopt;
+  std::vector<scene::Issue> issues;
+  for (const Json& one : kept["why"]) {
+    if (!one.is_object()) return std::nullopt;
+    const auto number = [&](const char* name) {
+      return one.contains(name) && one[name].is_number_integer() ? one[name].get<int>() : 0;
+    };
+    issues.push_back({.file = text_of(one, "file"),
+                      .line = number("line"),
+                      .key = text_of(one, "key"),
+                      .text = text_of(one, "text"),
+                      .value = text_of(one, "value"),
+                      .column = number("column")});
+  }
+  return issues;
+}
+
+namespace {
+
 [[noreturn]] void refuse_study(const fs::path& file, std::string why) {
   throw scene::InputError({scene::Issue{.file = file.string(), .key = {}, .text = std::move(why)}});
 }

@@ -54,6 +54,12 @@ std::optional<results::LaneSummary> read_result(const std::filesystem::path& fol
 results::LaneSummary write_result(const std::filesystem::path& folder, const std::string& key,
                                   const results::LaneSummary& scenario, const std::string& series_csv);
 
+/// Keeps why a scenario cannot be made, so that no other call tries it; and reads that back.
+void write_not_made(const std::filesystem::path& folder, const std::string& key,
+                    const std::vector<scene::Issue>& issues);
+std::optional<std::vector<scene::Issue>> read_not_made(const std::filesystem::path& folder,
+                                                       const std::string& key);
+
 /// A study as its folder holds it.
 struct StoredStudy {
   scene::Preset preset;

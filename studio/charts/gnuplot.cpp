@@ -48,7 +48,7 @@ void run_gnuplot(const std::string& outputs, const fs::path& picture, const fs::
         "draw", picture,
         fmt::format("gnuplot is not installed: apt install gnuplot-nox; the data and the script are in {}",
                     script.parent_path().string()));
-  throw WorldError("start gnuplot for", picture, std::generic_category().message(none.error));
+  throw WorldError("start gnuplot for", picture, base::reason_of(none.error));
 }
 
 /// gnuplot does not notice a full disk: a picture must have its end.

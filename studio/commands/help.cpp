@@ -24,7 +24,7 @@ constexpr std::array<Explained, 7> code_table{
      {"2", "The input is wrong: a preset, an option, a file."},
      {"3", "A computation has diverged."},
      {"4", "The time of --budget is over; the same command goes on."},
-     {"6", "Some scenarios of a study could not be made; it says which and why. The others are there."},
+     {"6", "Some scenarios of a study are missing or could not be made; it says which and why. The others are there."},
      {"128+n", "Signal n has stopped the command."}}};
 
 constexpr std::array<Explained, 6> variable_table{
@@ -54,7 +54,7 @@ rift view runs/quickstart --graphics symbols --field v
 rift watch runs/plate_pnrt
 rift watch runs/plate_pnrt --color never
 rift study study_release
-rift study study_release --shard 1/4 --quiet
+rift study study_release --slurm --tasks 4 --time 00:30:00
 rift reproduce fig07 fig13 --quick
 rift reproduce beyond -o beyond
 rift experiment experiment_polymer

@@ -6,6 +6,7 @@
 #include "studio/commands/commands.hpp"
 #include "studio/commands/planned.hpp"
 #include "studio/commands/session.hpp"
+#include "studio/commands/study_command.hpp"
 #include "studio/reports/study_report.hpp"
 #include "studio/reports/work_precision.hpp"
 
@@ -13,21 +14,21 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
+#include <system_error>
 
 namespace rift::studio {
 namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct StudyCommand : SceneOptions {
-  std::string out, shard, budget;
-  bool yes = false;
-};
 
 struct Shard {
   int index = 1, of = 1;
@@ -65,6 +66,12 @@ std::size_t scenarios_not_made(const study::StudyResult& result) {
   std::size_t count = 0;
   for (const study::NotMade& one : result.not_made) count += one.rows.size();
   return count;
+}
+
+std::size_t scenarios_missing(const study::StudyResult& result) {
+  const auto missing = static_cast<std::size_t>(
+      std::count_if(result.rows.begin(), result.rows.end(), [](const auto& row) { return !row; }));
+  return missing - std::min(missing, scenarios_not_made(result));
 }
 
 /// "0.700 ± 0.161 along the window"
@@ -107,6 +114,11 @@ void print_not_made(const study::StudyResult& result, const scene::Preset& prese
   base::print_text(heading("could not be made", color) + "\n" + plain_table(table, color, width) + "\n");
 }
 
+/// One of several calls that compute a study, which writes no report.
+bool is_a_part(const StudyCommand& command) {
+  return !command.shard.empty() || command.claim || command.prepare;
+}
+
 void print_tables(const StudyCommand& command, const scene::Preset& preset, const study::StudyResult& result,
                   const fs::path& folder, bool color) {
   const Table table = scenario_table(result.rows), seeds = seed_table(result.rows);
@@ -115,9 +127,9 @@ void print_tables(const StudyCommand& command, const scene::Preset& preset, cons
     base::print_text("mean ± scatter between specimens\n" + plain_table(seeds, color) + "\n");
   if (!table.rows.empty()) base::print("left out: {}\n", left_out_text(result.rows));
   print_not_made(result, preset, color);
-  if (const std::size_t missing = result.rows.size() - table.rows.size() - scenarios_not_made(result);
-      missing > 0)
-    base::print("{} of {} scenarios are not computed yet\n", missing, result.rows.size());
+  if (const std::size_t missing = scenarios_missing(result); missing > 0)
+    base::print("{} of {} scenarios are not computed yet{}\n", missing, result.rows.size(),
+                result.elsewhere > 0 ? "; other processes are at them" : "");
   const std::string lanes = result.lane_room > 0
                                 ? fmt::format(", {:.0f} % of the lanes' steps used",
                                               100.0 * static_cast<double>(result.lane_steps) /
@@ -125,9 +137,9 @@ void print_tables(const StudyCommand& command, const scene::Preset& preset, cons
                                 : "";
   base::print("{} computed, {} reused, {} in total{}; {}/  {}\n", result.computed, result.found,
               duration_text(result.wall_s), lanes, folder.string(), files_in(folder));
-  if (!command.shard.empty())
+  if (is_a_part(command))
     base::print(
-        "when all parts have ended, the same command without --shard writes the table, charts and report\n");
+        "when all parts have ended, 'rift study' with --gather writes the table, charts and report\n");
 }
 
 std::string command_text(const StudyCommand& command) {
@@ -139,7 +151,7 @@ std::string command_text(const StudyCommand& command) {
 /// them to the call that gathers the parts.
 ExitCode write_files(const StudyCommand& command, const scene::Preset& preset,
                      const study::StudyResult& result, const fs::path& folder, Session& session) {
-  const std::string csv = command.shard.empty() ? study_csv(to_json(result.rows)) : "";
+  const std::string csv = is_a_part(command) ? "" : study_csv(to_json(result.rows));
   if (csv.empty()) return ExitCode::done;
   base::write_whole_file(folder / "table.csv", csv);
   if (result.outcome == simulation::Outcome::stopped) return ExitCode::done;
@@ -147,9 +159,47 @@ ExitCode write_files(const StudyCommand& command, const scene::Preset& preset,
   return session.write_or_say([&] { write_study_report(preset, call, result, folder); });
 }
 
+/// "technique = progressive, seed = 3", of the scenarios that are not there.
+void list_missing(const Session& session, const scene::Preset& preset, const study::StudyResult& result) {
+  if (session.options.quiet) return;
+  std::set<int> impossible;
+  for (const study::NotMade& one : result.not_made) impossible.insert(one.rows.begin(), one.rows.end());
+  std::size_t listed = 0;
+  for (std::size_t k = 0; k < result.rows.size(); ++k) {
+    if (result.rows[k] || impossible.contains(static_cast<int>(k))) continue;
+    if (++listed > scene::most_issues_shown) continue;
+    std::string values;
+    for (const auto& [name, text] : preset.study[k].axes)
+      values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", name, text);
+    base::message("missing: {}\n", values);
+  }
+  if (listed > scene::most_issues_shown)
+    base::message("missing: {} more\n", listed - scene::most_issues_shown);
+}
+
+/// How the call ends that was to leave the study whole.
+ExitCode end_of_whole(const fs::path& folder, const scene::Preset& preset, const study::StudyResult& result,
+                      Session& session) {
+  if (const std::size_t missing = scenarios_missing(result); missing > 0) {
+    list_missing(session, preset, result);
+    session.message(fmt::format("{} of {} scenarios are missing; 'rift study' without --gather computes them",
+                                missing, result.rows.size()));
+    return ExitCode::not_whole;
+  }
+  std::error_code stays;  // what tasks have packed is of no use any more
+  fs::remove_all(folder / "cache", stays);
+  if (result.not_made.empty()) return session.ended(result.outcome);
+  session.message(
+      fmt::format("{} of {} scenarios could not be made", scenarios_not_made(result), result.rows.size()));
+  return ExitCode::not_whole;
+}
+
 ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const study::StudyOptions& options,
                  std::optional<double> budget) {
   Session session("rift study", command, budget);
+  const fs::path shared_cache = options.folder / "cache";  // of tasks on nodes that share nothing else
+  if (!command.no_cache && (command.claim || command.prepare || fs::exists(shared_cache)))
+    session.cache.folder = shared_cache;
   study::StudyObserver observer;
   observer.progress = [&](std::string_view stage, double done) {
     return session.progress("study", done, stage);
@@ -172,11 +222,38 @@ ExitCode compute(const StudyCommand& command, const scene::Preset& preset, const
     return session.stopped();
   }
   if (files != ExitCode::done) return files;
-  if (result.not_made.empty()) return session.ended(result.outcome);
-  session.message(
-      fmt::format("{} of {} scenarios could not be made", scenarios_not_made(result), result.rows.size()));
-  return ExitCode::not_whole;
+  return is_a_part(command) ? session.ended(result.outcome)
+                            : end_of_whole(options.folder, preset, result, session);
 }
+
+/// What tells this call from others that work on the same study.
+std::string own_label() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  if (const std::string job = variable("SLURM_ARRAY_JOB_ID"); !job.empty())
+    return job + "_" + variable("SLURM_ARRAY_TASK_ID");
+  for (const char* name : {"SLURM_JOB_ID", "PBS_JOBID"})
+    if (std::string job = variable(name); !job.empty()) return job;
+  return {};
+}
+
+study::StudyWork work_of(const StudyCommand& command) {
+  return command.prepare  ? study::StudyWork::preparation
+         : command.claim  ? study::StudyWork::share
+         : command.gather ? study::StudyWork::gathering
+                          : study::StudyWork::everything;
+}
+
+/// Throws InputError where there is no study in the folder to be gathered or looked at.
+void check_has_begun(const fs::path& folder) {
+  if (!fs::exists(folder / study::study_name))
+    refuse(folder.string(), "holds no study yet: 'rift study' without --gather and --status begins it");
+}
+
+/// How many tasks share a study where nobody says it.
+constexpr int usual_tasks = 8;
 
 ExitCode study(const StudyCommand& command) {
   const Shard shard = read_shard(command.shard);
@@ -189,6 +266,13 @@ ExitCode study(const StudyCommand& command) {
   options.threads = command.threads;
   options.shard = shard.index;
   options.shards = shard.of;
+  options.work = work_of(command);
+  options.tasks = command.tasks > 0 ? command.tasks : usual_tasks;
+  options.label = own_label();
+  if (command.gather || command.status) check_has_begun(options.folder);
+  if (command.status) return print_status(command, options.folder);
+  if (command.slurm) return submit_study(command, preset, options.folder);
+  if (command.gather || command.prepare) return compute(command, preset, options, budget);
   const double seconds = estimated_seconds(preset, options, build_info());
   if (seconds > long_work_s && !command.yes && !budget)
     refuse("rift study", fmt::format("the missing scenarios take about {} (at 100 M beam-steps/s, lanes side "
@@ -209,10 +293,39 @@ void add_study(CLI::App& app, ExitCode& exit_code) {
       .add_option("-o,--out", options->out,
                   "Folder of the study (default: studies/NAME); one that holds the same study is continued")
       ->type_name("FOLDER");
-  command
-      .add_option("--shard", options->shard,
-                  "i/n: compute only the i-th of n parts; a call without --shard gathers all parts")
-      ->type_name("I/N");
+  CLI::Option* const shard =
+      command
+          .add_option("--shard", options->shard,
+                      "i/n: compute only the i-th of n parts; a call without --shard gathers all parts")
+          ->type_name("I/N");
+  CLI::Option* const claim =
+      command.add_flag("--claim", options->claim,
+                       "Compute what no other call has taken, until none is left: for many tasks at once");
+  CLI::Option* const prepare =
+      command.add_flag("--prepare", options->prepare, "Only pack and pre-stress the specimens, for --claim");
+  CLI::Option* const gather =
+      command.add_flag("--gather", options->gather,
+                       "Compute nothing: table, charts and report of what is there; 6 if not all is");
+  CLI::Option* const status = command.add_flag("--status", options->status,
+                                               "Show what is done, running, lost and waiting, also in Slurm");
+  CLI::Option* const slurm = command.add_flag("--slurm", options->slurm,
+                                              "Submit to Slurm: preparation, an array of tasks, the report");
+  const std::array one_of{shard, claim, prepare, gather, status, slurm};
+  for (CLI::Option* a : one_of)
+    for (CLI::Option* b : one_of)
+      if (a != b) a->excludes(b);
+  command.add_option("--tasks", options->tasks, "How many tasks share the work (default: 8)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
+  command.add_option("--time", options->time, "Slurm's limit of each job (default: 01:00:00)")
+      ->type_name("LIMIT")
+      ->needs(slurm);
+  command.add_option("--partition", options->partition, "Slurm's partition")->type_name("NAME")->needs(slurm);
+  command.add_option("--sbatch", options->sbatch, "More options of sbatch, such as \"--cpus-per-task=4\"")
+      ->type_name("TEXT")
+      ->needs(slurm);
+  command.add_flag("--dry-run", options->dry_run, "Print the scripts for Slurm and submit nothing")
+      ->needs(slurm);
   command
       .add_option("--budget", options->budget,
                   "Stop after this time (\"10 min\"); the same command continues")

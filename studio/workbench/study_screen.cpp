@@ -2,12 +2,14 @@
 
 #include "engine/base/files.hpp"
 #include "engine/base/text.hpp"
+#include "engine/study/status.hpp"
 #include "engine/theory/references.hpp"
 #include "studio/reports/study_report.hpp"
 #include "studio/reports/work_precision.hpp"
 #include "studio/screen/canvas.hpp"
 #include "studio/screen/curves.hpp"
 #include "studio/screen/layouts.hpp"
+#include "studio/text/progress.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace rift::studio {
 namespace {
@@ -35,6 +38,19 @@ Verdict verdict_on(double difference) {
   if (difference > near_broberg) return {Ink::bad, "+"};
   if (difference < -near_broberg) return {Ink::elastic, "-"};
   return {Ink::good, " "};
+}
+
+/// "16 running on 2 nodes, 5 waiting; about 3 min left"
+std::string elsewhere_text(const study::StudyStatus& status) {
+  std::set<std::string> nodes;
+  for (const study::Worker& worker : status.workers)
+    if (worker.lives) nodes.insert(worker.host);
+  std::string text =
+      fmt::format("{} running on {} {}", status.running, nodes.size(), nodes.size() == 1 ? "node" : "nodes");
+  if (status.waiting() > 0) text += fmt::format(", {} waiting", status.waiting());
+  if (status.lost > 0) text += fmt::format(", {} lost", status.lost);
+  if (std::isfinite(status.left_s)) text += fmt::format("; about {} left", duration_text(status.left_s));
+  return text;
 }
 
 }  // namespace
@@ -106,8 +122,27 @@ void StudyScreen::work() {
   ended_ = true;
 }
 
+/// What other processes, such as the tasks of a cluster, have computed meanwhile.
+void StudyScreen::follow_others() try {
+  constexpr double between_looks_s = 2.0;
+  if (!ended_ || base::seconds_since(followed_) < between_looks_s) return;
+  followed_ = base::Clock::now();
+  const study::StudyStatus status = study::status_of(folder_);
+  const auto there =
+      std::count_if(rows_.begin(), rows_.end(), [](const auto& row) { return row.has_value(); });
+  if (status.done > there) rows_ = study::read_study(folder_).rows;
+  if (status.running > 0) {
+    message_ = elsewhere_text(status);
+  } else if (status.done > there) {
+    message_ = "press u to resume it, or to write its report";
+  }
+} catch (const std::exception& error) {
+  message_ = error.what();
+}
+
 Navigation StudyScreen::look() {
   const std::lock_guard lock(mutex_);
+  follow_others();
   shown_ = rows_;
   return leaving_ && ended_ ? Navigation{Navigation::To::back, nullptr} : Navigation{};
 }

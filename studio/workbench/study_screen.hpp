@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/clock.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
 #include "studio/screen/prompt.hpp"
@@ -34,6 +35,7 @@ class StudyScreen : public Screen {
  private:
   void begin();
   void work();
+  void follow_others();
   [[nodiscard]] bool in_colour(int row) const;
   [[nodiscard]] Ink ink_of_row(int row) const;
   [[nodiscard]] std::vector<int> rows_in_colour() const;
@@ -56,6 +58,7 @@ class StudyScreen : public Screen {
   StudyResults rows_;  // by their place in the study; none: not yet
   std::string message_;
   bool leaving_ = false;
+  base::Clock::time_point followed_ = base::Clock::now();
   StudyResults shown_;  // the panel's own copy
   std::jthread thread_;
 };

@@ -32,9 +32,10 @@ studio/reports:      base history theory results packing lattice fracture ensemb
 studio/screen:       base theory results fracture scene simulation studio/text
 studio/workbench:    base history theory results scene simulation study studio/text studio/charts studio/reports studio/screen
 studio/graphics:     base studio/screen
+studio/slurm:        base scene
 studio/view:         base results scene viz studio/screen studio/workbench
 studio/terminal:     base studio/screen studio/workbench studio/graphics
-studio/commands:     base theory results packing lattice ensemble scene calibration simulation measurement stability experiment study claims accuracy viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/graphics studio/view studio/terminal
+studio/commands:     base theory results packing lattice ensemble scene calibration simulation measurement stability experiment study claims accuracy viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/graphics studio/slurm studio/view studio/terminal
 studio:              base results scene studio/commands
 '
 

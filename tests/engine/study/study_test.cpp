@@ -5,6 +5,7 @@
 #include "engine/study/plan.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
+#include "tests/engine/study/tiny_study.hpp"
 #include "tests/expectations.hpp"
 #include "tests/shared_cache.hpp"
 #include "tests/temporary_folder.hpp"
@@ -19,62 +20,6 @@
 namespace rift::study {
 namespace {
 
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-const simulation::BuildInfo build{"0.1.0", "a compiler"};
-
-/// 18 scenarios: two techniques, two zones, two velocities, damped and not; of several steps.
-const std::string study_text = R"(
-[specimen]
-length = "36 mm"
-height = "12 mm"
-layers = 2
-elements = 500
-coordination = 5.6
-[loading]
-displacement = "0.6 mm"
-[crack]
-end = "16 mm"
-[output]
-samples = 30
-window = [0.2, 0.4]
-[damping]
-region = "surface"
-[study]
-technique = ["simple", "progressive"]
-damage_zone_ratio = [0.4, 4]
-crack_velocity = ["0.3 c_r", "0.9 c_r"]
-damping_alpha = [0, 0.01, 0.02]
-)";
-
-scene::Preset preset_from(const std::string& text) {
-  scene::Preset preset = scene::read_preset_text(text, "tiny.toml", {});
-  for (const scene::Issue& issue : preset.issues) ADD_FAILURE() << scene::to_text(issue);
-  return preset;
-}
-
-/// The same without damping.
-std::string undamped_text() {
-  std::string text = study_text;
-  text.erase(text.find("[damping]"), text.find("[study]") - text.find("[damping]"));
-  text.erase(text.find("damping_alpha"));
-  return text;
-}
-
-scene::Preset tiny_study() { return preset_from(study_text); }
-
-StudyOptions into(const fs::path& folder) {
-  StudyOptions options;
-  options.folder = folder;
-  options.threads = 1;
-  return options;
-}
-
-StudyResult compute(const StudyOptions& options, const StudyObserver& observer = {}) {
-  return run_study(tiny_study(), options, shared_cache(), build, observer);
-}
-
 /// The whole study in an empty folder: computed once for all test processes, copied from there, and found.
 StudyResult found(const fs::path& folder) {
   const fs::path kept = shared_cache_home() / "computed_study";
@@ -87,23 +32,6 @@ StudyResult found(const fs::path& folder) {
   }
   fs::copy(kept, folder, fs::copy_options::recursive);
   return compute(into(folder));
-}
-
-/// A row without what depends on when and beside what it was computed.
-Json lasting(Json row) {
-  for (const char* name : {"lanes", "threads", "element_steps_per_s", "beam_steps_per_s", "memory_peak_bytes",
-                           "packing_from_cache", "prestress_from_cache", "axes", "row", "series"})
-    row.erase(name);
-  Json kept = Json::object();
-  for (const auto& [name, value] : row.items())
-    if (!name.starts_with("wall_") && name != "cost_s") kept[name] = value;
-  return kept;
-}
-
-std::vector<Json> lasting(const StudyRows& rows) {
-  std::vector<Json> all;
-  for (const auto& row : rows) all.push_back(row ? lasting(to_json(*row)) : Json(nullptr));
-  return all;
 }
 
 void expect_as_run_alone(const scene::Preset& preset, const StudyResult& result, const fs::path& folder) {

@@ -60,10 +60,15 @@ frames = 4
 
   /// The same run, killed as soon as a file of that name is in its folder, however slow the machine.
   Ran run_and_kill(const std::string& file, const std::string& arguments) const {
+    return run_and_signal("KILL", file, arguments);
+  }
+
+  /// The same with another signal. The exit code is that of the run: 128 + n.
+  Ran run_and_signal(const std::string& signal, const std::string& file, const std::string& arguments) const {
     return run_shell("(env " + environment() + " '" RIFT_EXE "' run '" + preset().string() + "' --out '" +
                      out().string() + "' " + arguments + " & p=$!; for k in $(seq 1200); do [ -e '" +
-                     (out() / file).string() +
-                     "' ] && break; sleep 0.02; done; kill -9 $p; wait $p) 2>/dev/null");
+                     (out() / file).string() + "' ] && break; sleep 0.02; done; kill -" + signal +
+                     " $p; wait $p) 2>/dev/null");
   }
 
  private:
