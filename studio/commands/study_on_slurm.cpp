@@ -171,7 +171,7 @@ Table workers_table(const study::StudyStatus& status) {
   for (const study::Worker& worker : status.workers)
     table.rows.push_back({worker.host, std::to_string(worker.process),
                           worker.label.empty() ? "-" : worker.label,
-                          worker.prepares ? "a specimen" : fmt::format("{} scenarios", worker.scenarios),
+                          worker.prepares ? "a specimen" : base::counted(worker.scenarios, "scenario"),
                           worker.lives ? duration_text(worker.silent_s) + " ago" : "gone"});
   return table;
 }
@@ -310,10 +310,11 @@ ExitCode submit_study(const StudyCommand& command, const scene::Preset& preset, 
   const Json numbers = submit(jobs);
   session.print_result(numbers, [&] {
     base::print(
-        "{} of {} scenarios are missing: job {} prepares, {} computes in {} tasks, {} writes the report\n"
+        "{} of {} scenarios are missing: job {} prepares, {} computes in {}, {} writes the report\n"
         "'rift study {} --status' shows how far they are; logs are in {}/slurm\n",
         missing.size(), found.rows.size(), numbers["prepare"].get<std::string>(),
-        numbers["compute"].get<std::string>(), jobs.tasks, numbers["report"].get<std::string>(),
+        numbers["compute"].get<std::string>(), base::counted(jobs.tasks, "task"),
+        numbers["report"].get<std::string>(),
         command.preset + (command.out.empty() ? "" : " --out " + command.out), folder.string());
   });
   return ExitCode::done;
