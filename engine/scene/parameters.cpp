@@ -420,13 +420,16 @@ std::string table_of(const Parameter& row) { return std::string(row.key.substr(0
 std::string name_of(const Parameter& row) { return std::string(row.key.substr(row.key.find('.') + 1)); }
 
 Scene default_scene() {
-  Scene scene{};
-  for (const Parameter& row : parameters()) {
-    if (row.standard.empty()) continue;
-    [[maybe_unused]] const std::string problem = assign(scene, row, value_from_text(row.standard));
-    assert(problem.empty());
-  }
-  return scene;
+  static const Scene standard = [] {  // read once: a study of many scenarios asks for it often
+    Scene scene{};
+    for (const Parameter& row : parameters()) {
+      if (row.standard.empty()) continue;
+      [[maybe_unused]] const std::string problem = assign(scene, row, value_from_text(row.standard));
+      assert(problem.empty());
+    }
+    return scene;
+  }();
+  return standard;
 }
 
 }  // namespace rift::scene
