@@ -16,7 +16,7 @@ struct EnergyBalance {
   double numerical_damping = 0;  // taken by beta < 1
   double contact = 0;  // taken by the friction of the faces, and as they meet and part between two steps
   double work_external = 0;  // done by the grips on the lattice
-  double largest = 0;        // K + U - C, the largest so far
+  double largest = 0;        // |K + U - C|, the largest so far; below zero as a lattice at rest is loaded
   double error = 0;          // balance_error() of the terms above
 
   /// K + U - C

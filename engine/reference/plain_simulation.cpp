@@ -1,6 +1,7 @@
 #include "engine/reference/plain_simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rift::reference {
@@ -154,7 +155,7 @@ const fracture::EnergyBalance& PlainSimulation::evaluate_balance() {
   b.damping = viscous_work;
   b.numerical_damping = numerical_work;
   b.work_external = grip_work;
-  b.largest = std::max(b.largest, b.total());
+  b.largest = std::max(b.largest, std::abs(b.total()));
   b.error = fracture::balance_error(b);
   return b;
 }

@@ -121,6 +121,12 @@ bool is_a_part(const StudyCommand& command) {
 
 void print_tables(const StudyCommand& command, const scene::Preset& preset, const study::StudyResult& result,
                   const fs::path& folder, bool color) {
+  if (command.prepare) {
+    print_not_made(result, preset, color);
+    return base::print("the specimens of {} are packed and pre-stressed, {} in total\n",
+                       base::counted(static_cast<std::int64_t>(result.rows.size()), "scenario"),
+                       duration_text(result.wall_s));
+  }
   const Table table = scenario_table(result.rows), seeds = seed_table(result.rows);
   if (!table.rows.empty()) base::print_text(plain_table(table, color) + "\n");
   if (!seeds.rows.empty())

@@ -59,6 +59,18 @@ TEST(FreeCrack, StopsWhereTheLoadIsTooSmall) {
   EXPECT_EQ(result.lane[0].samples.back().tip_m, 0.012);
 }
 
+// In the first steps there is less motion than what the step corrects of it: K + U - C is below zero.
+TEST(FreeCrack, ClosesItsBalanceFromTheFirstStepOfALoadThatBeginsAtNothing) {
+  for (const char* beta : {"solver.beta=1", "solver.beta=0.95"}) {
+    const Prepared p = pulled_apart({beta, "output.samples=4000"});
+    const RunResult result = march(p, {});
+    const LaneResult& lane = result.lane.at(0);
+    EXPECT_EQ(result.outcome, Outcome::finished) << beta << ": " << lane.where;
+    EXPECT_LT(lane.worst_residual, 1e-6) << beta;
+    EXPECT_EQ(lane.samples.at(1).step, 1) << "the test looks too late";
+  }
+}
+
 TEST(FreeCrack, OfAClampedStripStartsFromItsPreStress) {
   const Prepared p =
       small_plate({"loading.displacement=0.15 mm", "crack.start=12 mm", "fracture.law=cohesive",
