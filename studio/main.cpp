@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <csignal>
 #include <exception>
 #include <sstream>
 #include <string>
@@ -80,11 +79,9 @@ int main(int argc, char** argv) {
     rift::base::message("rift: {}\n", rift::base::plain_text(error));
     code = ExitCode::world_failed;
   }
-  const int failure = rift::base::printing_failure();
-  constexpr int ended_by_a_pipe = 128 + SIGPIPE;  // as the signal does it: `rift list | head` is no mistake
-  if (failure == EPIPE) return code == ExitCode::done ? ended_by_a_pipe : static_cast<int>(code);
-  if (failure != 0) {
-    rift::base::message("rift: cannot write to standard output: {}\n", rift::base::reason_of(failure));
+  if (const int failure = rift::base::printing_failure(); failure != 0) {
+    if (failure != EPIPE)  // `rift list | head` is no mistake: its reader has what it wants
+      rift::base::message("rift: cannot write to standard output: {}\n", rift::base::reason_of(failure));
     if (code == ExitCode::done) code = ExitCode::world_failed;
   }
   return static_cast<int>(code);

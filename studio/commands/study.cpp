@@ -328,7 +328,7 @@ void add_study(CLI::App& app, ExitCode& exit_code) {
       ->needs(slurm);
   command.add_option("--partition", options->partition, "Slurm's partition")->type_name("NAME")->needs(slurm);
   command.add_option("--sbatch", options->sbatch, "More options of sbatch, such as \"--cpus-per-task=4\"")
-      ->type_name("TEXT")
+      ->type_name("OPTIONS")
       ->needs(slurm);
   command.add_flag("--dry-run", options->dry_run, "Print the scripts for Slurm and submit nothing")
       ->needs(slurm);
