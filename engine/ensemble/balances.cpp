@@ -1,7 +1,6 @@
 #include "engine/ensemble/balances.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rift::ensemble {
 
@@ -57,7 +56,7 @@ const fracture::EnergyBalance& Balances::of(int lane) {
   b.numerical_damping = l.so_far.numerical + l.pending.numerical;
   b.contact = l.so_far.contact + l.pending.contact + l.contact_energy_from_damage - l.contact_energy;
   b.work_external = l.so_far.grip + l.pending.grip;
-  b.largest = std::max(b.largest, std::abs(b.total()));
+  b.largest = std::max({b.largest, b.total(), b.step_correction});
   b.error = fracture::balance_error(b);
   return b;
 }

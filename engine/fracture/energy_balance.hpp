@@ -16,15 +16,14 @@ struct EnergyBalance {
   double numerical_damping = 0;  // taken by beta < 1
   double contact = 0;  // taken by the friction of the faces, and as they meet and part between two steps
   double work_external = 0;  // done by the grips on the lattice
-  double largest = 0;        // |K + U - C|, the largest so far; below zero as a lattice at rest is loaded
+  double largest = 0;        // K + U - C, or C where a lattice at rest begins to move: the largest so far
   double error = 0;          // balance_error() of the terms above
 
   /// K + U - C
   double total() const { return elastic + kinetic_translation + kinetic_rotation - step_correction; }
 };
 
-/// (K + U - C) - start - W_ext + fracture + damping + numerical damping + contact, over the largest K + U -
-/// C.
+/// (K + U - C) - start - W_ext + fracture + damping + numerical damping + contact, over `largest`.
 inline double balance_error(const EnergyBalance& b) {
   const double lost = b.fracture + b.damping + b.numerical_damping + b.contact;
   const double missing = b.total() - b.start - b.work_external + lost;

@@ -1,7 +1,6 @@
 #include "engine/reference/plain_simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace rift::reference {
@@ -155,7 +154,7 @@ const fracture::EnergyBalance& PlainSimulation::evaluate_balance() {
   b.damping = viscous_work;
   b.numerical_damping = numerical_work;
   b.work_external = grip_work;
-  b.largest = std::max(b.largest, std::abs(b.total()));
+  b.largest = std::max({b.largest, b.total(), b.step_correction});
   b.error = fracture::balance_error(b);
   return b;
 }

@@ -79,7 +79,11 @@ void take(UnderWay& study, const StudyItem& item, results::LaneSummary summary) 
 void gather(UnderWay& study, std::span<const StudyItem> items) {
   for (const StudyItem& item : items) {
     if (study.is_there(item)) continue;
-    auto summary = read_result(study.options.folder, item.key, study.cache.notes);
+    std::vector<std::string> damaged;
+    auto summary = read_result(study.options.folder, item.key, damaged);
+    for (std::string& note : damaged)  // it is looked at again when it is taken on
+      if (std::find(study.cache.notes.begin(), study.cache.notes.end(), note) == study.cache.notes.end())
+        study.cache.notes.push_back(std::move(note));
     if (!summary) continue;
     ++study.result.found;
     take(study, item, std::move(*summary));

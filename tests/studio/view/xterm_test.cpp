@@ -15,7 +15,7 @@ namespace plate = viz::drawn_plate;
 /// The picture within the screen: 36 rows above four of text.
 viz::Job job_of_window(const std::filesystem::path& run) {
   viz::Job job = plate::job_for(run);
-  job.width = Xterm::columns * Xterm::cell_width, job.height = (Xterm::rows - 4) * Xterm::cell_height;
+  job.width = Xterm::columns * Xterm::cell_width, job.height = (Xterm::rows - 5) * Xterm::cell_height;
   return job;
 }
 
