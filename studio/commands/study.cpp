@@ -127,10 +127,10 @@ void print_tables(const StudyCommand& command, const scene::Preset& preset, cons
                        base::counted(static_cast<std::int64_t>(result.rows.size()), "scenario"),
                        duration_text(result.wall_s));
   }
-  const Table table = scenario_table(result.rows), seeds = seed_table(result.rows);
+  const Table table = scenario_table(result.rows), by_specimen = seed_table(result.rows);
   if (!table.rows.empty()) base::print_text(plain_table(table, color) + "\n");
-  if (!seeds.rows.empty())
-    base::print_text("mean ± scatter between specimens\n" + plain_table(seeds, color) + "\n");
+  if (!by_specimen.rows.empty())
+    base::print_text("mean ± scatter between specimens\n" + plain_table(by_specimen, color) + "\n");
   if (!table.rows.empty()) base::print("left out: {}\n", left_out_text(result.rows));
   print_not_made(result, preset, color);
   if (const std::size_t missing = scenarios_missing(result); missing > 0)
