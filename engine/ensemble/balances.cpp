@@ -56,7 +56,7 @@ const fracture::EnergyBalance& Balances::of(int lane) {
   b.numerical_damping = l.so_far.numerical + l.pending.numerical;
   b.contact = l.so_far.contact + l.pending.contact + l.contact_energy_from_damage - l.contact_energy;
   b.work_external = l.so_far.grip + l.pending.grip;
-  b.largest = std::max({b.largest, b.total(), b.step_correction});
+  b.largest = std::max(b.largest, b.total());
   b.error = fracture::balance_error(b);
   return b;
 }

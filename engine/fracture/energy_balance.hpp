@@ -16,19 +16,23 @@ struct EnergyBalance {
   double numerical_damping = 0;  // taken by beta < 1
   double contact = 0;  // taken by the friction of the faces, and as they meet and part between two steps
   double work_external = 0;  // done by the grips on the lattice
-  double largest = 0;        // K + U - C, or C where a lattice at rest begins to move: the largest so far
+  double largest = 0;        // K + U - C, the largest so far
   double error = 0;          // balance_error() of the terms above
 
   /// K + U - C
   double total() const { return elastic + kinetic_translation + kinetic_rotation - step_correction; }
 };
 
-/// (K + U - C) - start - W_ext + fracture + damping + numerical damping + contact, over `largest`.
+/// (K + U - C) - start - W_ext + fracture + damping + numerical damping + contact, over the largest K + U -
+/// C. As a lattice begins to move that was at rest without load, K and C cancel: over C until there is more
+/// than a trace of energy.
 inline double balance_error(const EnergyBalance& b) {
+  constexpr double trace = 1e-6;
   const double lost = b.fracture + b.damping + b.numerical_damping + b.contact;
   const double missing = b.total() - b.start - b.work_external + lost;
   if (missing == 0.0) return 0.0;  // a balance just opened on an unloaded lattice
-  return missing / b.largest;
+  const bool begins = b.start == 0.0 && b.largest < trace * b.step_correction;
+  return missing / (begins ? b.step_correction : b.largest);
 }
 
 }  // namespace rift::fracture
