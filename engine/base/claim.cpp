@@ -62,7 +62,7 @@ Claim::Claim(Claim&& other) noexcept
     : claims_(std::exchange(other.claims_, nullptr)), name_(std::move(other.name_)) {}
 
 Claim::~Claim() {
-  if (claims_ != nullptr) claims_->give_back(name_);
+  if (claims_ != nullptr) claims_->release(name_);
 }
 
 Claims::Claims(fs::path folder, std::string label, double signs_every_s)
@@ -131,13 +131,13 @@ std::optional<Claim> Claims::take(const std::string& name) {
     if (make(name)) return Claim(*this, name);
     const std::string words = words_in(file_of(name));
     const std::optional<double> changed = changed_s(file_of(name));
-    if (!changed) continue;  // given back meanwhile
+    if (!changed) continue;  // released meanwhile
     if (holder_of(words, now_s() - *changed).lives || !take_away(file_of(name), words)) return std::nullopt;
   }
   return std::nullopt;
 }
 
-void Claims::give_back(const std::string& name) {
+void Claims::release(const std::string& name) {
   const std::scoped_lock lock(mutex_);
   const auto claim = mine_.find(name);
   // Who was taken for dead finds another holder's words.

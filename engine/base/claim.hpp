@@ -24,7 +24,7 @@ struct ClaimHolder {
 
 class Claims;
 
-/// The right to do what it is named after; given back with the object.
+/// The right to do what it is named after; released with the object.
 class Claim {
  public:
   Claim(Claim&& other) noexcept;
@@ -67,7 +67,7 @@ class Claims {
   [[nodiscard]] double now_s();
   [[nodiscard]] bool make(const std::string& name);
   [[nodiscard]] static bool take_away(const std::filesystem::path& file, const std::string& words);
-  void give_back(const std::string& name);
+  void release(const std::string& name);
   void give_signs_of_life(const std::stop_token& stop, double every_s);
 
   std::filesystem::path folder_, clock_;  // the clock is a file: its time is that of the folder's server

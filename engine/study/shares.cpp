@@ -36,7 +36,7 @@ std::vector<Group> missing(const UnderWay& study, const std::vector<StudyItem>& 
   return groups;
 }
 
-/// Scenarios with the claims on them, which are given back together.
+/// Scenarios with the claims on them, which are released together.
 struct Share {
   Group items;
   std::vector<base::Claim> claims;

@@ -48,10 +48,10 @@ TEST(Claim, IsHeldByOneAtATime) {
     EXPECT_FALSE(mine.take("a")) << "nor twice by one";
     EXPECT_TRUE(others.take("b"));
   }
-  EXPECT_TRUE(others.take("a")) << "it was given back";
+  EXPECT_TRUE(others.take("a")) << "it was released";
 }
 
-TEST(Claim, LeavesNoFolderWhenAllIsGivenBack) {
+TEST(Claim, LeavesNoFolderWhenAllIsReleased) {
   const TemporaryFolder folder;
   {
     Claims claims(folder.path() / "claims");
@@ -110,7 +110,7 @@ TEST(Claim, OfAnotherNodeIsFreeWhenThatIsSilentForLong) {
 }
 
 // Who was taken for dead and goes on must not take away the claim of who has it now.
-TEST(Claim, ThatAnotherHasTakenOverIsNotGivenBack) {
+TEST(Claim, ThatAnotherHasTakenOverIsNotReleased) {
   const TemporaryFolder folder;
   Claims claims(folder.path());
   {
