@@ -43,9 +43,8 @@ nlohmann::ordered_json to_json(const StudyRows& rows);
 
 /// What a call does of a study that several calls may work on.
 enum class StudyWork {
-  everything,  // computes what is missing and what no other call is at
-  share,  // the same as one of several tasks: some scenarios of a group at a time, for the others to have
-          // some
+  everything,   // computes what is missing; waits for scenarios that other calls compute
+  share,        // one of several tasks: some scenarios of a group at a time, so that the others find some
   preparation,  // packs and pre-stresses each specimen, for the cache
   gathering     // computes nothing
 };

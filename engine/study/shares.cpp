@@ -130,7 +130,7 @@ void without(Group& left, const Group& gone) {
   std::erase_if(left, [&](const StudyItem& item) { return rows.contains(item.row); });
 }
 
-/// What other processes have come to meanwhile.
+/// Takes what other processes have computed or found impossible meanwhile.
 void take_what_others_did(UnderWay& study, Group& items) {
   if (!study.claims) return;
   gather(study, items);
@@ -166,7 +166,8 @@ bool do_shares(UnderWay& study, std::vector<Group>& groups, std::vector<double>&
   return any;
 }
 
-/// Who is to leave the whole waits for what others are at, and takes it where they die.
+/// A call for the whole study waits for scenarios that other processes compute, and takes them where those
+/// die.
 bool waits_for_others(UnderWay& study, const std::vector<Group>& groups,
                       std::chrono::duration<double> pause) {
   const bool none_left =

@@ -4,45 +4,17 @@
 set -euo pipefail
 rift=$(realpath "$1") arrays=${2:-50} kills=${3:-20}
 here=$(cd "$(dirname "$0")" && pwd)
+. "$here/tiny_study.sh"
 work=$(mktemp -d)
 trap '"$here/slurm_of_one_node.sh" stop "$work/slurm"; rm -rf "$work"' EXIT
 "$here/slurm_of_one_node.sh" start "$work/slurm"
 export SLURM_CONF=$work/slurm/slurm.conf
 cd "$work"
-preset() { # KEYS_OF_THE_SOLVER GRID
-  cat <<T
-[specimen]
-length = "36 mm"
-height = "12 mm"
-layers = 2
-elements = 500
-coordination = 5.6
-[loading]
-displacement = "0.6 mm"
-[crack]
-end = "16 mm"
-[output]
-samples = 30
-window = [0.2, 0.4]
-[solver]
-$1
-[study]
-$2
-T
-}
 preset '' 'crack_velocity = ["0.2 c_r", "0.3 c_r", "0.4 c_r", "0.5 c_r", "0.7 c_r", "0.9 c_r"]
 seed = [1, 2]' >short.toml
 preset 'dt_fraction = 0.0004' 'crack_velocity = ["0.1 c_r", "0.12 c_r", "0.14 c_r", "0.16 c_r", "0.2 c_r", "0.3 c_r"]
 seed = [1, 2, 3, 4]' >long.toml
 
-lasting() { # TABLE: without the columns of when and beside what a scenario was computed
-  python3 - "$1" <<'P'
-import csv, sys
-passing = ("wall_", "cost_s", "lanes", "threads", "element_steps", "beam_steps", "memory", "packing_from", "prestress_from", "error_converged")
-for row in csv.DictReader(open(sys.argv[1])):
-    print([value for name, value in row.items() if not name.startswith(passing)])
-P
-}
 until_the_queue_is_empty() { while [ -n "$(squeue --noheader)" ]; do sleep 1; done; }
 states() { tr ' ' '\n' <"$work/slurm/log/jobcomp.txt" | grep '^JobState=' | sort | uniq -c | tr '\n' ' '; }
 

@@ -4,6 +4,7 @@
 set -euo pipefail
 source=$1 rift=$2
 here=$(cd "$(dirname "$0")" && pwd)
+. "$here/tiny_study.sh"
 work=$(mktemp -d)
 trap '"$here/slurm_of_one_node.sh" stop "$work/slurm" >/dev/null 2>&1; rm -rf "$work"' EXIT
 fail() {
@@ -17,34 +18,9 @@ if ! reason=$("$here/slurm_of_one_node.sh" start "$work/slurm" 2>&1); then
 fi
 export SLURM_CONF=$work/slurm/slurm.conf
 cd "$work"
-cat >tiny.toml <<'T'
-[specimen]
-length = "36 mm"
-height = "12 mm"
-layers = 2
-elements = 500
-coordination = 5.6
-[loading]
-displacement = "0.6 mm"
-[crack]
-end = "16 mm"
-[output]
-samples = 30
-window = [0.2, 0.4]
-[study]
-crack_velocity = ["0.3 c_r", "0.5 c_r", "0.9 c_r"]
-seed = [1, 2, 3]
-T
+preset '' 'crack_velocity = ["0.3 c_r", "0.5 c_r", "0.9 c_r"]
+seed = [1, 2, 3]' >tiny.toml
 
-# Columns of a table that do not depend on when and beside what a scenario was computed.
-lasting() {
-  python3 - "$1" <<'P'
-import csv, sys
-passing = ("wall_", "cost_s", "lanes", "threads", "element_steps", "beam_steps", "memory", "packing_from", "prestress_from", "error_converged")
-for row in csv.DictReader(open(sys.argv[1])):
-    print([value for name, value in row.items() if not name.startswith(passing)])
-P
-}
 wait_for() {  # FILE: until it is there
   for _ in $(seq 600); do [ ! -e "$1" ] || return 0; sleep 0.2; done
   squeue >&2
