@@ -32,6 +32,7 @@ class Terminal:
             os.execv(words[0], words)
         fcntl.ioctl(self.master, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
         self.start, self.bytes, self.pictures, self.line = time.time(), 0, [], line
+        self.begun = b""  # of a question whose rest has not been read yet
         kitty = b"\x1b_Gi=31;OK\x1b\\" if kind == "kitty" else b""
         attributes = b"\x1b[?62;4c" if kind == "sixel" else b"\x1b[?62;c"
         self.answers = [(b"\x1b_Gi=31,", kitty), (b"\x1b[16t", b"\x1b[6;%d;%dt" % (cell[1], cell[0])),
@@ -53,11 +54,16 @@ class Terminal:
             if self.line:
                 time.sleep(len(piece) / self.line)
             self.bytes += len(piece)
+            piece = self.begun + piece
+            self.begun = b""
             for question, answer in self.answers:
                 for _ in range(piece.count(question)):
                     if question == b"\x1b[5n":
                         self.pictures.append((self.now(), self.bytes))
                     os.write(self.master, answer)
+                cut_off = [n for n in range(1, len(question)) if piece.endswith(question[:n])]
+                if cut_off and cut_off[-1] > len(self.begun):
+                    self.begun = piece[-cut_off[-1]:]
         return True
 
     def type(self, keys):
