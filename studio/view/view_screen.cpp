@@ -60,6 +60,12 @@ ViewScreen::ViewScreen(viz::Request request, viz::Gl gl, std::filesystem::path p
     request_.chart = viz::word_of(viz::Chart::whole);
   }
   player_ = Player(static_cast<int>(plan_.times_s.size()), usual_rate(plan_.times_s.size()));
+  if (!all_ended()) player_.go_to(static_cast<int>(plan_.times_s.size()) - 1);  // and follows the runs
+}
+
+bool ViewScreen::all_ended() const {
+  return std::all_of(shown_.begin(), shown_.end(),
+                     [](const viz::Shown& pane) { return pane.journal->summary_json().has_value(); });
 }
 
 void ViewScreen::take_room(const PictureRoom& room) {
@@ -210,10 +216,10 @@ void ViewScreen::draw(Canvas& canvas, Glyphs glyphs) {
     answer.pane[0].tip_m = plan_.tips_m[moment];
     answer.range = plan_.job.look.range;
   }
-  canvas.text(
-      layout_.numbers.x, layout_.numbers.y,
-      numbers_of(answer, plan_.job.look, player_.moment(), static_cast<int>(plan_.times_s.size()), rayleigh),
-      {Ink::plain, true}, layout_.numbers.width);
+  canvas.text(layout_.numbers.x, layout_.numbers.y,
+              numbers_of(answer, plan_.job.look, player_.moment(), static_cast<int>(plan_.times_s.size()),
+                         all_ended(), rayleigh),
+              {Ink::plain, true}, layout_.numbers.width);
   draw_paragraph(canvas, layout_.message, message_, {});
   if (prompt_.typing())
     prompt_.draw(canvas, layout_.foot);

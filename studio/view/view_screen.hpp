@@ -80,6 +80,8 @@ class ViewScreen : public Screen {
   bool move_crosshair(const KeyEvent& event);
   void press_mouse(const KeyEvent& event);
 
+  /// Every run has ended by itself: no moment comes any more.
+  [[nodiscard]] bool all_ended() const;
   void touch() { touched_ = Clock::now(); }
 
   viz::Request request_;

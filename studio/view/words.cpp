@@ -65,12 +65,12 @@ std::string colours_of(const viz::Look& look) {
   return std::string((named != nullptr ? *named : viz::colour_map_of(*viz::find_field(look.field))).name);
 }
 
-std::string numbers_of(const viz::Answer& answer, const viz::Look& look, int moment, int moments,
+std::string numbers_of(const viz::Answer& answer, const viz::Look& look, int moment, int moments, bool whole,
                        double rayleigh_m_s) {
   const viz::PaneAnswer& pane = answer.pane[0];
   const viz::Field& field = *viz::find_field(look.field);
-  std::string text = fmt::format("frame {} of {}   t = {:.1f} µs   tip {:.1f} mm", moment + 1, moments,
-                                 pane.since_start_s * 1e6, pane.tip_m * 1e3);
+  std::string text = fmt::format("frame {} of {}{}   t = {:.1f} µs   tip {:.1f} mm", moment + 1, moments,
+                                 whole ? "" : " so far", pane.since_start_s * 1e6, pane.tip_m * 1e3);
   if (rayleigh_m_s > 0) text += fmt::format("   v {:.2f} c_R", pane.velocity_m_s / rayleigh_m_s);
   text += fmt::format("   {} {:.3g} to {:.3g}{}{}", look.field, answer.range[0] / field.unit_in_si,
                       answer.range[1] / field.unit_in_si, field.unit == "1" ? "" : " ",

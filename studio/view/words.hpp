@@ -9,9 +9,10 @@
 /// What the viewer says below its picture.
 namespace rift::studio {
 
-/// "frame 12 of 120   t = 12.3 µs   tip 34.5 mm   v 0.50 c_R   uy 0 to 0.4 mm".
+/// "frame 12 of 120   t = 12.3 µs   tip 34.5 mm   v 0.50 c_R   uy 0 to 0.4 mm"; "frame 12 of 12 so far" where
+/// the runs are not whole yet.
 [[nodiscard]] std::string numbers_of(const viz::Answer& answer, const viz::Look& look, int moment,
-                                     int moments, double rayleigh_m_s);
+                                     int moments, bool whole, double rayleigh_m_s);
 
 /// The element or beam with its position, displacement, velocity, energy and damage, and what the nearest
 /// gauge shows.

@@ -112,6 +112,15 @@ viz::Job job_shown(const std::filesystem::path& run) {
   return job;
 }
 
+TEST(ViewScreen, OpensARunThatGoesOnAtItsNewestMoment) {
+  const TemporaryFolder folder;
+  const auto run = plate::write_run(folder / "run");
+  const auto journal = run / results::journal_name;
+  std::filesystem::resize_file(journal, std::filesystem::file_size(journal) - 2000);  // within the last frame
+  Viewer viewer(run);
+  EXPECT_TRUE(viewer.shows("frame 5 of 5 so far   t = 4.0 µs   tip 16.0 mm"));
+}
+
 TEST(ViewScreen, ShowsThePictureOfItsCommand) {
   const TemporaryFolder folder;
   const auto run = plate::write_run(folder / "run");

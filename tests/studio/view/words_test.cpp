@@ -17,7 +17,7 @@ TEST(ViewWords, TheNumbersOfAMoment) {
   answer.pane[0].since_start_s = 12.34e-6;
   answer.pane[0].tip_m = 0.0345;
   answer.pane[0].velocity_m_s = 1000;
-  EXPECT_EQ(numbers_of(answer, {}, 11, 120, 2000),
+  EXPECT_EQ(numbers_of(answer, {}, 11, 120, true, 2000),
             "frame 12 of 120   t = 12.3 µs   tip 34.5 mm   v 0.50 c_R   uy 0 to 0.4 mm");
 }
 
