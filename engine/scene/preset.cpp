@@ -115,6 +115,26 @@ void drop_rivals(Reading& reading, const std::string& key) {
     });
 }
 
+/// One --set study.AXIS=LIST: takes the place of the axis' list in [study], or adds the axis as the last.
+void take_axis(Reading& reading, const std::string& key, std::string_view written) {
+  const std::string name = key.substr(key.find('.') + 1);
+  TomlDocument& document = reading.document;
+  if (!find_axis(name))
+    return reading.say({"--set", 0, printable(key), unknown_axis(name), printable(written)});
+  if (const int lanes = first_line(document, "lanes"); lanes > 0)
+    return reading.say(
+        {"--set", 0, key,
+         fmt::format("a preset has lanes or a study, and this one has [[lanes]] (line {})", lanes),
+         printable(written)});
+  const auto is_axis = [&](const TomlEntry& e) { return e.table == "study" && e.name == name; };
+  const auto found = std::find_if(document.entries.begin(), document.entries.end(), is_axis);
+  TomlEntry entry{"study", name, value_from_text(written)};
+  if (found == document.entries.end())
+    document.entries.push_back(std::move(entry));
+  else
+    *found = std::move(entry);
+}
+
 /// One --set: takes the place of what was given for its key before, and of the preset's for its rivals.
 void take_override(Reading& reading, std::string_view text) {
   const auto equals = text.find('=');
@@ -124,6 +144,7 @@ void take_override(Reading& reading, std::string_view text) {
   }
   const std::string key(trimmed(text.substr(0, equals)));
   const std::string_view written = trimmed(text.substr(equals + 1));
+  if (key.starts_with("study.")) return take_axis(reading, key, written);
   const Parameter* row = find_parameter(key);
   if (!row) {
     reading.say({"--set", 0, printable(key), unknown_key("", key), printable(written)});

@@ -158,7 +158,7 @@ technique = "simple"
 damage_zone_ratio = 4
 ```
 
-A preset has a study or lanes, not both. `--set` changes the scene that they start from; for a key that they vary it is an error. Two rows or two lanes with the same scenario are an error as well.
+A preset has a study or lanes, not both. `--set` changes the scene that they start from; for a key that they vary it is an error. `--set 'study.seed=[1, 2]'` puts another list in the place of an axis of `[study]`, or adds the axis. Two rows or two lanes with the same scenario are an error as well.
 
 `[[steering]]` changes a lane of a run while its crack runs: a table each, with the `lane` (from 0; 0 where it is not named), the `step` of that lane after which the change is made, and one or more of `technique`, `relaxation`, `damage_zone_ratio`, `damping_alpha` and `crack_velocity`. The workbench writes such tables (`steering.toml`); beams that the damage zone has already reached keep their law.
 

@@ -65,7 +65,8 @@ bool mentioned(const std::vector<Mention>& mentions, const Axis* axis) {
 }
 
 Issue issue_of(const ScenarioReading& reading, const TomlEntry& entry, std::string text) {
-  return {reading.file(), entry.line, entry.table + '.' + entry.name, std::move(text), shown(entry.value)};
+  return {reading.file_of(entry.line), entry.line, entry.table + '.' + entry.name, std::move(text),
+          shown(entry.value)};
 }
 
 std::string wants_a_list(const TomlEntry& entry) {
@@ -94,7 +95,8 @@ std::vector<Setting> read_axis(ScenarioReading& reading, const Axis& axis, const
     Scene scene = reading.base.preset.scene;
     const Parameter& row = parameter_of(axis);
     if (std::string problem = assign(scene, row, item); !problem.empty()) {
-      reading.say({reading.file(), entry.line, std::string(axis.key), std::move(problem), shown(item)});
+      reading.say(
+          {reading.file_of(entry.line), entry.line, std::string(axis.key), std::move(problem), shown(item)});
       continue;
     }
     const auto [earlier, fresh] = seen.emplace(toml_value(scene, row), shown(item));
@@ -113,8 +115,8 @@ std::vector<Setting> read_axis(ScenarioReading& reading, const Axis& axis, const
 ListedScenario read_listed_scenario(ScenarioReading& reading, const TomlRow& row) {
   ListedScenario out{{}, row.line};
   if (row.entries.empty()) {
-    reading.say(
-        {reading.file(), row.line, "", fmt::format("[[{}]] is empty: name an axis and its value", row.list)});
+    reading.say({reading.file_of(row.line), row.line, "",
+                 fmt::format("[[{}]] is empty: name an axis and its value", row.list)});
     out.valid = false;
   }
   for (const TomlEntry& entry : row.entries) {
@@ -122,7 +124,7 @@ ListedScenario read_listed_scenario(ScenarioReading& reading, const TomlRow& row
     const bool allowed_here = axis && (row.list != "lanes" || axis->per_lane);
     out.valid = out.valid && allowed_here;
     if (!axis) {
-      reading.say({reading.file(), entry.line, "", unknown_axis(entry.name)});
+      reading.say({reading.file_of(entry.line), entry.line, "", unknown_axis(entry.name)});
     } else if (!allowed_here) {
       reading.say(issue_of(
           reading, entry,
@@ -174,23 +176,24 @@ void check_shapes(ScenarioReading& reading) {
   const TomlDocument& document = reading.document;
   for (const TomlTable& table : document.tables) {
     if (table.name == "lanes")
-      reading.say({reading.file(), table.line, "", "lanes are a list of tables: write [[lanes]]"});
+      reading.say(
+          {reading.file_of(table.line), table.line, "", "lanes are a list of tables: write [[lanes]]"});
   }
   for (const TomlEntry& entry : document.entries) {
     if (!entry.table.empty() || !is_scenario_table(entry.name)) continue;
     const bool tables = has_rows(document, entry.name);
     if (entry.name == "steering") {
       if (!tables)
-        reading.say({reading.file(), entry.line, "steering", wants_tables("steering", entry.value),
-                     shown(entry.value)});
+        reading.say({reading.file_of(entry.line), entry.line, "steering",
+                     wants_tables("steering", entry.value), shown(entry.value)});
     } else if (entry.name == "study") {
       const auto text = tables ? std::string("a study is one table: write [study]")
                                : fmt::format("expected a table [study], got {}", kind_of(entry.value));
-      reading.say(
-          {reading.file(), entry.line, tables ? "" : "study", text, tables ? "" : shown(entry.value)});
+      reading.say({reading.file_of(entry.line), entry.line, tables ? "" : "study", text,
+                   tables ? "" : shown(entry.value)});
     } else if (!tables) {
-      reading.say(
-          {reading.file(), entry.line, "lanes", wants_tables("lanes", entry.value), shown(entry.value)});
+      reading.say({reading.file_of(entry.line), entry.line, "lanes", wants_tables("lanes", entry.value),
+                   shown(entry.value)});
     }
   }
 }
@@ -207,7 +210,7 @@ std::vector<std::vector<Setting>> read_grid(ScenarioReading& reading) {
     const Axis* axis = find_axis(entry.name);
     const auto* items = std::get_if<std::vector<Value>>(&entry.value.held);
     if (!axis) {
-      reading.say({reading.file(), entry.line, "", unknown_axis(entry.name)});
+      reading.say({reading.file_of(entry.line), entry.line, "", unknown_axis(entry.name)});
       continue;
     }
     reading.mentions.push_back({axis, "study", entry.line, shown(entry.value)});

@@ -71,7 +71,8 @@ struct ScenarioReading {
   void say(Issue issue) {
     if (said.insert(to_text(issue)).second) issues.push_back(std::move(issue));
   }
-  const std::string& file() const { return base.preset.name; }
+  /// What stands in no line comes from --set study.AXIS=LIST.
+  std::string file_of(int line) const { return line > 0 ? base.preset.name : "--set"; }
 };
 
 /// "study", "lanes" and "steering", which are no tables of parameters.

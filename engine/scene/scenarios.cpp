@@ -116,7 +116,7 @@ void check(ScenarioReading& reading, const Scenario& scenario) {
 bool too_many(ScenarioReading& reading, double count, int line) {
   if (count <= most_scenarios) return false;
   reading.say(
-      {reading.file(), line, "",
+      {reading.file_of(line), line, line > 0 ? "" : "study",
        fmt::format("{:.6g} scenarios, the limit is {}: leave out some values", count, most_scenarios)});
   return true;
 }
@@ -197,7 +197,7 @@ void take_rows(ScenarioReading& reading, const std::vector<ListedScenario>& rows
     const auto [earlier, fresh] = seen.emplace(fingerprint(scenario.preset.scene), row.line);
     if (fresh) continue;
     const std::string where = earlier->second == 0 ? "the grid" : fmt::format("line {}", earlier->second);
-    reading.say({reading.file(), row.line, "", fmt::format("the same scenario as in {}", where)});
+    reading.say({reading.file_of(row.line), row.line, "", fmt::format("the same scenario as in {}", where)});
   }
 }
 
@@ -219,7 +219,7 @@ void check_values(ScenarioReading& reading, const std::vector<std::vector<Settin
     if (lost == list.end()) continue;
     const Mention& mention = *std::find_if(reading.mentions.begin(), reading.mentions.end(),
                                            [&](const Mention& m) { return m.axis == &axis; });
-    reading.say({reading.file(), mention.line, fmt::format("study.{}", axis.name),
+    reading.say({reading.file_of(mention.line), mention.line, fmt::format("study.{}", axis.name),
                  fmt::format("{} applies to no scenario: all have {}", shown(lost->value), settled_by(axis)),
                  mention.value});
   }
@@ -232,7 +232,7 @@ void check_applies(ScenarioReading& reading, const std::vector<Scene>& scenes) {
     const bool somewhere = std::any_of(scenes.begin(), scenes.end(),
                                        [&](const Scene& scene) { return applies(scene, *m.axis); });
     if (somewhere) continue;
-    reading.say({reading.file(), m.line, fmt::format("{}.{}", m.table, m.axis->name),
+    reading.say({reading.file_of(m.line), m.line, fmt::format("{}.{}", m.table, m.axis->name),
                  "applies to no scenario: all have technique = \"simple\"", m.value});
   }
 }
@@ -242,23 +242,24 @@ void check_overrides(ScenarioReading& reading) {
   for (const Mention& m : reading.mentions) {
     const auto found = reading.base.preset.origins.find(std::string(m.axis->key));
     if (found == reading.base.preset.origins.end() || found->second.file != "--set") continue;
-    reading.say({"--set", 0, std::string(m.axis->key),
-                 fmt::format("varied by the {} (line {}): change it there",
-                             m.table == "lanes" ? "lanes" : "study", m.line),
+    const std::string where =
+        m.line > 0 ? fmt::format("the {} (line {})", m.table == "lanes" ? "lanes" : "study", m.line)
+                   : fmt::format("--set study.{}", m.axis->name);
+    reading.say({"--set", 0, std::string(m.axis->key), fmt::format("varied by {}: change it there", where),
                  found->second.value});
   }
 }
 
 void check_both(ScenarioReading& reading, int study, int lanes) {
   if (study == 0 || lanes == 0) return;
-  reading.say({reading.file(), lanes, "",
+  reading.say({reading.file_of(lanes), lanes, "",
                fmt::format("[[lanes]] beside [study] (line {}): a preset has one or the other", study)});
 }
 
 void check_empty(ScenarioReading& reading) {
   for (const TomlTable& table : reading.document.tables) {
     if (table.name != "study" || !reading.mentions.empty() || !reading.issues.empty()) continue;
-    reading.say({reading.file(), table.line, "",
+    reading.say({reading.file_of(table.line), table.line, "",
                  "[study] names no axis: write one list of values per axis, or [[study.rows]]"});
   }
 }

@@ -51,5 +51,37 @@ TEST_F(OtherGrid, IsCheckedAsTheFilesOwn) {
       << both.issues[0].text;
 }
 
+std::string complaints(const Preset& preset) {
+  std::string lines;
+  for (const Issue& issue : preset.issues) lines += to_text(issue) + '\n';
+  return lines;
+}
+
+TEST_F(OtherGrid, MayBeSetAxisByAxis) {
+  const Preset set = read_preset(path, {"study.seed=[7, 8, 9]", "study.crack_velocity=[\"0.3 c_r\", 0.4]"});
+  EXPECT_EQ(complaints(set),
+            "--set crack.velocity=0.4: needs a speed with its unit, such as \"0.5 c_r\" or \"1100 m/s\"\n");
+  const Preset other = read_preset(path, {"study.seed=[7, 8, 9]", "study.crack_velocity=[\"0.3 c_r\"]"});
+  EXPECT_EQ(complaints(other), "");
+  ASSERT_EQ(other.study.size(), 4u);  // the row stays
+  EXPECT_EQ(other.study[0].scene.specimen.seed, 7u);
+  ASSERT_EQ(other.grid.size(), 2u);
+  EXPECT_EQ(other.grid[1].name, "crack_velocity");
+  base::write_whole_file(path, "");
+  EXPECT_EQ(read_preset(path, {"study.seed=[1, 2]"}).study.size(), 2u);
+}
+
+TEST_F(OtherGrid, NamesTheOptionThatIsWrong) {
+  EXPECT_EQ(complaints(read_preset(path, {"study.sed=[1]"})),
+            "--set study.sed=[1]: unknown axis 'sed', did you mean 'seed'?\n");
+  EXPECT_EQ(complaints(read_preset(path, {"study.seed=3"})),
+            "--set study.seed=3: expected a list of values: write seed = [3]\n");
+  EXPECT_EQ(complaints(read_preset(path, {"study.seed=[1, 2]", "specimen.seed=3"})),
+            "--set specimen.seed=3: varied by --set study.seed: change it there\n");
+  base::write_whole_file(path, "[[lanes]]\ntechnique = \"simple\"\n");
+  EXPECT_EQ(complaints(read_preset(path, {"study.seed=[1, 2]"})),
+            "--set study.seed=[1, 2]: a preset has lanes or a study, and this one has [[lanes]] (line 1)\n");
+}
+
 }  // namespace
 }  // namespace rift::scene
