@@ -4,6 +4,7 @@
 #include "engine/scene/issue.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/validation.hpp"
+#include "engine/scene/values_text.hpp"
 #include "engine/study/plan.hpp"
 
 #include <fmt/format.h>
@@ -236,7 +237,7 @@ double estimated_seconds(const AccuracyPlan& plan) {
   double beam_steps = 0.0;
   std::set<std::string> scenarios, lattices;
   for (const Case& v : plan.cases) {
-    if (!v.cannot_be.empty() || !scenarios.insert(scene::preset_text(v.scene)).second) continue;
+    if (!v.cannot_be.empty() || !scenarios.insert(scene::values_text(v.scene)).second) continue;
     beam_steps += study::estimated_cost(v.scene);
     const bool corotational = v.scene.solver.kinematics == lattice::Kinematics::corotational;
     const std::string lattice =

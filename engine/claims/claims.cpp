@@ -2,6 +2,7 @@
 
 #include "engine/claims/lattice_efficiency.hpp"
 #include "engine/scene/derived.hpp"
+#include "engine/scene/values_text.hpp"
 #include "engine/study/plan.hpp"
 
 #include <algorithm>
@@ -101,7 +102,7 @@ PaperStudy merge_presets(const std::vector<std::pair<std::string, scene::Preset>
           effort == Effort::quick ? quick_scene(scene) : std::optional<scene::Scene>(scene);
       if (!wanted) continue;
       const auto [known, fresh] =
-          row_of_scene.emplace(scene::preset_text(*wanted), static_cast<int>(merged.preset.study.size()));
+          row_of_scene.emplace(scene::values_text(*wanted), static_cast<int>(merged.preset.study.size()));
       if (fresh) merged.preset.study.push_back(study::study_row_of(*wanted));
       if (std::find(rows.begin(), rows.end(), known->second) == rows.end()) rows.push_back(known->second);
     }

@@ -1,7 +1,7 @@
-#include "engine/scene/needs.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/preset.hpp"
 #include "engine/scene/scenarios.hpp"
+#include "engine/scene/values_text.hpp"
 
 #include <fmt/format.h>
 
@@ -46,26 +46,18 @@ std::vector<const Axis*> varied_in_lanes(const Preset& preset) {
   return varied;
 }
 
-/// Whether another key that excludes it is given.
-bool has_no_say(const Parameter& row, const Scene& scene) {
-  const Scene::Loading& loading = scene.loading;
-  if (row.key == "crack.velocity") return !scene.crack.history.empty();
-  return row.key == "loading.displacement" &&
-         (loading.force || loading.traction || !loading.curve.row.empty());
-}
-
 }  // namespace
 
 std::string preset_text(const Scene& scene) {
   std::string out = "# The effective preset; docs/parameters.md says more.\n";
   std::string table;
   for (const Parameter& row : parameters()) {
-    if (table_of(row) == "calibration" && !needs_calibration(scene)) continue;
+    if (!is_used(scene, row)) continue;
     if (table_of(row) != table) {
       table = table_of(row);
       out += fmt::format("\n[{}]\n", table);
     }
-    const std::string value = has_no_say(row, scene) ? std::string{} : toml_value(scene, row);
+    const std::string value = value_that_counts(scene, row);
     out += fmt::format("# {} Allowed: {}.\n", row.doc, allowed(row));
     out += value.empty() ? fmt::format("# {} is not given\n", name_of(row))
                          : fmt::format("{} = {}\n", name_of(row), in_lines(value));

@@ -5,6 +5,7 @@
 #include "engine/scene/derived.hpp"
 #include "engine/scene/parameters.hpp"
 #include "engine/scene/scenarios.hpp"
+#include "engine/scene/values_text.hpp"
 #include "engine/simulation/prepare.hpp"
 #include "engine/simulation/schedule.hpp"
 #include "engine/study/resources.hpp"
@@ -19,15 +20,16 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
+#include <string_view>
 #include <tuple>
 
 namespace rift::study {
 namespace {
 
 /// The scene as text without how it is shown, which changes none of its numbers.
-std::string text_without_film(scene::Scene scene) {
-  scene.film = scene::default_scene().film;
-  return scene::preset_text(scene);
+std::string text_without_film(const scene::Scene& scene) {
+  return scene::values_text(scene, [](const scene::Parameter& row) { return !row.key.starts_with("film."); });
 }
 
 }  // namespace
@@ -114,10 +116,14 @@ double estimated_preparation(const scene::Scene& scene) {
 
 namespace {
 
-bool may_differ_in_lanes(const scene::Parameter& row) {
-  const auto table = scene::axes();
-  return std::any_of(table.begin(), table.end(),
-                     [&](const scene::Axis& axis) { return axis.per_lane && axis.key == row.key; });
+bool must_agree_in_lanes(const scene::Parameter& row) {
+  static const std::set<std::string_view> may_differ = [] {
+    std::set<std::string_view> keys;
+    for (const scene::Axis& axis : scene::axes())
+      if (axis.per_lane) keys.insert(axis.key);
+    return keys;
+  }();
+  return !may_differ.contains(row.key);
 }
 
 /// Equal for scenes that differ at most in what lanes may differ in, or by being in-situ and bulk: time and
@@ -125,11 +131,7 @@ bool may_differ_in_lanes(const scene::Parameter& row) {
 std::string shared_text(scene::Scene scene) {
   if (scene.material.stiffness == scene::StiffnessChoice::bulk)
     scene.material.stiffness = scene::StiffnessChoice::in_situ;
-  std::string text;
-  for (const scene::Parameter& row : scene::parameters())
-    if (!may_differ_in_lanes(row))
-      text += std::string(row.key) + " = " + scene::toml_value(scene, row) + "\n";
-  return text;
+  return scene::values_text(scene, must_agree_in_lanes);
 }
 
 /// Scenarios of a group, of about equal step and damped or not, march in one pass: each costs its steps'
