@@ -120,7 +120,7 @@ const std::array<Decision, 10> decisions{{
      [](const Scene&) {
        return std::string("no loading.curve, the grips stand still while the crack runs");
      }},
-    {{"corotation", {2.0, 3.2}},
+    {{"corotation", {4.8, 7.0}},
      [](const Needs& n) { return n.corotation; },
      [](const Scene&) { return std::string("kinematics = linear, the beam axes stay fixed"); }},
     {{"contact", unmeasured},
