@@ -46,7 +46,8 @@ const std::vector<Use>& conditional_uses() {
   static const std::vector<Use> uses{
       {[](const Scene& s) { return s.crack.history.empty() && !breaks_freely(s); }, {"crack.velocity"}},
       {[](const Scene& s) { return !breaks_freely(s); },
-       {"crack.end", "crack.tips", "crack.technique", "crack.toughness", "crack.history"}},
+       {"crack.end", "crack.tips", "crack.technique", "crack.release_order", "crack.toughness",
+        "crack.history"}},
       {[](const Scene& s) { return breaks_freely(s); },
        {"fracture.release_rate", "fracture.kappa", "fracture.duration"}},
       {[](const Scene& s) { return s.breaking.law == fracture::FractureLaw::cohesive; },

@@ -204,6 +204,15 @@ std::vector<Parameter> crack_rows() {
        none,
        {},
        {"simple", "progressive"}},
+      {"crack.release_order",
+       "crossing",
+       [](Scene& s) -> Slot { return &s.crack.release_order; },
+       "When the tip releases a beam: where the path crosses it, at the height of its middle along the path, "
+       "or as it comes by the first of its two elements, which so loses all its beams across the path at "
+       "once.",
+       none,
+       {},
+       {"crossing", "middle", "node"}},
       {"crack.relaxation", "linear", [](Scene& s) -> Slot { return Exponent{&s.crack.relaxation}; },
        "Exponent p of the stiffness (1 - b/l)^p over the damage zone: linear 1, square-root 0.5, quadratic "
        "2.",

@@ -2,6 +2,7 @@
 
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/fracture/cohesive_law.hpp"
+#include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
 #include "engine/fracture/release.hpp"
 #include "engine/history/crack_history.hpp"
@@ -110,6 +111,7 @@ struct Scene {
     std::optional<double> end;  // [m]; the end of the window where absent
     int tips;
     fracture::Technique technique;
+    fracture::ReleaseOrder release_order;
     double relaxation;               // the exponent p of Y1/Y2 = (1 - b/l)^p
     double damage_zone_ratio;        // r_l = L_CZM / R_mean
     std::optional<double> friction;  // mu of the faces; without it they do not touch

@@ -194,6 +194,7 @@ void check_breaking(Checks& c) {
   excluded(c.scene.loading.method == LoadingMethod::ramp, "loading.method");
   excluded(c.scene.damping.region != DampingRegion::none, "damping.region");
   excluded(c.scene.crack.tips == 2, "crack.tips");
+  excluded(c.scene.crack.release_order != fracture::ReleaseOrder::crossing, "crack.release_order");
   excluded(c.scene.crack.friction.has_value(), "crack.friction");
   for (const char* key : {"crack.history", "crack.toughness"})
     if (c.given(key))

@@ -180,9 +180,13 @@ std::string dynamics_key(const Prepared& p) {
 }
 
 std::string path_key(const scene::Scene& scene) {
-  if (scene.crack.path.point.empty()) return fmt::format("{:a}", scene::path_height_m(scene));
   std::string path;
-  for (const auto& [x, y] : scene::path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
+  if (scene.crack.path.point.empty())
+    path = fmt::format("{:a}", scene::path_height_m(scene));
+  else
+    for (const auto& [x, y] : scene::path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
+  if (scene.crack.release_order != fracture::ReleaseOrder::crossing)
+    path += " by " + scene::word_of("crack.release_order", scene.crack.release_order);
   return path;
 }
 
