@@ -189,6 +189,7 @@ struct ChunkEnergies {
   void add_numerical(const PartView<Real>& p, const StepConstants& k, int i, const V (&f)[6], const V (&v)[6],
                      const V (&rate)[6]) {
     for (int c = 0; c < 6; ++c) {
+      if (p.per_mass[6L * i + c] == 0) continue;  // a grip or a roller holds it
       const D kick = 0.5 * k.dt * static_cast<double>(p.per_mass[6L * i + c]) * widened<Real, Width>(f[c]);
       const D conserved = widened<Real, Width>(rate[c]) + kick;
       const D now = widened<Real, Width>(v[c]) + k.beta_before * kick;
@@ -314,7 +315,7 @@ template <template <class, int> class Form, class Real, int Width, Balance balan
         store_row<6, Width>(p.next_damping_before + at, d);
         for (int c = 0; c < 6; ++c) f[c] += d[c];
       }
-      if (p.rate && p.per_mass[6L * i + 1] != 0) energies.add_numerical(p, k, i, f, v, rate);
+      if (p.rate) energies.add_numerical(p, k, i, f, v, rate);
       if (p.top[i]) energies.pull += widened<Real, Width>(f[1]);
     }
     V per_mass[6];

@@ -55,8 +55,9 @@ State::State(const lattice::Lattice& lattice, std::vector<fracture::DamageableBe
   }
   for (std::size_t i = 0; i < n; ++i) {
     arrays_.mass.insert(arrays_.mass.end(), {lattice.mass[i], lattice.inertia[i]});
-    for (int c = 0; c < 6 && lattice.grip[i] == packing::Grip::none; ++c)
-      arrays_.per_mass.set(6 * i + c, 1.0 / (c < 3 ? lattice.mass[i] : lattice.inertia[i]));
+    for (int c = 0; c < 6; ++c)
+      if (!(c < 3 ? lattice.is_gripped(i) : lattice.cannot_turn(i)))
+        arrays_.per_mass.set(6 * i + c, 1.0 / (c < 3 ? lattice.mass[i] : lattice.inertia[i]));
     arrays_.top.push_back(lattice.grip[i] == packing::Grip::top);
   }
 }

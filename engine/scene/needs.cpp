@@ -54,6 +54,7 @@ const std::vector<Use>& conditional_uses() {
        {"fracture.strength"}},
       {[](const Scene& s) { return s.loading.traction.has_value(); },
        {"loading.rise_time", "loading.rollers"}},
+      {[](const Scene& s) { return !s.loading.traction; }, {"loading.grip_rotation"}},
       {[](const Scene& s) { return !s.crack.history.empty(); }, {"crack.smoothing", "crack.history_gap"}},
       {[](const Scene& s) { return !s.crack.history.empty() || !s.crack.toughness.row.empty(); },
        {"crack.toughness_window"}},

@@ -136,6 +136,13 @@ std::vector<Parameter> loading_rows() {
        "Uneven opening of the top face: this fraction of the displacement more at the right end and less at "
        "the left end, so that the stored energy varies along the crack.",
        none, inside(-1, 1)},
+      {"loading.grip_rotation",
+       "held",
+       [](Scene& s) -> Slot { return &s.loading.grip_rotation; },
+       "Whether the grips hold the rotations of their elements beside the displacements, or leave them free.",
+       none,
+       {},
+       {"held", "free"}},
       {"loading.method",
        "static",
        [](Scene& s) -> Slot { return &s.loading.method; },

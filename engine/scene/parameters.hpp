@@ -32,7 +32,7 @@ struct Word {
 /// Where a parameter lives in a Scene. The kind of the member decides how its text is read and written.
 using Slot = std::variant<double*, std::optional<double>*, int*, long*, bool*, Word, Exponent,
                           packing::Shape*, packing::Radii*, theory::Plane*, StiffnessChoice*, LoadingMethod*,
-                          fracture::Technique*, fracture::ReleaseOrder*,
+                          GripRotation*, fracture::Technique*, fracture::ReleaseOrder*,
                           fracture::FractureLaw*, DampingRegion*, lattice::Kinematics*, ensemble::Precision*,
                           ReleaseRateReference*, std::vector<VelocityPiece>*, CrackLine*,
                           std::vector<history::HistoryPoint>*, fracture::CriticalRate*, LoadCurve*,

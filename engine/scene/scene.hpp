@@ -21,6 +21,7 @@ enum class StiffnessChoice { in_situ, bulk, calibrated, explicit_values };
 enum class LoadingMethod { static_solve, ramp };
 enum class DampingRegion { none, surface, all };
 enum class ReleaseRateReference { strip, griffith };
+enum class GripRotation { held, free };
 
 /// A speed [m/s], or a fraction of the Rayleigh speed c_r where `relative`.
 struct Speed {
@@ -94,6 +95,7 @@ struct Scene {
     bool rollers;                    // on the left and the right face, with a traction
     double shear;                    // of the displacement, along x beside it
     double tilt;                     // of the displacement, more at the right end and less at the left one
+    GripRotation grip_rotation;      // whether the elements of the grips may turn
     LoadingMethod method;
     int ramp_steps, hold_steps;
     double ramp_beta;  // numerical damping while ramping and holding, taken out before the crack starts

@@ -206,6 +206,8 @@ void check_loading(Checks& c) {
   if (loading.rollers && !loading.traction)
     c.say("loading.rollers", "goes with loading.traction only: the grips hold the plate");
   if (loading.traction) {
+    if (loading.grip_rotation != GripRotation::held)
+      c.say("loading.grip_rotation", "goes without loading.traction, which takes the place of the grips");
     if (loading.tilt != 0.0 || loading.shear != 0.0)
       c.say("loading.traction", "goes without loading.tilt and loading.shear, which are the grips'");
     return;
