@@ -41,7 +41,7 @@ TEST(LongRun, KeepsTheBooksClosedOverAHundredThousandSteps) {
     EXPECT_LT(residual_of_a_long_run(Precision::single_precision, lattice::Kinematics::linear, technique),
               1e-3);
   }
-  // Simple release at half the critical step misses the bound by a fifth: docs/performance.md, "Balance
+  // Simple release at half the critical step misses the bound by a tenth: docs/performance.md, "Balance
   // error".
   residual_of_a_long_run(Precision::double_precision, lattice::Kinematics::corotational, "simple");
   EXPECT_LT(
