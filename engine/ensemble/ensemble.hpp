@@ -82,7 +82,7 @@ class Ensemble {
   void set_beta(double beta);
 
   /// The energy balance of a lane now [J]. Cost: two fifths of a step, for all lanes at once, since the look
-  /// at the beams makes the next step as well; corotational beams cost another step's time.
+  /// at the beams makes the next step as well; corotational beams cost another step's time beside.
   fracture::EnergyBalance balance(int lane);
 
   /// Force of the top grip along y [N]; below 0 it presses.

@@ -107,6 +107,10 @@ struct Corotational {
     Space<V> vector;
   };
   static Position position(const V* c) { return {{c[0], c[1], c[2]}, c[3], {c[4], c[5], c[6]}}; }
+  /// The position of this moment, and the mean of those a step before and a step after.
+  struct Positions {
+    Position now, mean;
+  };
 
   struct Form {
     Space<V> n0;
@@ -161,21 +165,40 @@ struct Corotational {
 
   static EndLoads<V> loads(const Form& b, const Position& i, const Position& j) {
     const Strain e = strain(b, i, j);
+    return loads_along(b, e, e);
+  }
+
+  /// - k e . de/dq with the strains e of this moment and their derivatives at the mean of the positions a
+  /// step before and a step after. Over these two steps the derivative there gives the change of the strains
+  /// to third order, so that velocity Verlet keeps 1/2 M v^2 + 1/2 k e_n . e_(n+1), the energy by which
+  /// damage is counted [model.md §3].
+  static EndLoads<V> loads(const Form& b, const Positions& i, const Positions& j) {
+    return loads_along(b, strain(b, i.now, j.now), strain(b, i.mean, j.mean));
+  }
+
+  /// Forces of the strains `e` in the directions of `d`.
+  static EndLoads<V> loads_along(const Form& b, const Strain& e, const Strain& d) {
     const Space<V> sum = e.alpha_i + e.alpha_j;
     const Space<V> gi = b.bending * (sum + e.alpha_i), gj = b.bending * (sum + e.alpha_j);
     const V torque = b.twist * e.twist;
-    const Space<V> across = torque * cross(e.p, e.n), along = (torque * e.p0) * e.n;
-    const Space<V> mi = cross(e.t_i, cross(gi, e.n)), mj = cross(e.t_j, cross(gj, e.n));
-    const Space<V> h = plus_cross(plus_cross((torque + torque) * e.p, e.t_i, gi), e.t_j, gj);
-    const Space<V> shear = e.per_length * plus(h, -dot(e.n, h), e.n);
-    return {plus(shear, b.axial * e.stretch, e.n), (along - across) - mi,
+    const Space<V> across = torque * cross(d.p, d.n), along = (torque * d.p0) * d.n;
+    const Space<V> mi = cross(d.t_i, cross(gi, d.n)), mj = cross(d.t_j, cross(gj, d.n));
+    const Space<V> h = plus_cross(plus_cross((torque + torque) * d.p, d.t_i, gi), d.t_j, gj);
+    const Space<V> shear = d.per_length * plus(h, -dot(d.n, h), d.n);
+    return {plus(shear, b.axial * e.stretch, d.n), (along - across) - mi,
             Space<V>{} - ((along + across) + mj)};
   }
 
   static V energy(const Form& b, const Position& i, const Position& j) {
     const Strain e = strain(b, i, j);
-    const V bend = dot(e.alpha_i, e.alpha_i) + dot(e.alpha_i, e.alpha_j) + dot(e.alpha_j, e.alpha_j);
-    return 0.5 * b.axial * e.stretch * e.stretch + 0.5 * b.twist * e.twist * e.twist + b.bending * bend;
+    return bilinear_energy(b, e, e);
+  }
+
+  /// 1/2 a . k b: the energy where a = b, as bilinear_energy() of lattice/beam.hpp.
+  static V bilinear_energy(const Form& b, const Strain& x, const Strain& y) {
+    const V bend = dot(x.alpha_i, y.alpha_i) + dot(x.alpha_j, y.alpha_j) +
+                   0.5 * (dot(x.alpha_i, y.alpha_j) + dot(x.alpha_j, y.alpha_i));
+    return 0.5 * b.axial * x.stretch * y.stretch + 0.5 * b.twist * x.twist * y.twist + b.bending * bend;
   }
 
   static FaceGap<V> face_gap(const Form& b, const Position& i, const Position& j) {

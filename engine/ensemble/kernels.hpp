@@ -20,13 +20,30 @@ inline double* chunk_of(const PartView<Real>& p, int i) {
 
 /// The position of an element in double, whatever the state is.
 template <template <class, int> class Form, class Real, int Width>
+inline void load_wide_position(const PartView<Real>& p, long row,
+                               Pack<double, Width> (&c)[Form<double, Width>::numbers]) {
+  constexpr int numbers = Form<double, Width>::numbers;
+  for (int k = 0; k < numbers; ++k) {
+    c[k] = widened<Real, Width>(load<Width>(p.q + (row * numbers + k) * Width));
+    if constexpr (numbers == 6) c[k] += p.base[row * 6 + k];  // the linear form's strains are of all
+  }
+}
+template <template <class, int> class Form, class Real, int Width>
 inline typename Form<double, Width>::Position wide_position(const PartView<Real>& p, long row) {
   using D = Form<double, Width>;
   Pack<double, Width> c[D::numbers];
-  for (int k = 0; k < D::numbers; ++k) {
-    c[k] = widened<Real, Width>(load<Width>(p.q + (row * D::numbers + k) * Width));
-    if constexpr (D::numbers == 6) c[k] += p.base[row * 6 + k];  // the linear form's strains are of all
-  }
+  load_wide_position<Form, Real, Width>(p, row, c);
+  return D::position(c);
+}
+
+/// The position that an element would have after `dt` [s] at the velocity of this moment, in double.
+template <template <class, int> class Form, class Real, int Width>
+inline typename Form<double, Width>::Position moved_position(const PartView<Real>& p, long row, double dt) {
+  using D = Form<double, Width>;
+  Pack<double, Width> c[D::numbers], v[6];
+  load_wide_position<Form, Real, Width>(p, row, c);
+  load_row<6, Width>(p.velocity + row * 6 * Width, v);
+  D::drift(c, v, splat<Pack<double, Width>>(dt));
   return D::position(c);
 }
 
@@ -71,36 +88,79 @@ inline void add_contact_energies(const ViewOf<Form, Real>& p) {
   }
 }
 
-/// Adds the elastic energy of the beams to the accounts of their first elements' chunks [J]. In linear
-/// kinematics that of the intact ones comes out of the walk, but for what is the same for all (State::
-/// base_energy()): their work against the base state's forces, which all beams balance, is that of the
-/// damageable ones with the opposite sign.
+/// Energy of a corotational beam [J], and what it adds to the step correction: dt^2/8 F . F / m alone is that
+/// of forces which change in proportion to the motion; the directions of these change too,
+///   - 1/2 k e . 1/2 (e(q + dt v) + e(q - dt v) - 2 e(q)) = - dt^2/4 v . K_g v,
+/// K_g the stiffness that a beam has by the forces in it   [model.md §7].
+template <class D>
+struct BeamEnergy {
+  D elastic{}, correction{};
+};
+
 template <template <class, int> class Form, class Real, int Width>
-inline void add_beam_energies(const ViewOf<Form, Real>& p) {
+inline BeamEnergy<Pack<double, Width>> energy_of(const PartView<Real>& p,
+                                                 const typename Form<Real, 1>::Row& beam, long i, long j,
+                                                 double dt) {
+  using D = Form<double, Width>;
+  const auto form = wide_form<Form, Real, Width>(beam);
+  const auto strain_after = [&](double time) {
+    return D::strain(form, moved_position<Form, Real, Width>(p, i, time),
+                     moved_position<Form, Real, Width>(p, j, time));
+  };
+  const auto now =
+      D::strain(form, wide_position<Form, Real, Width>(p, i), wide_position<Form, Real, Width>(p, j));
+  const auto elastic = D::bilinear_energy(form, now, now);
+  const auto around =
+      D::bilinear_energy(form, now, strain_after(dt)) + D::bilinear_energy(form, now, strain_after(-dt));
+  return {elastic, elastic - 0.5 * around};
+}
+
+/// Adds what corotational beams hold to the accounts of their first elements' chunks [J]: after the walk, by
+/// the velocities of this moment.
+template <template <class, int> class Form, class Real, int Width>
+inline void add_corotational_energies(const ViewOf<Form, Real>& p, const StepConstants& k) {
   using D = Pack<double, Width>;
-  if constexpr (!is_linear<Form>) {
-    const auto* beam = p.intact + p.halo;
-    for (int i = p.begin; i < p.end; ++i) {
-      D sum{};
-      for (int left = p.first[i - p.begin + 1] - p.first[i - p.begin]; left > 0; --left, ++beam)
-        sum += wide_energy<Form, Real, Width>(p, beam->form, i, beam->j);
-      add_to_account<Width>(chunk_of<Real, Width>(p, i), elastic, sum);
+  const auto add = [&](int i, const BeamEnergy<D>& e) {
+    add_to_account<Width>(chunk_of<Real, Width>(p, i), elastic, e.elastic);
+    add_to_account<Width>(chunk_of<Real, Width>(p, i), step_correction, e.correction);
+  };
+  const auto* beam = p.intact + p.halo;
+  for (int i = p.begin; i < p.end; ++i) {
+    BeamEnergy<D> sum;
+    for (int left = p.first[i - p.begin + 1] - p.first[i - p.begin]; left > 0; --left, ++beam) {
+      const BeamEnergy<D> e = energy_of<Form, Real, Width>(p, beam->form, i, beam->j, k.dt);
+      sum.elastic += e.elastic, sum.correction += e.correction;
     }
+    add(i, sum);
   }
+  for (int b = 0; b < p.damageable_beams; ++b) {
+    const auto& row = p.damageable[b];
+    if (row.extra_i < 0) continue;  // the other part's
+    const D left = widened<Real, Width>(load<Width>(p.factor + static_cast<long>(row.k) * Width));
+    const BeamEnergy<D> e = energy_of<Form, Real, Width>(p, row.form, row.i, row.j, k.dt);
+    add(row.i, {left * e.elastic, left * e.correction});
+  }
+}
+
+/// Adds the elastic energy of damageable linear beams to the accounts of their first elements' chunks [J].
+/// That of the intact ones comes out of the walk, but for what is the same for all (State::base_energy()):
+/// their work against the base state's forces, which all beams balance, is that of the damageable ones with
+/// the opposite sign.
+template <template <class, int> class Form, class Real, int Width>
+inline void add_damageable_energies(const ViewOf<Form, Real>& p) {
+  using D = Pack<double, Width>;
   for (int b = 0; b < p.damageable_beams; ++b) {
     const auto& row = p.damageable[b];
     if (row.extra_i < 0) continue;  // the other part's
     D sum = widened<Real, Width>(load<Width>(p.factor + static_cast<long>(row.k) * Width)) *
             wide_energy<Form, Real, Width>(p, row.form, row.i, row.j);
-    if constexpr (is_linear<Form>) {
-      const auto moved = [&](long element, int c) {
-        return widened<Real, Width>(load<Width>(p.q + (element * 6 + c) * Width));
-      };
-      for (int c = 0; c < 3; ++c)
-        sum += static_cast<double>(row.base[c]) * (moved(row.i, c) - moved(row.j, c)) +
-               static_cast<double>(row.base[3 + c]) * moved(row.i, 3 + c) +
-               static_cast<double>(row.base[6 + c]) * moved(row.j, 3 + c);
-    }
+    const auto moved = [&](long element, int c) {
+      return widened<Real, Width>(load<Width>(p.q + (element * 6 + c) * Width));
+    };
+    for (int c = 0; c < 3; ++c)
+      sum += static_cast<double>(row.base[c]) * (moved(row.i, c) - moved(row.j, c)) +
+             static_cast<double>(row.base[3 + c]) * moved(row.i, 3 + c) +
+             static_cast<double>(row.base[6 + c]) * moved(row.j, 3 + c);
     add_to_account<Width>(chunk_of<Real, Width>(p, row.i), elastic, sum);
   }
 }
@@ -129,6 +189,7 @@ struct ChunkEnergies {
   void add_numerical(const PartView<Real>& p, const StepConstants& k, int i, const V (&f)[6], const V (&v)[6],
                      const V (&rate)[6]) {
     for (int c = 0; c < 6; ++c) {
+      if (p.per_mass[6L * i + c] == 0) continue;  // a grip or a roller holds it
       const D kick = 0.5 * k.dt * static_cast<double>(p.per_mass[6L * i + c]) * widened<Real, Width>(f[c]);
       const D conserved = widened<Real, Width>(rate[c]) + kick;
       const D now = widened<Real, Width>(v[c]) + k.beta_before * kick;
@@ -172,6 +233,28 @@ struct ChunkEnergies {
   }
 };
 
+/// The mean of each element's positions a step before and a step after this moment: its position now and half
+/// of dt^2 times its acceleration, of the forces that this moment's directions give. Dampers, which are weak
+/// beside the beams, are left out of it.
+/// @param[out] p  mean_q [m, rad] of the elements
+template <template <class, int> class Form, class Real, int Width>
+[[gnu::flatten]] void find_means(const ViewOf<Form, Real>& p, const StepConstants& k) {
+  using F = Form<Real, Width>;
+  using V = Pack<Real, Width>;
+  const V one = splat<V>(Real(1)), half_square = splat<V>(static_cast<Real>(0.5 * k.dt * k.dt));
+  walk<Form, Real, Width, false, Directions::of_moment>(p, [&](int i, V(&f)[6], int extra, int, V(&)[6]) {
+    V q[F::numbers], bend[6];
+    load_row<F::numbers, Width>(p.q + static_cast<long>(F::numbers) * Width * i, q);
+    for (int c = 0; c < 6; ++c) {
+      if (extra >= 0) f[c] += load<Width>(p.extra + (6L * extra + c) * Width);
+      if (extra >= 0 && p.contact) f[c] += load<Width>(p.contact + (6L * extra + c) * Width);
+      bend[c] = half_square * splat<V>(p.per_mass[6L * i + c]) * f[c];
+    }
+    F::drift(q, bend, one);
+    store_row<F::numbers, Width>(p.mean_q + static_cast<long>(F::numbers) * Width * i, q);
+  });
+}
+
 /// One step of Table 1 of the paper for the elements of a part. `v` holds the velocity after the first half
 /// of the step that ends; with beta = 1 that is the rate (q_n - q_{n-1}) / dt.
 ///
@@ -187,18 +270,19 @@ template <template <class, int> class Form, class Real, int Width, Balance balan
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
   constexpr bool balanced = balance != Balance::none, of_moment = balance == Balance::of_moment;
+  constexpr Directions directions = is_linear<Form> ? Directions::of_moment : Directions::of_mean;
   const V dt = splat<V>(static_cast<Real>(k.dt)), kick = splat<V>(static_cast<Real>(0.5 * k.dt)),
           ended = splat<V>(static_cast<Real>(0.5 * k.dt * k.beta_before)),
           begun = splat<V>(static_cast<Real>(0.5 * k.dt * k.beta_after));
   if constexpr (of_moment) {
     for (int i = p.begin; i < p.end; i += chunk_size)
       clear(chunk_of<Real, Width>(p, i), spent_damping * Width);
-    add_beam_energies<Form, Real, Width>(p);
+    if constexpr (is_linear<Form>) add_damageable_energies<Form, Real, Width>(p);
     if (p.contact) add_contact_energies<Form, Real, Width>(p);
   }
   ChunkEnergies<Real, Width> energies;
   // f: balance of forces at q_n, eqs. (3)-(6); d: of it, that of the dampers, eq. (8)
-  walk<Form, Real, Width, balanced>(p, [&](int i, V(&f)[6], int extra, int damped, V(&d)[6]) {
+  walk<Form, Real, Width, balanced, directions>(p, [&](int i, V(&f)[6], int extra, int damped, V(&d)[6]) {
     V q[F::numbers], v[6], rate[6];
     load_row<F::numbers, Width>(p.q + static_cast<long>(F::numbers) * Width * i, q);
     load_row<6, Width>(p.v + 6L * Width * i, v);
@@ -231,7 +315,7 @@ template <template <class, int> class Form, class Real, int Width, Balance balan
         store_row<6, Width>(p.next_damping_before + at, d);
         for (int c = 0; c < 6; ++c) f[c] += d[c];
       }
-      if (p.rate && p.per_mass[6L * i + 1] != 0) energies.add_numerical(p, k, i, f, v, rate);
+      if (p.rate) energies.add_numerical(p, k, i, f, v, rate);
       if (p.top[i]) energies.pull += widened<Real, Width>(f[1]);
     }
     V per_mass[6];
@@ -266,8 +350,14 @@ template <template <class, int> class Form, class Real, int Width, Balance balan
 
 template <template <class, int> class Form, class Real, int Width>
 constexpr Kernel<typename Form<Real, 1>::Row> kernel() {
-  return {advance<Form, Real, Width, Balance::none>, advance<Form, Real, Width, Balance::of_step>,
-          advance<Form, Real, Width, Balance::of_moment>, group_size<Form, Real>};
+  Kernel<typename Form<Real, 1>::Row> k{.advance = advance<Form, Real, Width, Balance::none>,
+                                        .advance_with_balance = advance<Form, Real, Width, Balance::of_step>,
+                                        .evaluate_energies = advance<Form, Real, Width, Balance::of_moment>,
+                                        .group_size = group_size<Form, Real>};
+  if constexpr (!is_linear<Form>)
+    k.find_means = find_means<Form, Real, Width>,
+    k.add_beam_energies = add_corotational_energies<Form, Real, Width>;
+  return k;
 }
 
 }  // namespace rift::ensemble::RIFT_INSTRUCTIONS

@@ -29,6 +29,20 @@ inline typename Form<Real, Width>::Position position_at(const Real* q, long row)
   return F::position(c);
 }
 
+/// The positions at which the directions of a beam's forces are taken: those of this moment, or the mean of
+/// those a step before and a step after   [Corotational::loads].
+enum class Directions { of_moment, of_mean };
+
+/// What the loads of a beam ask of an element: Position, or Positions with directions of the mean.
+template <template <class, int> class Form, class Real, int Width, Directions directions>
+inline auto place_at(const PartView<Real>& p, long row) {
+  const auto now = position_at<Form, Real, Width>(p.q, row);
+  if constexpr (directions == Directions::of_moment)
+    return now;
+  else
+    return typename Form<Real, Width>::Positions{now, position_at<Form, Real, Width>(p.mean_q, row)};
+}
+
 /// Adds a beam's loads to its first element, or to its second (put_opposite). @param[in,out] f  [N, N m]
 template <class V>
 inline void put(V (&f)[6], const EndLoads<V>& e) {
@@ -124,7 +138,7 @@ inline void add_contact_forces(const ViewOf<Form, Real>& p) {
 /// Adds the forces of the damageable beams, s L + (s - 1) L_base, to the additional loads of their elements:
 /// where L is linear it is of the change since the base state, in which the intact beams balance.
 /// @param[in,out] p  extra [N, N m] of the elements with additional loads
-template <template <class, int> class Form, class Real, int Width>
+template <template <class, int> class Form, class Real, int Width, Directions directions>
 inline void add_damageable_forces(const ViewOf<Form, Real>& p) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
@@ -132,8 +146,8 @@ inline void add_damageable_forces(const ViewOf<Form, Real>& p) {
     const auto& row = p.damageable[b];
     const V s = load<Width>(p.factor + static_cast<long>(row.k) * Width);
     const V of_base = s - Real(1);
-    EndLoads<V> e = F::loads(F::form(row.form), position_at<Form, Real, Width>(p.q, row.i),
-                             position_at<Form, Real, Width>(p.q, row.j));
+    EndLoads<V> e = F::loads(F::form(row.form), place_at<Form, Real, Width, directions>(p, row.i),
+                             place_at<Form, Real, Width, directions>(p, row.j));
     const auto reduce = [&](Space<V>& load, const Real* base) {
       load = {fma(of_base, splat<V>(base[0]), s * load.x), fma(of_base, splat<V>(base[1]), s * load.y),
               fma(of_base, splat<V>(base[2]), s * load.z)};
@@ -204,10 +218,10 @@ inline void clear(Real* from, long count) {
 
 /// Evaluates all additional loads, before the walk. A function of its own, though advance() is flattened: it
 /// runs once a part and step, and the three of a kernel share it, which saves the compiler half of its time.
-template <template <class, int> class Form, class Real, int Width>
+template <template <class, int> class Form, class Real, int Width, Directions directions>
 [[gnu::noinline, gnu::flatten]] void add_extra_forces(const ViewOf<Form, Real>& p) {
   clear(p.extra, 6L * Width * p.extras);
-  add_damageable_forces<Form, Real, Width>(p);
+  add_damageable_forces<Form, Real, Width, directions>(p);
   if (p.loaded_elements > 0) add_outside_forces<Real, Width>(p);
   if (p.contact) {
     clear(p.contact, 6L * Width * p.extras);

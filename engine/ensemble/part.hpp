@@ -132,7 +132,8 @@ struct PartView {
   std::int32_t begin, end;
   const Real *q, *v, *rate;  // rows of state; rate may be null (then v is the rate)
   Real *next_q, *next_v, *next_rate;
-  Real* ring;  // forces of elements under way, slot = element & mask
+  Real* mean_q;  // rows of state: the mean of the positions a step before and a step after; null if linear
+  Real* ring;    // forces of elements under way, slot = element & mask
   std::int32_t mask;
   const Real* per_mass;     // [element][6]: 1/m, 1/I; 0 where a grip or a roller holds the component
   const double* mass;       // [element][2]: m [kg], I [kg m2]
@@ -165,7 +166,7 @@ struct PartView {
   const Real *alpha_at_surface, *alpha_elsewhere;  // [lane]
 
   double* account;   // [chunk][accounts][lane], chunk 0 begins at `begin`
-  double* velocity;  // [element][6][lane], where to put the velocities of this moment, or null
+  double* velocity;  // [row][6][lane], where to put the velocities of this moment, or null
 };
 
 /// The part with its beams.
@@ -207,6 +208,10 @@ struct Kernel {
   Function advance_with_balance = nullptr;  // with the accounts of the step
   /// With all energies of this moment; moves the elements to the other rows of state.
   Function evaluate_energies = nullptr;
+  // Of corotational beams alone, null for linear ones:
+  Function find_means = nullptr;  // fills mean_q of the part's elements, before the three above
+  Function add_beam_energies =
+      nullptr;         // adds what the beams hold to the energies of this moment, after them
   int group_size = 0;  // beams that go side by side where there is one lane
 };
 

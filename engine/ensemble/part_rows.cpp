@@ -71,6 +71,16 @@ class PartOf final : public Part {
     make_room(s);
   }
 
+  void find_means(StateArrays& state, const StepConstants& constants) override {
+    if (kernel_.find_means) kernel_.find_means(view_of(state), constants);
+  }
+
+  void add_beam_energies(StateArrays& state, const StepConstants& constants) override {
+    BeamView<Beam> view = view_of(state);
+    view.velocity = state.velocity.data();
+    if (kernel_.add_beam_energies) kernel_.add_beam_energies(view, constants);
+  }
+
   void advance(StateArrays& state, const StepConstants& constants) override {
     (constants.balanced ? kernel_.advance_with_balance : kernel_.advance)(view_of(state), constants);
   }
@@ -324,6 +334,7 @@ class PartOf final : public Part {
     w.begin = begin_, w.end = end_;
     w.q = w.next_q = state.q.data<Real>(), w.v = w.next_v = state.v.data<Real>();
     w.rate = w.next_rate = state.rate.data<Real>();
+    w.mean_q = state.mean_q.data<Real>();
     w.ring = ring_.data(), w.mask = mask_;
     w.per_mass = state.per_mass.data<Real>(), w.mass = state.mass.data();
     w.top = state.top.data(), w.base = state.base.data();

@@ -19,6 +19,7 @@ struct StateArrays {
         next_q(p),
         next_v(p),
         next_rate(p),
+        mean_q(p),
         per_mass(p),
         factor(p),
         alpha_at_surface(p),
@@ -28,7 +29,8 @@ struct StateArrays {
         load(p),
         slip(p),
         slip_after(p) {}
-  Numbers q, v, rate, next_q, next_v, next_rate;  // as of PartView
+  Numbers q, v, rate, next_q, next_v, next_rate, mean_q;  // as of PartView
+  AlignedVector<double> velocity;                         // of this moment, as of PartView
   Numbers per_mass, factor, alpha_at_surface, alpha_elsewhere, in_contact, friction, load;
   Numbers slip, slip_after;
   AlignedVector<double> mass, base;
@@ -71,10 +73,15 @@ struct Part {
       : damping_before(p), contact_before(p), next_damping_before(p), next_contact_before(p) {}
   Part(const Part&) = delete;
   virtual ~Part() = default;
+  /// Finds mean_q of its elements; does nothing in linear kinematics.
+  virtual void find_means(StateArrays& state, const StepConstants& constants) = 0;
   virtual void advance(StateArrays& state, const StepConstants& constants) = 0;
   /// Evaluates the accounts of this moment and moves the elements to the other rows of state.
   /// @param[out] velocities  of this moment, [element][6][lane], may be null
   virtual void evaluate_energies(StateArrays& state, const StepConstants& constants, double* velocities) = 0;
+  /// Adds to these accounts what the beams hold, by the velocities of this moment (StateArrays); does nothing
+  /// in linear kinematics, where evaluate_energies() has done so.
+  virtual void add_beam_energies(StateArrays& state, const StepConstants& constants) = 0;
 
   std::vector<int> ghost;  // elements of other parts that it refers to, in the order of their copies' rows
   int first_ghost_row = 0;

@@ -55,8 +55,9 @@ State::State(const lattice::Lattice& lattice, std::vector<fracture::DamageableBe
   }
   for (std::size_t i = 0; i < n; ++i) {
     arrays_.mass.insert(arrays_.mass.end(), {lattice.mass[i], lattice.inertia[i]});
-    for (int c = 0; c < 6 && lattice.grip[i] == packing::Grip::none; ++c)
-      arrays_.per_mass.set(6 * i + c, 1.0 / (c < 3 ? lattice.mass[i] : lattice.inertia[i]));
+    for (int c = 0; c < 6; ++c)
+      if (!(c < 3 ? lattice.is_gripped(i) : lattice.cannot_turn(i)))
+        arrays_.per_mass.set(6 * i + c, 1.0 / (c < 3 ? lattice.mass[i] : lattice.inertia[i]));
     arrays_.top.push_back(lattice.grip[i] == packing::Grip::top);
   }
 }
@@ -119,6 +120,7 @@ void State::build_parts() {
   const std::size_t rows = element.size() * lanes_;
   arrays_.q.resize(rows * position_numbers() + row_padding);
   arrays_.v.resize(rows * 6 + row_padding);
+  if (corotational()) arrays_.mean_q.resize(arrays_.q.size()), arrays_.velocity.resize(rows * 6);
   if (!arrays_.rate.empty()) arrays_.rate.resize(arrays_.v.size());
   arrays_.base.clear();
   for (const int i : element) arrays_.base.insert(arrays_.base.end(), base_[i].begin(), base_[i].end());
@@ -229,19 +231,29 @@ void State::keep_rates() {
   if (arrays_.rate.empty()) arrays_.rate = arrays_.v;
 }
 
-void State::copy_ghosts() {
+/// Copies rows of other parts' elements to where each part looks for them. @param[in] numbers  of a row
+void State::copy_ghosts(const CopyOfRow& copy, int numbers) {
   if (part_.size() < 2) return;
-  threads_->run(threads(), [this](int p) {
+  const std::size_t row = static_cast<std::size_t>(numbers) * lanes_;
+  threads_->run(threads(), [&](int p) {
     const Part& part = *part_[p];
-    const auto copy = [&](Numbers& state, int numbers) {
-      const std::size_t row = static_cast<std::size_t>(numbers) * lanes_;
-      for (std::size_t g = 0; g < part.ghost.size(); ++g)
-        state.copy(part.ghost[g] * row, (part.first_ghost_row + g) * row, row);
-    };
-    copy(arrays_.q, position_numbers());
-    if (damped_.empty()) return;
-    copy(arrays_.rate.empty() ? arrays_.v : arrays_.rate, 6);
+    for (std::size_t g = 0; g < part.ghost.size(); ++g)
+      copy(part.ghost[g] * row, (part.first_ghost_row + g) * row, row);
   });
+}
+
+void State::copy_ghosts(Numbers& state, int numbers) {
+  copy_ghosts([&](std::size_t from, std::size_t to, std::size_t count) { state.copy(from, to, count); },
+              numbers);
+}
+
+/// What the walks over the elements read of other parts' elements.
+void State::prepare_walk(const StepConstants& constants) {
+  copy_ghosts(arrays_.q, position_numbers());
+  if (!damped_.empty()) copy_ghosts(arrays_.rate.empty() ? arrays_.v : arrays_.rate, 6);
+  if (!corotational()) return;
+  threads_->run(threads(), [&](int p) { part_[p]->find_means(arrays_, constants); });
+  copy_ghosts(arrays_.mean_q, position_numbers());
 }
 
 StepConstants State::with_balance(StepConstants constants) const {
@@ -257,7 +269,7 @@ void State::advance(const StepConstants& given) {
     std::swap(arrays_.rate, arrays_.next_rate);
     for (const auto& part : part_) take_up(*part, lanes_, constants.balanced);
   } else {
-    copy_ghosts();
+    prepare_walk(constants);
     threads_->run(threads(), [&](int p) { part_[p]->advance(arrays_, constants); });
   }
   std::swap(arrays_.slip, arrays_.slip_after);
@@ -268,8 +280,19 @@ void State::evaluate_energies(const StepConstants& given, double* velocities) {
   const StepConstants constants = with_balance(given);
   arrays_.next_q.resize(arrays_.q.size()), arrays_.next_v.resize(arrays_.v.size());
   arrays_.next_rate.resize(arrays_.rate.size());
-  copy_ghosts();
-  threads_->run(threads(), [&](int p) { part_[p]->evaluate_energies(arrays_, constants, velocities); });
+  prepare_walk(constants);
+  double* const to = corotational() ? arrays_.velocity.data() : velocities;
+  threads_->run(threads(), [&](int p) { part_[p]->evaluate_energies(arrays_, constants, to); });
+  if (corotational()) {
+    AlignedVector<double>& v = arrays_.velocity;
+    copy_ghosts(
+        [&](std::size_t from, std::size_t at, std::size_t count) {
+          std::copy_n(v.begin() + static_cast<long>(from), count, v.begin() + static_cast<long>(at));
+        },
+        6);
+    threads_->run(threads(), [&](int p) { part_[p]->add_beam_energies(arrays_, constants); });
+    if (velocities) std::copy_n(v.begin(), base_.size() * 6 * lanes_, velocities);
+  }
   ahead_ = constants;
 }
 

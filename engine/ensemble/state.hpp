@@ -4,6 +4,7 @@
 #include "engine/ensemble/part_rows.hpp"
 #include "engine/fracture/release.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -112,7 +113,11 @@ class State {
   void find_beams_at_top();
   void sum_base_energy();
   void build_parts();
-  void copy_ghosts();
+  bool corotational() const { return options_.kinematics == lattice::Kinematics::corotational; }
+  using CopyOfRow = std::function<void(std::size_t from, std::size_t to, std::size_t count)>;
+  void copy_ghosts(const CopyOfRow& copy, int numbers);
+  void copy_ghosts(Numbers& state, int numbers);
+  void prepare_walk(const StepConstants& constants);
   StepConstants with_balance(StepConstants constants) const;
   using Elements = std::vector<std::int32_t> Part::*;
   std::vector<double> by_element(Numbers Part::*rows, Elements elements) const;

@@ -34,15 +34,15 @@ inline EndLoads<Pack<Real, Width>> damper_loads_at(const PartView<Real>& p, cons
 
 /// The beams of other parts' elements to this part's: their loads on the second element go into the ring.
 /// A function of its own, as add_extra_forces().
-template <template <class, int> class Form, class Real, int Width, bool Damped>
+template <template <class, int> class Form, class Real, int Width, bool Damped, Directions directions>
 [[gnu::noinline, gnu::flatten]] void walk_halo(const ViewOf<Form, Real>& p) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
   for (long b = 0; b < p.halo; ++b) {
     const auto& beam = p.intact[b];
     const auto form = F::form(beam.form);
-    const EndLoads<V> e = F::loads(form, position_at<Form, Real, Width>(p.q, p.halo_i[b]),
-                                   position_at<Form, Real, Width>(p.q, beam.j));
+    const EndLoads<V> e = F::loads(form, place_at<Form, Real, Width, directions>(p, p.halo_i[b]),
+                                   place_at<Form, Real, Width, directions>(p, beam.j));
     add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
     if (!Damped || !p.dampers || p.dampers[b].at_surface < 0) continue;
     V at_i[6];
@@ -58,27 +58,30 @@ template <template <class, int> class Form, class Real, int Width, bool Damped>
 /// asks for it. Every element sums in one order, whoever walks. Forces of dampers go through a ring of their
 /// own, since the energy balance asks for them alone; elements without dampers do not see it. Cost O(beams x
 /// lanes); allocates nothing.
-/// @tparam    Damped  whether there may be dampers at all
+/// @tparam    Damped      whether there may be dampers at all
+/// @tparam    directions  of the beams' forces
 /// @param[in] finish  called with the element, the forces [N] and moments [N m] of its intact beams, its
 /// index
 ///                    among those with additional loads and among those that dampers act on, or -1, and the
 ///                    forces of its intact beams' dampers, where there are any
-template <template <class, int> class Form, class Real, int Width, bool Damped, class Finish>
+template <template <class, int> class Form, class Real, int Width, bool Damped, Directions directions,
+          class Finish>
 inline void walk_lanes(const ViewOf<Form, Real>& p, const Finish& finish) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
-  walk_halo<Form, Real, Width, Damped>(p);
+  walk_halo<Form, Real, Width, Damped, directions>(p);
   long b = p.halo;  // intact beam
   ElementIndex extra{p.extra_element, p.extras}, damped{p.damped_element, p.damped_elements};
   for (int i = p.begin; i < p.end; ++i) {
-    const auto qi = position_at<Form, Real, Width>(p.q, i);
+    const auto qi = place_at<Form, Real, Width, directions>(p, i);
     const long begun = b, ended = p.halo + p.first[i - p.begin + 1];
     Real* own = p.ring + (i & p.mask) * 6L * Width;
     V f[6], d[6]{};
     load_row<6, Width>(own, f);
     for (; b < ended; ++b) {
       const auto& beam = p.intact[b];
-      const EndLoads<V> e = F::loads(F::form(beam.form), qi, position_at<Form, Real, Width>(p.q, beam.j));
+      const EndLoads<V> e =
+          F::loads(F::form(beam.form), qi, place_at<Form, Real, Width, directions>(p, beam.j));
       put(f, e);
       add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
     }
@@ -121,8 +124,23 @@ inline void add_group_dampers(const PartView<Real>& p, const Space<Pack<Real, Si
                   damper_loads<V>(axis, alpha * axial, alpha * twist, alpha * bend, at_i, at_j));
 }
 
+/// As place_at(), of a group's elements, a column each.
+template <template <class, int> class Form, class Real, int Size, Directions directions>
+inline auto places_of(const PartView<Real>& p, const std::int32_t* rows) {
+  using F = Form<Real, Size>;
+  const auto at = [&](const Real* q) {
+    Pack<Real, Size> column[F::numbers];
+    columns_of<Size, F::numbers>(q, rows, column);
+    return F::position(column);
+  };
+  if constexpr (directions == Directions::of_moment)
+    return at(p.q);
+  else
+    return typename F::Positions{at(p.q), at(p.mean_q)};
+}
+
 /// The same walk for one scenario alone, a group of beams at once.
-template <template <class, int> class Form, class Real, bool Damped, class Finish>
+template <template <class, int> class Form, class Real, bool Damped, Directions directions, class Finish>
 inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
   constexpr int Size = group_size<Form, Real>;
   using F = Form<Real, Size>;
@@ -132,13 +150,13 @@ inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
   int i = p.begin;
   for (long g = 0; g < p.groups; ++g) {
     const std::int32_t* rows = p.group_rows + g * BeamGroup::rows * Size;
-    V number[numbers], qi[F::numbers], qj[F::numbers];
+    V number[numbers];
     load_row<numbers, Size>(p.group_number + g * numbers * Size, number);
-    columns_of<Size, F::numbers>(p.q, rows + BeamGroup::i * Size, qi);
-    columns_of<Size, F::numbers>(p.q, rows + BeamGroup::j * Size, qj);
+    const auto qi = places_of<Form, Real, Size, directions>(p, rows + BeamGroup::i * Size);
+    const auto qj = places_of<Form, Real, Size, directions>(p, rows + BeamGroup::j * Size);
     const auto form = F::form(number);
     add_loads<Size>(p.ring, rows + BeamGroup::slot_i * Size, rows + BeamGroup::slot_j * Size,
-                    F::loads(form, F::position(qi), F::position(qj)));
+                    F::loads(form, qi, qj));
     if (const long at = Damped && p.group_dampers ? p.group_dampers[g] : -1; at >= 0)
       add_group_dampers<Size>(p, F::initial_axis(form), rows,
                               p.group_damper_rows + at * BeamGroup::damper_rows * Size,
@@ -159,13 +177,14 @@ inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
   }
 }
 
-template <template <class, int> class Form, class Real, int Width, bool Damped, class Finish>
+template <template <class, int> class Form, class Real, int Width, bool Damped, Directions directions,
+          class Finish>
 inline void walk(const ViewOf<Form, Real>& p, const Finish& finish) {
-  add_extra_forces<Form, Real, Width>(p);
+  add_extra_forces<Form, Real, Width, directions>(p);
   if constexpr (Width == 1)
-    walk_groups<Form, Real, Damped>(p, finish);
+    walk_groups<Form, Real, Damped, directions>(p, finish);
   else
-    walk_lanes<Form, Real, Width, Damped>(p, finish);
+    walk_lanes<Form, Real, Width, Damped, directions>(p, finish);
 }
 
 }  // namespace rift::ensemble::RIFT_INSTRUCTIONS

@@ -13,6 +13,36 @@ double side(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
 
+/// The point of a path that is nearest to another: its arc length and how far it is away [m].
+struct Foot {
+  double arc = 0, distance = std::numeric_limits<double>::infinity();
+};
+
+Foot foot_of(const CrackPath& path, const Eigen::Vector2d& p) {
+  Foot nearest;
+  double behind = 0.0;
+  for (std::size_t k = 0; k + 1 < path.point.size(); ++k) {
+    const Eigen::Vector2d along = path.point[k + 1] - path.point[k];
+    const double t = std::clamp((p - path.point[k]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double distance = (p - path.point[k] - t * along).norm();
+    if (distance < nearest.distance) nearest = {behind + t * along.norm(), distance};
+    behind += along.norm();
+  }
+  return nearest;
+}
+
+/// Where the tip is when it releases a beam from a to b that the path crosses at `crossing`, as arc length
+/// or, with two tips, as distance from the middle of the path [m].
+double release_position(const CrackPath& path, double crossing, const Eigen::Vector2d& a,
+                        const Eigen::Vector2d& b) {
+  const double middle = 0.5 * length_of(path);
+  const auto of_tip = [&](double arc) { return path.tips == 2 ? std::abs(arc - middle) : arc; };
+  const auto beside = [&](const Eigen::Vector2d& p) { return of_tip(nearest_arc(path, p)); };
+  if (path.order == ReleaseOrder::middle) return beside(0.5 * (a + b));
+  if (path.order == ReleaseOrder::node) return std::min(beside(a), beside(b));
+  return of_tip(crossing);
+}
+
 }  // namespace
 
 Eigen::Vector2d point_on(const CrackPath& path, double arc) {
@@ -66,23 +96,17 @@ Eigen::Vector2d normal_between(const CrackPath& path, const Eigen::Vector2d& a, 
   return normal.dot(b - a) < 0.0 ? Eigen::Vector2d(-normal) : normal;
 }
 
-double distance_to(const CrackPath& path, const Eigen::Vector2d& p) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k + 1 < path.point.size(); ++k) {
-    const Eigen::Vector2d along = path.point[k + 1] - path.point[k];
-    const double t = std::clamp((p - path.point[k]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (p - path.point[k] - t * along).norm());
-  }
-  return nearest;
-}
+double nearest_arc(const CrackPath& path, const Eigen::Vector2d& p) { return foot_of(path, p).arc; }
+
+double distance_to(const CrackPath& path, const Eigen::Vector2d& p) { return foot_of(path, p).distance; }
 
 std::vector<Crossing> crossings(const CrackPath& path, const lattice::Lattice& lattice) {
   std::vector<Crossing> found;
-  const double middle = 0.5 * length_of(path);
   for (int b = 0; b < static_cast<int>(lattice.ends.size()); ++b) {
     const auto& [i, j] = lattice.ends[b];
-    if (const auto s = first_crossing(path, lattice.centre[i].head<2>(), lattice.centre[j].head<2>()))
-      found.push_back({b, path.tips == 2 ? std::abs(*s - middle) : *s});
+    const Eigen::Vector2d from = lattice.centre[i].head<2>(), to = lattice.centre[j].head<2>();
+    if (const auto s = first_crossing(path, from, to))
+      found.push_back({b, release_position(path, *s, from, to)});
   }
   std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) {
     return std::tie(a.position, a.beam) < std::tie(b.position, b.beam);

@@ -7,11 +7,17 @@
 
 namespace rift::fracture {
 
+/// When the tip releases a beam that its path crosses: at the crossing; at the point of the path nearest to
+/// the beam's middle; or as it comes by the first of the beam's two elements, so that all beams which hold an
+/// element across the path go together.
+enum class ReleaseOrder { crossing, middle, node };
+
 /// The line that the crack follows in the x-y plane, extruded along z: a polyline [m]. One tip runs from its
 /// first point to its last; two run from its middle to both ends, at one velocity.
 struct CrackPath {
   std::vector<Eigen::Vector2d> point;
   int tips = 1;
+  ReleaseOrder order = ReleaseOrder::crossing;
 };
 
 /// The point at an arc length [m], on the lines beyond the ends too.
@@ -32,11 +38,15 @@ std::optional<double> first_crossing(const CrackPath& path, const Eigen::Vector2
 /// cross it.
 Eigen::Vector2d normal_between(const CrackPath& path, const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
+/// Arc length of the point of the path that is nearest to p [m].
+double nearest_arc(const CrackPath& path, const Eigen::Vector2d& p);
+
 /// Distance of a point from the path [m].
 double distance_to(const CrackPath& path, const Eigen::Vector2d& p);
 
 /// A beam that the crack will release when a tip is at `position` = s_b [m]: the arc length of the crossing,
-/// with two tips its distance from the middle of the path, so that a tip's position is the half length a.
+/// or of what the path's ReleaseOrder puts in its place; with two tips its distance from the middle of the
+/// path, so that a tip's position is the half length a.
 struct Crossing {
   int beam = 0;
   double position = 0;

@@ -19,11 +19,16 @@ struct Lattice {
   std::vector<Eigen::Vector3d> centre;   // N [m]
   std::vector<double> radius;            // N [m]
   std::vector<packing::Grip> grip;       // N
+  bool grips_turn = false;               // whether the elements that a grip holds are free to turn
   std::vector<double> mass, inertia;     // N [kg], [kg m2]
   std::vector<std::array<int, 2>> ends;  // B pairs i < j
   std::vector<Beam> beam;                // B
   double mean_radius = 0;                // [m] of all elements of the packing
   packing::Box box;
+
+  /// Whether a grip holds the displacements of an element, and its rotations.
+  bool is_gripped(std::size_t element) const { return grip[element] != packing::Grip::none; }
+  bool cannot_turn(std::size_t element) const { return is_gripped(element) && !grips_turn; }
 };
 
 /// Masses so that their sum is density x box volume: m_i = rho V_i V_box / sum V_j, I_i = 2/5 m_i r_i^2

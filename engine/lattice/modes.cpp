@@ -13,9 +13,8 @@ using Eigen::VectorXd;
 VectorXd root_mobility(const Lattice& lattice) {
   VectorXd root = VectorXd::Zero(6 * static_cast<long>(lattice.mass.size()));
   for (long i = 0; i < static_cast<long>(lattice.mass.size()); ++i) {
-    if (lattice.grip[i] != packing::Grip::none) continue;
-    root.segment<3>(6 * i).setConstant(1.0 / std::sqrt(lattice.mass[i]));
-    root.segment<3>(6 * i + 3).setConstant(1.0 / std::sqrt(lattice.inertia[i]));
+    if (!lattice.is_gripped(i)) root.segment<3>(6 * i).setConstant(1.0 / std::sqrt(lattice.mass[i]));
+    if (!lattice.cannot_turn(i)) root.segment<3>(6 * i + 3).setConstant(1.0 / std::sqrt(lattice.inertia[i]));
   }
   return root;
 }

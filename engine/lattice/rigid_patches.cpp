@@ -115,9 +115,18 @@ RigidPatches::RigidPatches(const StaticRows<Row>& system, double edge) {
     if (j_moves) add_block(coarse, patch_[row.j], patch_[row.j], of_j, k, of_j);
     if (i_moves && j_moves) add_block(coarse, patch_[row.i], patch_[row.j], of_i, k, of_j);
   }
-  const Block tie = system.tie.asDiagonal(), motion = motions(0);
-  inverse_block_.front() += tie;
-  coarse.at({patch_[0], patch_[0]}) += motion.transpose() * tie * motion;
+  const auto tie_to_its_place = [&](int element, const Vector6& springs) {
+    const Block tie = springs.asDiagonal(), motion = motions(element);
+    inverse_block_[element] += tie;
+    coarse.at({patch_[element], patch_[element]}) += motion.transpose() * tie * motion;
+  };
+  tie_to_its_place(0, system.tie);
+  // Elements that only turn: springs as stiff as their beams stand for what holds them, here alone.
+  for (const int i : system.turning) {
+    Vector6 springs = inverse_block_[i].diagonal();
+    springs.tail<3>().setZero();
+    tie_to_its_place(i, springs);
+  }
   bool definite = coarse_.factorise(static_cast<int>(first_.size()) - 1, coarse);
   for (Block& block : inverse_block_) {
     const Eigen::LLT<Block> root(block);

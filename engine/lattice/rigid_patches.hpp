@@ -18,6 +18,7 @@ struct StaticRows {
   double mean_radius = 0;               // R [m]
   std::vector<Row> row;                 // an end that is held has the number n
   Vector6 tie = Vector6::Zero();        // stiffness of springs from the first element to where it was
+  std::vector<int> turning;             // elements that turn where they are, ascending
 };
 
 /// Preconditioner for the beam lattice: one block per element for the short waves, and the rigid motions of

@@ -27,9 +27,9 @@ double share_of_digits(double change, double last_change) {
 Eigen::VectorXd inverse_root_mass(const Lattice& lattice) {
   Eigen::VectorXd root = Eigen::VectorXd::Zero(6 * static_cast<long>(lattice.mass.size()));
   for (std::size_t i = 0; i < lattice.mass.size(); ++i) {
-    if (lattice.grip[i] != packing::Grip::none) continue;
-    root.segment<3>(6 * static_cast<long>(i)).setConstant(1.0 / std::sqrt(lattice.mass[i]));
-    root.segment<3>(6 * static_cast<long>(i) + 3).setConstant(1.0 / std::sqrt(lattice.inertia[i]));
+    const long at = 6 * static_cast<long>(i);
+    if (!lattice.is_gripped(i)) root.segment<3>(at).setConstant(1.0 / std::sqrt(lattice.mass[i]));
+    if (!lattice.cannot_turn(i)) root.segment<3>(at + 3).setConstant(1.0 / std::sqrt(lattice.inertia[i]));
   }
   return root;
 }
@@ -143,11 +143,10 @@ double element_bound(const Lattice& lattice) {
   for (std::size_t b = 0; b < lattice.beam.size(); ++b) {
     const auto& [i, j] = lattice.ends[b];
     const Beam& beam = lattice.beam[b];
-    const auto yield = [&](int e, double mass) {  // of one end to a unit load: none where gripped
-      return lattice.grip[e] == packing::Grip::none ? valence[e] / mass : 0.0;
-    };
-    const double mi = yield(i, lattice.mass[i]), mj = yield(j, lattice.mass[j]);
-    const double Ii = yield(i, lattice.inertia[i]), Ij = yield(j, lattice.inertia[j]);
+    // Of one end to a unit force and to a unit moment: none where a grip holds it.
+    const auto slides = [&](int e) { return lattice.is_gripped(e) ? 0.0 : valence[e] / lattice.mass[e]; };
+    const auto turns = [&](int e) { return lattice.cannot_turn(e) ? 0.0 : valence[e] / lattice.inertia[e]; };
+    const double mi = slides(i), mj = slides(j), Ii = turns(i), Ij = turns(j);
     // Bending: angles a = B x with stiffness w [[2, 1], [1, 2]], so omega^2 are the eigenvalues of w
     // [[2,1],[1,2]] B M^-1 B^T.
     const double chord = (mi + mj) / (beam.length * beam.length);
@@ -171,11 +170,11 @@ double damping_bound(const Lattice& lattice, const ViscousDamping& damping) {
   for (const DampingRow& row : rows) ++valence[row.i], ++valence[row.j];
   double worst = 0.0;
   for (const DampingRow& row : rows) {
-    const auto yield = [&](int e, const std::vector<double>& mass) {
-      return lattice.grip[e] == packing::Grip::none ? valence[e] / mass[e] : 0.0;
-    };
-    const double slides = yield(row.i, lattice.mass) + yield(row.j, lattice.mass),
-                 turns = yield(row.i, lattice.inertia) + yield(row.j, lattice.inertia);
+    double slides = 0.0, turns = 0.0;
+    for (const int e : {row.i, row.j}) {
+      if (!lattice.is_gripped(e)) slides += valence[e] / lattice.mass[e];
+      if (!lattice.cannot_turn(e)) turns += valence[e] / lattice.inertia[e];
+    }
     worst = std::max({worst, row.axial * slides, row.bend * turns, (row.bend + row.twist) * turns});
   }
   return worst;

@@ -23,6 +23,7 @@ StaticSolver<Row>::StaticSolver(const StaticRows<Row>& system, int threads)
     : blocks_(static_cast<int>(system.centre.size()), threads),
       shares_(shared_out(blocks_.ends(), system.row)),
       tie_(system.tie),
+      turning_(system.turning),
       patches_(system, patch_edge * system.mean_radius) {}
 
 template <class Row>
@@ -38,6 +39,11 @@ double StaticSolver<Row>::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& kp
 }
 
 template <class Row>
+void StaticSolver<Row>::keep_in_place(Eigen::VectorXd& vector) const {
+  for (const int i : turning_) vector.segment<3>(6L * i).setZero();
+}
+
+template <class Row>
 Eigen::VectorXd StaticSolver<Row>::solve(const Eigen::VectorXd& load, double tolerance,
                                          const base::ProgressCallback& told) {
   // Elements that are held stand behind the others and do not move.
@@ -45,6 +51,7 @@ Eigen::VectorXd StaticSolver<Row>::solve(const Eigen::VectorXd& load, double tol
   const int most_iterations = static_cast<int>(2 * size);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(size), r = load, z(size), kp(size);
   Eigen::VectorXd p = Eigen::VectorXd::Zero(with_held);
+  keep_in_place(r);
   const double first2 = blocks_.sum([&](int begin, int end) { return dot_of(r, r, begin, end); });
   double residual2 = first2, along = 0.0, done = 0.0;
   for (iterations_ = 0; residual2 > tolerance * tolerance * first2; ++iterations_) {
@@ -56,7 +63,9 @@ Eigen::VectorXd StaticSolver<Row>::solve(const Eigen::VectorXd& load, double tol
     along = patches_.solve(blocks_, r, z);
     const double keep = iterations_ == 0 ? 0.0 : along / before;
     blocks_.each_block([&](int begin, int end) { patches_.advance(begin, end, z, keep, p); });
+    keep_in_place(p);
     const double step = along / multiply(p, kp);
+    keep_in_place(kp);
     residual2 = blocks_.sum([&](int begin, int end) {
       for (long k = 6L * begin; k < 6L * end; ++k) x[k] += step * p[k], r[k] += step * kp[k];
       return dot_of(r, r, begin, end);

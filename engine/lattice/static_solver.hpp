@@ -13,8 +13,9 @@ class StaticSolver {
   /// @param[in] threads  0 for one per core. Throws StaticsError where K is not positive definite.
   StaticSolver(const StaticRows<Row>& system, int threads);
 
-  /// The unknowns under a load, [element][6] both. Throws StaticsError where the relative residual stays
-  /// above the tolerance, Interrupted. Progress counts the digits of the residual.
+  /// The unknowns under a load, [element][6] both; forces on elements that only turn count for nothing.
+  /// Throws StaticsError where the relative residual stays above the tolerance, Interrupted. Progress counts
+  /// the digits of the residual.
   Eigen::VectorXd solve(const Eigen::VectorXd& load, double tolerance,
                         const base::ProgressCallback& told = {});
 
@@ -26,7 +27,11 @@ class StaticSolver {
 
   Blocks blocks_;
   std::vector<Share<Row>> shares_;
+  /// Takes what would displace the elements that only turn out of a vector.
+  void keep_in_place(Eigen::VectorXd& vector) const;
+
   Vector6 tie_;
+  std::vector<int> turning_;
   RigidPatches patches_;
   int iterations_ = 0;
 };

@@ -16,7 +16,8 @@ namespace rift::lattice {
 struct FreeElements {
   std::vector<int> number;  // of each element; `count` where held
   int count = 0;
-  double radius = 0;  // R [m]: unknowns are u and R theta, which puts forces and moments on one scale
+  std::vector<int> turning;  // numbers of those that a grip lets turn and nothing else, ascending
+  double radius = 0;         // R [m]: unknowns are u and R theta, which puts forces and moments on one scale
 
   bool is_held(std::size_t element) const { return number[element] == count; }
 };
@@ -28,6 +29,7 @@ template <class Row>
 StaticRows<Row> rows_over(const Lattice& lattice, const FreeElements& free) {
   StaticRows<Row> system;
   system.mean_radius = free.radius;
+  system.turning = free.turning;
   for (std::size_t i = 0; i < lattice.centre.size(); ++i)
     if (!free.is_held(i)) system.centre.push_back(lattice.centre[i]);
   return system;
@@ -66,6 +68,7 @@ Eigen::VectorXd loads_on(const FreeElements& free, const std::vector<Vector6>& f
     load.segment<6>(6L * free.number[i]) = force[i];
     load.segment<3>(6L * free.number[i] + 3) /= free.radius;
   }
+  for (const int k : free.turning) load.segment<3>(6L * k).setZero();
   return load;
 }
 
@@ -83,6 +86,7 @@ std::vector<Vector6> motions_in(const FreeElements& free, const Eigen::VectorXd&
 FreeElements all_free(const Lattice& lattice) {
   FreeElements free{.number = std::vector<int>(lattice.centre.size()),
                     .count = static_cast<int>(lattice.centre.size()),
+                    .turning = {},
                     .radius = lattice.mean_radius};
   std::iota(free.number.begin(), free.number.end(), 0);
   return free;
@@ -125,19 +129,28 @@ std::vector<Vector6> FreeBody::at_rest(const std::vector<Vector6>& load, double 
 
 namespace {
 
-/// Those that no grip holds and that a path of beams joins to one.
+/// Those that no grip holds and that a path of beams joins to one, and the gripped ones that may turn.
 FreeElements free_between_grips(const Lattice& lattice, const std::vector<char>& present) {
   std::vector<std::array<int, 2>> beams;
-  for (std::size_t b = 0; b < present.size(); ++b)
-    if (present[b]) beams.push_back(lattice.ends[b]);
+  std::vector<char> has_beam(lattice.grip.size(), 0);
+  for (std::size_t b = 0; b < present.size(); ++b) {
+    if (!present[b]) continue;
+    beams.push_back(lattice.ends[b]);
+    for (const int i : lattice.ends[b]) has_beam[i] = 1;
+  }
   std::vector<char> held(lattice.grip.size());
-  for (std::size_t i = 0; i < held.size(); ++i) held[i] = lattice.grip[i] != packing::Grip::none;
+  for (std::size_t i = 0; i < held.size(); ++i) held[i] = lattice.is_gripped(i);
   const std::vector<char> joined = packing::reached_from(held, beams);
-  const auto moves = [&](std::size_t i) { return !held[i] && joined[i]; };
-  FreeElements free{.number = std::vector<int>(held.size()), .count = 0, .radius = lattice.mean_radius};
+  const auto turns = [&](std::size_t i) { return held[i] && has_beam[i] && !lattice.cannot_turn(i); };
+  const auto moves = [&](std::size_t i) { return (!held[i] && joined[i]) || turns(i); };
+  FreeElements free{
+      .number = std::vector<int>(held.size()), .count = 0, .turning = {}, .radius = lattice.mean_radius};
   for (std::size_t i = 0; i < held.size(); ++i) free.count += moves(i);
   int next = 0;
-  for (std::size_t i = 0; i < held.size(); ++i) free.number[i] = moves(i) ? next++ : free.count;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    free.number[i] = moves(i) ? next++ : free.count;
+    if (turns(i)) free.turning.push_back(free.number[i]);
+  }
   return free;
 }
 
@@ -194,7 +207,7 @@ std::vector<Vector6> stretched_at_rest(const Lattice& lattice, const std::vector
       moving_rows(lattice, present, free, [&](int b) { return scaled_row(lattice, b, free); }), threads);
   const std::vector<Vector6> moved = motions_in(free, solver.solve(load, 1e-13, told));
   for (std::size_t i = 0; i < q.size(); ++i)
-    if (!free.is_held(i)) q[i] = moved[i];
+    if (!free.is_held(i)) q[i] += moved[i];  // of what moves, only gripped elements have been moved before
   return q;
 }
 
@@ -224,7 +237,7 @@ std::vector<Vector6> stretched_at_rest_corotational(const Lattice& lattice, cons
     unbalance = load.norm();
     if (round == 0)
       for (std::size_t i = 0; i < force.size(); ++i)
-        if (free.is_held(i)) scale += force[i].head<3>().squaredNorm();
+        if (lattice.is_gripped(i)) scale += force[i].head<3>().squaredNorm();
     if (unbalance <= balanced * std::sqrt(scale)) {
       std::vector<Vector6> q;
       q.reserve(pose.size());

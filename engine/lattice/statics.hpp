@@ -45,8 +45,8 @@ struct Pull {
 };
 
 /// Displacements of all elements at rest, K q = 0 on the free ones   [model.md §4].
-/// Bottom elements are clamped, top elements move without turning; elements that no
-/// path of present beams joins to a grip stay where they are.
+/// Bottom elements are clamped, top elements move without turning, unless the grips let both turn; elements
+/// that no path of present beams joins to a grip stay where they are.
 /// @param[in] present       B, 0 for a beam that a notch has cut
 /// @return N displacements (u [m], theta [rad]); relative residual of the free forces 1e-13
 /// Cost about 110 products with K (conjugate gradients, see RigidPatches) and 1.5 kB an element; throws

@@ -20,7 +20,8 @@ PlainSimulation::PlainSimulation(const lattice::Lattice& lattice_,
   for (std::size_t i = 0; i < lattice->mass.size(); ++i)
     for (int c = 0; c < 6; ++c) {
       mass.push_back(c < 3 ? lattice->mass[i] : lattice->inertia[i]);
-      per_mass.push_back(lattice->grip[i] == packing::Grip::none ? 1.0 / mass.back() : 0.0);
+      per_mass.push_back((c < 3 ? lattice->is_gripped(i) : lattice->cannot_turn(i)) ? 0.0
+                                                                                    : 1.0 / mass.back());
     }
   q.assign(mass.size(), 0.0);
   v = f = rate = q;

@@ -46,13 +46,15 @@ const std::vector<Use>& conditional_uses() {
   static const std::vector<Use> uses{
       {[](const Scene& s) { return s.crack.history.empty() && !breaks_freely(s); }, {"crack.velocity"}},
       {[](const Scene& s) { return !breaks_freely(s); },
-       {"crack.end", "crack.tips", "crack.technique", "crack.toughness", "crack.history"}},
+       {"crack.end", "crack.tips", "crack.technique", "crack.release_order", "crack.toughness",
+        "crack.history"}},
       {[](const Scene& s) { return breaks_freely(s); },
        {"fracture.release_rate", "fracture.kappa", "fracture.duration"}},
       {[](const Scene& s) { return s.breaking.law == fracture::FractureLaw::cohesive; },
        {"fracture.strength"}},
       {[](const Scene& s) { return s.loading.traction.has_value(); },
        {"loading.rise_time", "loading.rollers"}},
+      {[](const Scene& s) { return !s.loading.traction; }, {"loading.grip_rotation"}},
       {[](const Scene& s) { return !s.crack.history.empty(); }, {"crack.smoothing", "crack.history_gap"}},
       {[](const Scene& s) { return !s.crack.history.empty() || !s.crack.toughness.row.empty(); },
        {"crack.toughness_window"}},
@@ -120,7 +122,7 @@ const std::array<Decision, 10> decisions{{
      [](const Scene&) {
        return std::string("no loading.curve, the grips stand still while the crack runs");
      }},
-    {{"corotation", {2.0, 3.2}},
+    {{"corotation", {4.8, 7.0}},
      [](const Needs& n) { return n.corotation; },
      [](const Scene&) { return std::string("kinematics = linear, the beam axes stay fixed"); }},
     {{"contact", unmeasured},

@@ -136,6 +136,13 @@ std::vector<Parameter> loading_rows() {
        "Uneven opening of the top face: this fraction of the displacement more at the right end and less at "
        "the left end, so that the stored energy varies along the crack.",
        none, inside(-1, 1)},
+      {"loading.grip_rotation",
+       "held",
+       [](Scene& s) -> Slot { return &s.loading.grip_rotation; },
+       "Whether the grips hold the rotations of their elements beside the displacements, or leave them free.",
+       none,
+       {},
+       {"held", "free"}},
       {"loading.method",
        "static",
        [](Scene& s) -> Slot { return &s.loading.method; },
@@ -204,6 +211,15 @@ std::vector<Parameter> crack_rows() {
        none,
        {},
        {"simple", "progressive"}},
+      {"crack.release_order",
+       "crossing",
+       [](Scene& s) -> Slot { return &s.crack.release_order; },
+       "When the tip releases a beam: where the path crosses it, at the height of its middle along the path, "
+       "or as it comes by the first of its two elements, which so loses all its beams across the path at "
+       "once.",
+       none,
+       {},
+       {"crossing", "middle", "node"}},
       {"crack.relaxation", "linear", [](Scene& s) -> Slot { return Exponent{&s.crack.relaxation}; },
        "Exponent p of the stiffness (1 - b/l)^p over the damage zone: linear 1, square-root 0.5, quadratic "
        "2.",

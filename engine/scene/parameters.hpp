@@ -30,14 +30,14 @@ struct Word {
 };
 
 /// Where a parameter lives in a Scene. The kind of the member decides how its text is read and written.
-using Slot =
-    std::variant<double*, std::optional<double>*, int*, long*, bool*, Word, Exponent, packing::Shape*,
-                 packing::Radii*, theory::Plane*, StiffnessChoice*, LoadingMethod*, fracture::Technique*,
-                 fracture::FractureLaw*, DampingRegion*, lattice::Kinematics*, ensemble::Precision*,
-                 ReleaseRateReference*, std::vector<VelocityPiece>*, CrackLine*,
-                 std::vector<history::HistoryPoint>*, fracture::CriticalRate*, LoadCurve*,
-                 history::Smoothing*, PathShape*, std::vector<std::string>*, std::vector<double>*,
-                 std::vector<std::array<double, 2>>*, std::optional<std::array<double, 2>>*>;
+using Slot = std::variant<double*, std::optional<double>*, int*, long*, bool*, Word, Exponent,
+                          packing::Shape*, packing::Radii*, theory::Plane*, StiffnessChoice*, LoadingMethod*,
+                          GripRotation*, fracture::Technique*, fracture::ReleaseOrder*,
+                          fracture::FractureLaw*, DampingRegion*, lattice::Kinematics*, ensemble::Precision*,
+                          ReleaseRateReference*, std::vector<VelocityPiece>*, CrackLine*,
+                          std::vector<history::HistoryPoint>*, fracture::CriticalRate*, LoadCurve*,
+                          history::Smoothing*, PathShape*, std::vector<std::string>*, std::vector<double>*,
+                          std::vector<std::array<double, 2>>*, std::optional<std::array<double, 2>>*>;
 
 /// One row of the table: all that is known of one member of Scene.
 struct Parameter {

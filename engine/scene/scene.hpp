@@ -2,6 +2,7 @@
 
 #include "engine/ensemble/instruction_set.hpp"
 #include "engine/fracture/cohesive_law.hpp"
+#include "engine/fracture/crack_path.hpp"
 #include "engine/fracture/equation_of_motion.hpp"
 #include "engine/fracture/release.hpp"
 #include "engine/history/crack_history.hpp"
@@ -20,6 +21,7 @@ enum class StiffnessChoice { in_situ, bulk, calibrated, explicit_values };
 enum class LoadingMethod { static_solve, ramp };
 enum class DampingRegion { none, surface, all };
 enum class ReleaseRateReference { strip, griffith };
+enum class GripRotation { held, free };
 
 /// A speed [m/s], or a fraction of the Rayleigh speed c_r where `relative`.
 struct Speed {
@@ -93,6 +95,7 @@ struct Scene {
     bool rollers;                    // on the left and the right face, with a traction
     double shear;                    // of the displacement, along x beside it
     double tilt;                     // of the displacement, more at the right end and less at the left one
+    GripRotation grip_rotation;      // whether the elements of the grips may turn
     LoadingMethod method;
     int ramp_steps, hold_steps;
     double ramp_beta;  // numerical damping while ramping and holding, taken out before the crack starts
@@ -110,6 +113,7 @@ struct Scene {
     std::optional<double> end;  // [m]; the end of the window where absent
     int tips;
     fracture::Technique technique;
+    fracture::ReleaseOrder release_order;
     double relaxation;               // the exponent p of Y1/Y2 = (1 - b/l)^p
     double damage_zone_ratio;        // r_l = L_CZM / R_mean
     std::optional<double> friction;  // mu of the faces; without it they do not touch

@@ -194,6 +194,7 @@ void check_breaking(Checks& c) {
   excluded(c.scene.loading.method == LoadingMethod::ramp, "loading.method");
   excluded(c.scene.damping.region != DampingRegion::none, "damping.region");
   excluded(c.scene.crack.tips == 2, "crack.tips");
+  excluded(c.scene.crack.release_order != fracture::ReleaseOrder::crossing, "crack.release_order");
   excluded(c.scene.crack.friction.has_value(), "crack.friction");
   for (const char* key : {"crack.history", "crack.toughness"})
     if (c.given(key))
@@ -205,6 +206,8 @@ void check_loading(Checks& c) {
   if (loading.rollers && !loading.traction)
     c.say("loading.rollers", "goes with loading.traction only: the grips hold the plate");
   if (loading.traction) {
+    if (loading.grip_rotation != GripRotation::held)
+      c.say("loading.grip_rotation", "goes without loading.traction, which takes the place of the grips");
     if (loading.tilt != 0.0 || loading.shear != 0.0)
       c.say("loading.traction", "goes without loading.tilt and loading.shear, which are the grips'");
     return;

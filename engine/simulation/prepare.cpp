@@ -2,8 +2,8 @@
 
 #include "engine/base/clock.hpp"
 #include "engine/base/interrupted.hpp"
-#include "engine/lattice/loads.hpp"
 #include "engine/lattice/lattice.hpp"
+#include "engine/lattice/loads.hpp"
 #include "engine/lattice/statics.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/scene/derived.hpp"
@@ -45,7 +45,7 @@ void build_specimen(Prepared& p, base::Cache& cache, const StageProgress& progre
 }
 
 fracture::CrackPath path_of(const scene::Scene& scene) {
-  fracture::CrackPath path{{}, scene.crack.tips};
+  fracture::CrackPath path{{}, scene.crack.tips, scene.crack.release_order};
   for (const auto& [x, y] : scene::path_points_m(scene)) path.point.emplace_back(x, y);
   return path;
 }

@@ -166,12 +166,19 @@ std::string notch_key(const scene::Scene& scene) {
                      scene.crack.tips == 2 ? " from the middle" : "");
 }
 
+void make_lattice_of(Prepared& p) {
+  p.lattice = lattice::make_lattice(p.specimen, p.micro, p.density);
+  p.lattice.grips_turn = p.preset.scene.loading.grip_rotation == scene::GripRotation::free;
+  refuse_out_of_range(p, lattice_numbers(p));
+}
+
 }  // namespace
 
 std::string statics_key(const Prepared& p) {
   return fmt::format(
-      "{} tolerance {:a}{} micro {:a} {:a} {:a}", packing::key_of(scene::request_of(p.preset.scene)),
+      "{} tolerance {:a}{}{} micro {:a} {:a} {:a}", packing::key_of(scene::request_of(p.preset.scene)),
       p.preset.scene.specimen.contact_tolerance, p.preset.scene.loading.traction ? " free" : "",
+      p.preset.scene.loading.grip_rotation == scene::GripRotation::free ? " grips turn" : "",
       p.micro.young_modulus, p.micro.poisson_ratio, p.micro.radius_ratio);
 }
 
@@ -180,9 +187,13 @@ std::string dynamics_key(const Prepared& p) {
 }
 
 std::string path_key(const scene::Scene& scene) {
-  if (scene.crack.path.point.empty()) return fmt::format("{:a}", scene::path_height_m(scene));
   std::string path;
-  for (const auto& [x, y] : scene::path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
+  if (scene.crack.path.point.empty())
+    path = fmt::format("{:a}", scene::path_height_m(scene));
+  else
+    for (const auto& [x, y] : scene::path_points_m(scene)) path += fmt::format("({:a} {:a})", x, y);
+  if (scene.crack.release_order != fracture::ReleaseOrder::crossing)
+    path += " by " + scene::word_of("crack.release_order", scene.crack.release_order);
   return path;
 }
 
@@ -197,8 +208,7 @@ void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progr
   p.micro = reference_micro(p.preset, cache, progress);
   base::tell_or_stop(stage(progress, "pre-stress"), 0.0, "solving the pre-stress");
   p.statics_from_cache = true;
-  p.lattice = lattice::make_lattice(p.specimen, p.micro, p.density);
-  refuse_out_of_range(p, lattice_numbers(p));
+  make_lattice_of(p);
   Statics statics{p.lattice, scene, cache, p.statics_from_cache, statics_key(p), progress};
   const bool own_pull = kinematics == lattice::Kinematics::corotational || scene.loading.tilt != 0.0 ||
                         scene.loading.shear != 0.0;  // the unit one does not serve
@@ -207,8 +217,7 @@ void build_prestress(Prepared& p, base::Cache& cache, const StageProgress& progr
   const std::vector<lattice::Vector6> unit = statics.unit(present, "");
   if (is_scaled(scene)) {
     p.micro.young_modulus *= continuum_strip_modulus(scene) / lattice::strip_modulus(p.lattice, unit, 1.0);
-    p.lattice = lattice::make_lattice(p.specimen, p.micro, p.density);
-    refuse_out_of_range(p, lattice_numbers(p));
+    make_lattice_of(p);
   }
   p.strip_modulus = lattice::strip_modulus(p.lattice, unit, 1.0);
   std::vector<char> notched(present);

@@ -102,7 +102,7 @@ double estimated_step_cost(const scene::Scene& scene) {
   const double damping = scene.damping.region == scene::DampingRegion::all       ? 2.0
                          : scene.damping.region == scene::DampingRegion::surface ? 1.2
                                                                                  : 1.0;
-  const double turning = scene.solver.kinematics == lattice::Kinematics::corotational ? 3.2 : 1.0;
+  const double turning = scene.solver.kinematics == lattice::Kinematics::corotational ? 6.0 : 1.0;
   return damping * turning * expected_size(scene).beams;
 }
 

@@ -69,7 +69,8 @@ ExitCode reproduce_readings(const SessionOptions& options, const std::string& fo
                               .elements = claims::plate_elements(claims::Effort::quick),
                               .matched = {},
                               .claims = claims::claims_of_readings(),
-                              .rows = {}};
+                              .rows = {},
+                              .balances = {}};
         report.matched = simulation::matching_coordination(plate_of(quick), seeds, session.cache,
                                                            session.progress_of_stages());
         const claims::PaperStudy study = claims::study_of_readings(quick, report.matched.coordination);

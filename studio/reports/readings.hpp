@@ -18,6 +18,14 @@ struct ReadingRow {
   std::vector<double> progressive, simple;  // at ReadingsReport::shown, means over the specimens
 };
 
+/// The energy balances of the scenarios of one technique and kinematics: how many exceed their limit, the
+/// largest error, and the smallest of their limits.
+struct BalanceRow {
+  std::string technique, kinematics;
+  int scenarios = 0, open = 0;
+  double worst = 0, limit = 0;
+};
+
 /// All readings x all claims that they can decide.
 struct ReadingsReport {
   simulation::BuildInfo build;
@@ -27,13 +35,14 @@ struct ReadingsReport {
   simulation::MatchedCoordination matched;
   std::vector<const claims::Claim*> claims;
   std::vector<ReadingRow> rows;
+  std::vector<BalanceRow> balances;
 
   static constexpr double shown[] = {0.05, 0.2, 0.5, 0.8, 1.0};  // [c_r]
 
   const ReadingRow& row_of(const claims::Reading& reading) const;
 };
 
-/// Judges the claims under every reading.
+/// Judges the claims under every reading, and sees which energy balances close.
 /// @param[in] evidence  with all rows of the study, and their series
 void judge_readings(ReadingsReport& report, const claims::Evidence& evidence);
 

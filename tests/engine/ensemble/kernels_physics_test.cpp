@@ -39,20 +39,27 @@ TEST(CorotationalPlate, TendsToTheLinearOneForSmallStrains) {
   EXPECT_GT(std::abs(far - linear), 5.0 * std::abs(near - linear));
 }
 
-/// The residual at the end of one and the same stretch of the crack.
-double residual_at(double fraction) {
+/// The worst residual of a crack that releases its beams at once.
+double worst_residual_at(double fraction, const std::string& velocity) {
   const simulation::Prepared p =
       simulation::small_plate({"solver.kinematics=corotational", "crack.technique=simple", "output.frames=0",
-                               fmt::format("solver.dt_fraction={}", fraction)});
-  return std::abs(simulation::march(p, {}).lane[0].samples.back().residual);
+                               "crack.velocity=" + velocity, fmt::format("solver.dt_fraction={}", fraction)});
+  return simulation::march(p, {}).lane[0].worst_residual;
 }
 
-// Velocity Verlet keeps K + U - C exactly for linear forces only. Brutal release fills the highest modes, and
-// what corotation makes of them is an error of the step, which falls at least with its square.
+// What is left are third derivatives of the strains: an error of the step, which falls with its square.
 TEST(CorotationalBooks, CloseBetterTheSmallerTheStep) {
-  const double coarse = residual_at(0.5), fine = residual_at(0.125);
-  EXPECT_GT(coarse, 1e-6);  // there is something to see
+  const double coarse = worst_residual_at(0.5, "0.5 c_r"), fine = worst_residual_at(0.125, "0.5 c_r");
+  EXPECT_GT(coarse, 1e-8);  // there is something to see
   EXPECT_LT(fine, coarse / 8.0);
+}
+
+// Release at once fills the highest modes, which beams that turn pass on to lower ones. With forces of this
+// moment's directions velocity Verlet makes energy of that: 3.6e-4 at 0.5 c_r, 2.0e-4 at 0.1 c_r.
+// [model.md §3]
+TEST(CorotationalBooks, StayWithinTheirLimitUnderReleaseAtOnce) {
+  EXPECT_LT(worst_residual_at(0.5, "0.5 c_r"), 1e-4);
+  EXPECT_LT(worst_residual_at(0.5, "0.1 c_r"), 1e-4);
 }
 
 }  // namespace

@@ -56,6 +56,14 @@ TEST(Books, CloseWithNumericalDamping) { expect_closed_books({"beta", {}, 0.9});
 TEST(Books, CloseWithAMovingGrip) { expect_closed_books({"grip", {}, 1.0, 5.0}); }
 TEST(Books, CloseWithAllOfItTogether) { expect_closed_books({"all", everywhere, 0.9, 5.0}); }
 
+// The elements of the grips turn, and what their rotation holds and loses is in the balance like any other.
+TEST(Books, CloseWithGripsThatLetTheirElementsTurn) {
+  expect_closed_books({"turning grips",
+                       {"loading.grip_rotation=free", "damping.alpha=0.01", "damping.region=all"},
+                       0.9,
+                       5.0});
+}
+
 TEST(Books, CloseInEveryRowOfARampedRun) {
   const simulation::Prepared p =
       simulation::small_plate({"loading.method=ramp", "loading.ramp_steps=800", "loading.hold_steps=800",

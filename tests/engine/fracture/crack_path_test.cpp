@@ -197,6 +197,41 @@ TEST(Crossings, OfTwoTipsAreCountedFromTheMiddleRoundAKink) {
   EXPECT_DOUBLE_EQ(met[1].position, 2.5);
 }
 
+/// Two elements above the path and two below, joined by three beams: 0-2 from (1, 0) to (4, 1.5), 1-2 and
+/// 1-3.
+lattice::Lattice zigzag() {
+  lattice::Lattice lattice;
+  for (const Point& at : {Point(1, 0), Point(6, 0.5), Point(4, 1.5), Point(8, 2)})
+    lattice.centre.emplace_back(at.x(), at.y(), 0.0);
+  lattice.ends = {{0, 2}, {1, 2}, {1, 3}};
+  return lattice;
+}
+
+std::vector<double> positions_by(ReleaseOrder order, int tips) {
+  CrackPath path = straight_path(10.0, 1.0, tips);
+  path.order = order;
+  std::vector<double> of_beam(3, -1.0);
+  for (const Crossing& c : crossings(path, zigzag())) of_beam[c.beam] = c.position;
+  return of_beam;
+}
+
+TEST(ReleaseOrder, IsWhereThePathCrossesWhereTheMiddleIsOrWhereTheFirstElementIs) {
+  EXPECT_DOUBLE_EQ(positions_by(ReleaseOrder::crossing, 1)[0], 3.0);
+  EXPECT_EQ(positions_by(ReleaseOrder::middle, 1), (std::vector{2.5, 5.0, 7.0}));
+  EXPECT_EQ(positions_by(ReleaseOrder::node, 1), (std::vector{1.0, 4.0, 6.0}));
+}
+
+TEST(ReleaseOrder, OfTwoTipsIsCountedFromTheMiddle) {
+  EXPECT_EQ(positions_by(ReleaseOrder::middle, 2), (std::vector{2.5, 0.0, 2.0}));
+  EXPECT_EQ(positions_by(ReleaseOrder::node, 2), (std::vector{1.0, 1.0, 1.0}));
+}
+
+TEST(NearestArc, IsCountedAlongThePathRoundItsCorners) {
+  EXPECT_DOUBLE_EQ(nearest_arc(stair(), {1.5, 0.0}), 1.5);
+  EXPECT_DOUBLE_EQ(nearest_arc(stair(), {2.5, 2.0}), 3.0);
+  EXPECT_DOUBLE_EQ(nearest_arc(stair(), {9.0, 3.0}), 7.0);
+}
+
 TEST(CrackPath, HasTheNormalOfThePieceThatIsCrossed) {
   const CrackPath path{{{0, 0}, {1, 0}, {2, 1}}, 1};
   EXPECT_NEAR((normal_between(path, {0.5, -1}, {0.5, 1}) - Eigen::Vector2d(0, 1)).norm(), 0.0, 1e-15);

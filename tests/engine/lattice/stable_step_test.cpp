@@ -71,6 +71,19 @@ TEST(StableStep, OfARandomLatticeIsThatOfDenseAlgebra) {
     }
 }
 
+// Two elements in grips that let them turn: only the bending of the beam between them is left.
+TEST(StableStep, OfElementsThatAGripLetsTurnIsThatOfTheirBending) {
+  Lattice pair = pair_of(1.0, 1e-3);
+  pair.grip = {packing::Grip::bottom, packing::Grip::top};
+  EXPECT_TRUE(std::isinf(stable_step(pair).critical));
+  pair.grips_turn = true;
+  // theta_i = theta_j: w [[2,1],[1,2]] (1,1) = 3 w (1,1), the chord is held.
+  const double bending = std::sqrt(3.0 * pair.beam[0].bending * 1e3),
+               twist = std::sqrt(pair.beam[0].twist * 2e3);
+  expect_just_below(stable_step(pair).critical, 2.0 / std::max(bending, twist));
+  EXPECT_LE(stable_step(pair).element_bound, stable_step(pair).critical * (1.0 + margin));
+}
+
 TEST(StableStep, HoldsAndNoLongerOnePercentAboveIt) {
   const Lattice lattice = jumble(4, 56, true);
   const double critical = stable_step(lattice).critical;

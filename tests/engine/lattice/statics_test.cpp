@@ -135,6 +135,51 @@ TEST(Statics, LeavesNoForceOnAFreeElement) {
   EXPECT_NEAR(free_moment, 0.0, 1e-10 * pull * plate.mean_radius);
 }
 
+// Grips that leave rotations free hold the displacements as before, and no moment is left on their elements.
+TEST(Statics, LeavesNoMomentOnElementsThatAGripLetsTurn) {
+  Lattice plate = packed_plate();
+  const std::vector<Vector6> held = stretched_at_rest(plate, all_of(plate), 1e-4);
+  plate.grips_turn = true;
+  const std::vector<Vector6> q = stretched_at_rest(plate, all_of(plate), 1e-4);
+  const Eigen::VectorXd f = loads_on(plate, stacked(q));
+  double pull = 0.0, left = 0.0, turned = 0.0;
+  for (std::size_t i = 0; i < plate.grip.size(); ++i) {
+    const Vector6 on = f.segment<6>(6 * static_cast<long>(i));
+    left = std::max(left, on.tail<3>().norm() / plate.mean_radius);
+    if (!plate.is_gripped(i)) {
+      left = std::max(left, on.head<3>().norm());
+      continue;
+    }
+    if (plate.grip[i] == packing::Grip::top) pull -= on[1];
+    EXPECT_EQ(q[i].head<3>(), held[i].head<3>());
+    turned = std::max(turned, q[i].tail<3>().norm());
+  }
+  ASSERT_GT(pull, 0.0);
+  EXPECT_NEAR(left, 0.0, 1e-10 * pull);
+  EXPECT_GT(turned, 1e-4);  // [rad], of a strain of 0.005
+}
+
+TEST(Statics, LeavesNoMomentOnTurningGripsWithCorotationalBeams) {
+  Lattice plate = packed_plate();
+  plate.grips_turn = true;
+  const std::vector<Vector6> q = stretched_at_rest_corotational(plate, all_of(plate), 1e-3);
+  std::vector<Vector6> f(q.size(), Vector6::Zero());
+  for (std::size_t b = 0; b < plate.beam.size(); ++b) {
+    const auto& [i, j] = plate.ends[b];
+    const BeamLoads l = loads_of(plate.beam[b], pose_of(q[i]), pose_of(q[j]));
+    f[i].head<3>() += l.force_i, f[i].tail<3>() += l.moment_i;
+    f[j].head<3>() -= l.force_i, f[j].tail<3>() += l.moment_j;
+  }
+  double pull = 0.0, left = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    if (plate.grip[i] == packing::Grip::top) pull -= f[i][1];
+    left = std::max(left, f[i].tail<3>().norm() / plate.mean_radius);
+    if (!plate.is_gripped(i)) left = std::max(left, f[i].head<3>().norm());
+  }
+  ASSERT_GT(pull, 0.0);
+  EXPECT_NEAR(left, 0.0, 1e-9 * pull);
+}
+
 TEST(Statics, HoldsTheGripsInAllSixDegreesOfFreedom) {
   const Lattice& plate = packed_plate();
   const std::vector<Vector6> q = stretched_at_rest(plate, all_of(plate), 1e-4);

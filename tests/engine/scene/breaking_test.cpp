@@ -50,6 +50,8 @@ TEST(FreeCrack, SaysWhatDoesNotGoWithItYet) {
   EXPECT_NE(with(and_more(cohesive, {"loading.method=ramp"})), "");
   EXPECT_NE(with(and_more(cohesive, {"damping.region=all", "damping.alpha=0.1"})), "");
   EXPECT_NE(with(and_more(cohesive, {"crack.tips=2"})), "");
+  EXPECT_EQ(with(and_more(cohesive, {"crack.release_order=node"})),
+            "--set crack.release_order=node: does not go with fracture.law = \"cohesive\" yet\n");
   EXPECT_NE(with(and_more(cohesive, {"crack.toughness=[[\"0 c_r\", 3]]"})), "");
 }
 
@@ -57,6 +59,9 @@ TEST(FreeCrack, IsPulledByTractionsInPlaceOfGrips) {
   const auto pulled = and_more(cohesive, {"loading.traction=1 MPa"});
   EXPECT_EQ(with(pulled), "");
   EXPECT_NE(with(and_more(pulled, {"loading.tilt=0.1"})), "");
+  EXPECT_EQ(with(and_more(pulled, {"loading.grip_rotation=free"})),
+            "--set loading.grip_rotation=free: goes without loading.traction, which takes the place of the "
+            "grips\n");
   const Preset preset = read_preset_text("", "x.toml", pulled);
   EXPECT_TRUE(breaks_freely(preset.scene));
   EXPECT_EQ(preset.scene.loading.rise_time, 1e-6);
