@@ -1,6 +1,7 @@
 #include "engine/accuracy/judgement.hpp"
 
 #include "engine/base/numbers.hpp"
+#include "engine/base/student.hpp"
 #include "engine/base/text.hpp"
 
 #include <fmt/format.h>
@@ -89,10 +90,11 @@ void measure(Judging& j, AccuracyLine& line) {
   if (line.cannot_be.empty() && ratios.empty()) line.cannot_be = "not computed";
 }
 
-/// Standard error of a line's mean; 0 for one specimen, of which it is not known.
+/// Standard error of a line's mean, widened for few specimens; 0 for one specimen, of which it is not known.
 double standard_error(const AccuracyLine& line) {
   if (!std::isfinite(line.scatter)) return 0.0;
-  return line.scatter / std::sqrt(static_cast<double>(line.specimens));
+  return base::student_factor(static_cast<std::size_t>(line.specimens)) * line.scatter /
+         std::sqrt(static_cast<double>(line.specimens));
 }
 
 /// R_0, the time step's own error on the specimen, and the lines that it is the error of.
@@ -149,7 +151,8 @@ void judge_elements(Judging& j) {
     line->uncertainty = line->reference ? 0.0 : std::hypot(standard_error(*line), standard_error(*finest));
   }
   j.out.specimen_scatter = finest->scatter;
-  j.refer(Factor::elements, fmt::format("the mean of {} of {}", base::counted(finest->specimens, "specimen"), finest->label),
+  j.refer(Factor::elements,
+          fmt::format("the mean of {} of {}", base::counted(finest->specimens, "specimen"), finest->label),
           limit.limit, limit);
 }
 

@@ -15,11 +15,17 @@ namespace rift::claims {
 
 using study::SeriesTable;
 
+/// What the specimen of a scenario shows of itself in static pulls, as simulation::OwnConstants has it.
+struct OwnPlate {
+  double poisson_ratio = 0, rayleigh_speed = 0, height = 0;  // [-]; [m/s], of long waves; [m], between grips
+};
+
 /// A claim is judged by the scenarios of one stiffness and their series, or by cylinders.
 struct Evidence {
   std::vector<SummaryRow> rows;
   int elements = paper_elements;                              // of the plate that stands for the paper's
   std::function<SeriesTable(const SummaryRow&)> series = {};  // empty where it is not stored
+  std::function<OwnPlate(const SummaryRow&)> own = {};        // empty where it is not measured
   std::vector<calibration::CylinderResult> cylinders = {};    // of all sizes, with the paper's beams
   bool one_size = false;  // no plates of more or fewer elements: parts of claims about these are left out
 };

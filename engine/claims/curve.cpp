@@ -178,7 +178,9 @@ const char* name_of(Verdict verdict) {
 }
 
 std::vector<Margin> margins() {
-  const auto at_most = [](double margin, const char* what) { return fmt::format("{} at most {:g}", what, margin); };
+  const auto at_most = [](double margin, const char* what) {
+    return fmt::format("{} at most {:g}", what, margin);
+  };
   return {
       {"near, agrees", at_most(near_margin, "mean |ratio - Broberg| over the named velocities"), "ours"},
       {"too low, too high", fmt::format("mean signed difference beyond {:g}", offset_margin), "ours"},
@@ -189,11 +191,17 @@ std::vector<Margin> margins() {
                    constant_margin, constant_errors),
        "ours"},
       {"0.002 and 0.018 (Fig. 14)",
-       fmt::format("within {:g} standard deviation of a single specimen's difference; not decidable within {:g}",
-                   value_errors, undecided_errors),
+       fmt::format(
+           "within {:g} standard deviation of a single specimen's difference; not decidable within {:g}",
+           value_errors, undecided_errors),
        "numbers: text; of one specimen: text; deviations: ours"},
       {"below 0.4 at 0.01 (Fig. 7), less than 6 % (Fig. 8), 1 % (Fig. 5)", "as said", "text"},
       {"E and ν within 2.5 % above 15,000 elements (Fig. 17)", "as said", "text"},
+      {"tends to Broberg (beyond_broberg)",
+       "|limit / Broberg - 1| at most 0.02 with a standard uncertainty of at most 0.015, at 0.3, 0.5 and 0.7 "
+       "c_R; does "
+       "not hold beyond 0.02 and the uncertainty",
+       "ours"},
       {"not decidable", "specimens scatter beyond the margin, or the data are not in the text", "ours"},
   };
 }
@@ -278,13 +286,15 @@ Judgement has_no_influence(const Curve& curve, const Curve& reference, Span span
 
 Judgement differs_by(const Curve& curve, const Curve& reference, double v, double value) {
   const Curve one = within(curve, v, v), other = within(reference, v, v);
-  const Difference d = one.empty() || other.empty() ? Difference{} : difference_of(one.front(), other.front());
+  const Difference d =
+      one.empty() || other.empty() ? Difference{} : difference_of(one.front(), other.front());
   if (d.specimens < 2) return nothing_to_judge(fmt::format("fewer than two specimens at {:g} c_R", v));
   const double away = std::abs(std::abs(d.mean) - value);
   const Verdict verdict = away <= value_errors * d.scatter       ? Verdict::holds
                           : away <= undecided_errors * d.scatter ? Verdict::not_decidable
                                                                  : Verdict::does_not_hold;
-  return {verdict, fmt::format("|difference| {:.3f}, of a single specimen ± {:.3f}", std::abs(d.mean), d.scatter)};
+  return {verdict,
+          fmt::format("|difference| {:.3f}, of a single specimen ± {:.3f}", std::abs(d.mean), d.scatter)};
 }
 
 Judgement is_quasi_constant(const CurvePoint& point) {
@@ -309,8 +319,10 @@ Judgement is_mostly_constant(const Curve& curve, Span span) {
   const Verdict verdict = 2 * constant > all                 ? Verdict::holds
                           : 2 * (constant + undecided) > all ? Verdict::not_decidable
                                                              : Verdict::does_not_hold;
-  return {verdict, fmt::format("{} of {} velocities; second half of the window less the first, and its standard error, {}",
-                               constant, all, list)};
+  return {
+      verdict,
+      fmt::format("{} of {} velocities; second half of the window less the first, and its standard error, {}",
+                  constant, all, list)};
 }
 
 Judgement is_near_value(const Curve& curve, double v, double value) {

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "engine/base/numbers.hpp"
 #include "engine/claims/claims.hpp"
 
-#include <cmath>
 #include <vector>
 
 /// Findings beyond the paper: the damage zone that agrees best, the energy that the lattice itself takes, and
@@ -34,26 +32,6 @@ struct WakeBand {
   double cell = 0, share = 0;
 };
 std::vector<WakeBand> wake_bands(const SummaryRow& row);
-
-/// Broberg's own problem at one velocity, zone and number of elements, the mean over its specimens, beside
-/// the efficiency of the strip there (NaN: none).
-struct BrobergProblem {
-  double v = 0, zone = 0, elements = 0;
-  double radius_m = 0, half_length_m = 0;  // in the middle of the window
-  double broberg = 0;
-  std::vector<double> ratio;  // of each specimen
-  double efficiency = NAN, efficiency_scatter = NAN;
-
-  double over_efficiency() const { return base::mean_of(ratio) / efficiency; }
-};
-std::vector<BrobergProblem> broberg_problem(const Evidence& evidence);
-
-/// Ratio over efficiency, from two sizes straight on to R / a = 0. The scatter is what the specimens' scatter
-/// makes of it, relative; where there is one specimen of a size it is taken to scatter as the others.
-struct Extrapolated {
-  double v = 0, zone = 0, limit = 0, broberg = 0, scatter = 0;
-};
-std::vector<Extrapolated> extrapolated(const std::vector<BrobergProblem>& points);
 
 /// The findings, in the form of claims.
 std::vector<Claim> beyond_the_paper();

@@ -2,6 +2,7 @@
 
 #include "engine/base/interrupted.hpp"
 #include "engine/base/numbers.hpp"
+#include "engine/base/student.hpp"
 #include "engine/experiment/application.hpp"
 #include "engine/experiment/efficiency.hpp"
 #include "engine/experiment/kept_parts.hpp"
@@ -11,11 +12,14 @@
 #include "engine/scene/derived.hpp"
 #include "engine/simulation/record.hpp"
 #include "engine/simulation/summary.hpp"
+#include "engine/theory/wave_speeds.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <string>
 
 namespace rift::experiment {
@@ -60,7 +64,6 @@ class Laboratory {
     measure();
     draw_histories();
     draw_specimens();
-    read_statics();
     e_.efficiency = efficiency_of(preset_, pulled_, slowest(), fastest(), cache_, parts_, progress_);
     conclude();
     if (options_.application) e_.application = apply(preset_, e_, cache_, parts_, progress_);
@@ -97,6 +100,7 @@ class Laboratory {
     pulled_ = p.pulled;
     e_.thickness = p.scale.thickness, e_.rayleigh_speed = p.rayleigh_speed,
     e_.mean_radius = p.lattice.mean_radius;
+    read_own_constants(p);
     lay_points(p);
     const simulation::RunResult run = measured_crack(p);
     take(run);
@@ -104,7 +108,25 @@ class Laboratory {
     specimens_.push_back(rates_at(p, run, 0, e_.along, width));
     for (const double other : {0.5 * width, 2.0 * width})
       widths_.push_back(rates_at(p, run, 0, e_.along, other));
+    read_statics(p);
     e_.specimens = 1;
+  }
+
+  void read_own_constants(const simulation::Prepared& p) {
+    e_.own_young_modulus = e_.own_poisson_ratio = e_.own_rayleigh_speed =
+        std::numeric_limits<double>::quiet_NaN();
+    try {
+      const simulation::OwnConstants own = measurement::pulled_constants(
+          p, p.lane.front(), cache_, [this](double done) { return progress_("static pulls", done); },
+          options_.threads);
+      e_.own_young_modulus = own.young_modulus(), e_.own_poisson_ratio = own.poisson_ratio();
+      e_.own_rayleigh_speed =
+          theory::wave_speeds(own.young_modulus(), own.poisson_ratio(), p.density, theory::Plane::stress)
+              .rayleigh;
+    } catch (const base::Interrupted&) {
+      throw;
+    } catch (const std::runtime_error&) {  // of statics, or too few elements at an end: it stays unknown
+    }
   }
 
   /// Recorded as a run; by an earlier call, as far as that came.
@@ -186,6 +208,7 @@ class Laboratory {
       const simulation::RunResult run = march_part(fmt::format("specimen_{}", k + 1), stage, p);
       if (run.outcome != simulation::Outcome::finished) continue;
       specimens_.push_back(rates_at(p, run, 0, e_.along, e_.width));
+      read_statics(p);
       ++e_.specimens;
     }
   }
@@ -197,9 +220,8 @@ class Laboratory {
                : 1.0;
   }
 
-  /// What a crack that is slow enough for no waves would release, between a few positions.
-  void read_statics() {
-    const simulation::Prepared p = simulation::prepare(preset_, cache_, preparing("quasi-static"));
+  /// What a crack that is slow enough for no waves would release through a specimen, between a few positions.
+  void read_statics(const simulation::Prepared& p) {
     std::vector<double> at;
     const double from = e_.along.front().position, to = e_.along.back().position;
     for (int k = 0; k <= static_parts; ++k) at.push_back(from + k * (to - from) / static_parts);
@@ -208,32 +230,47 @@ class Laboratory {
     std::vector<double> rates;
     // Over two parts each: the few beams between two positions scatter.
     for (int k = 1; k < static_parts; ++k) rates.push_back(0.5 * (part_rates[k - 1] + part_rates[k]));
-    for (CriticalPoint& point : e_.along) {  // straight between the positions and on beyond them
-      const double place = (point.position - from) / (to - from) * static_parts - 1.0;
-      const int low = std::clamp(static_cast<int>(std::floor(place)), 0, static_parts - 3);
-      const double part = place - low;
-      point.quasi_static = (rates[low] + part * (rates[low + 1] - rates[low])) * square_of_pull(point.time);
-    }
+    statics_.push_back(static_curve(rates, 1.0));
+    if (static_windows_.empty()) static_windows_ = {statics_.front(), static_curve(part_rates, 0.5)};
   }
 
-  /// Of the curves that have a number there; NaN and 0 of none, 0 of a single one.
+  /// At the points, straight between the rates and on beyond them; the first one is of `first` parts from the
+  /// first point.
+  std::vector<double> static_curve(const std::vector<double>& rates, double first) const {
+    const double from = e_.along.front().position, to = e_.along.back().position;
+    std::vector<double> curve;
+    for (const CriticalPoint& point : e_.along) {
+      const double place = (point.position - from) / (to - from) * static_parts - first;
+      const int low = std::clamp(static_cast<int>(std::floor(place)), 0, static_cast<int>(rates.size()) - 2);
+      curve.push_back(std::lerp(rates[low], rates[low + 1], place - low) * square_of_pull(point.time));
+    }
+    return curve;
+  }
+
+  /// Of the curves that have a number there; NaN and 0 of none, 0 of a single one. `widened`: the deviation
+  /// by Student's factor.
   struct Spread {
-    double mean, deviation;
+    double mean, deviation, widened;
   };
   static Spread at(const std::vector<std::vector<double>>& curves, std::size_t k) {
     double sum = 0.0, squares = 0.0, count = 0.0;
     for (const std::vector<double>& curve : curves)
       if (const double v = curve[k]; std::isfinite(v)) sum += v, squares += v * v, count += 1.0;
     const double mean = sum / count;
-    return {mean,
-            count > 1.0 ? std::sqrt(std::max(0.0, squares - count * mean * mean) / (count - 1.0)) : 0.0};
+    if (!(count > 1.0)) return {mean, 0.0, 0.0};
+    const double deviation = std::sqrt(std::max(0.0, squares - count * mean * mean) / (count - 1.0));
+    return {mean, deviation, deviation * base::student_factor(static_cast<std::size_t>(count))};
   }
 
   void conclude() {
     for (std::size_t k = 0; k < e_.along.size(); ++k) {
       CriticalPoint& point = e_.along[k];
       const Spread packing = at(specimens_, k);
-      point.as_paper = packing.mean, point.of_packing = packing.deviation;
+      point.as_paper = packing.mean, point.of_packing = packing.widened;
+      const Spread slow = at(statics_, k);
+      point.quasi_static = slow.mean;
+      point.quasi_static_uncertainty =
+          std::hypot(slow.widened, 0.5 * (static_windows_[0][k] - static_windows_[1][k]));
       point.of_noise = drawn_.empty() ? 0.0 : at(drawn_, k).deviation;
       std::vector<double> by_width{specimens_.front()[k]};
       for (const auto& curve : widths_)
@@ -287,6 +324,7 @@ class Laboratory {
     };
     m.deviation_along = deviation(corrected);
     m.of_noise = deviation(offsets_of(drawn_)), m.of_packing = deviation(offsets_of(specimens_));
+    if (specimens_.size() > 1) m.of_packing *= base::student_factor(specimens_.size());
     std::vector<double> by_width = offsets_of(widths_);
     by_width.push_back(offset_of(specimens_.front()));
     const auto [least, most] = std::minmax_element(by_width.begin(), by_width.end());
@@ -309,6 +347,8 @@ class Laboratory {
   int drawn_marches_ = 0;
   double pulled_ = 0;  // the first specimen's grip as the crack starts [m]
   std::vector<std::vector<double>> specimens_, drawn_, widths_;  // rates at the points
+  std::vector<std::vector<double>> statics_,
+      static_windows_;  // of a slow crack; of one specimen by two windows
 };
 
 }  // namespace

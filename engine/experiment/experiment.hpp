@@ -21,11 +21,14 @@ struct ExperimentOptions {
   int threads = 0;
 };
 
-/// What is known of G_IDc where the tip was at one position. Uncertainties are standard ones.
+/// What is known of G_IDc where the tip was at one position. Uncertainties are standard ones; that of packing
+/// is the standard deviation of the specimens, widened by Student's factor for their small number.
 struct CriticalPoint {
   double position = 0, time = 0, over_cr = 0;  // [m], [s] of the measurement, v / c_R
-  double quasi_static = 0;                     // G_I0(a), of a slow crack under the same grips [J/m2]
-  double as_paper = 0;                         // what the lattice's zone takes, mean of the specimens [J/m2]
+  /// G_I0(a), of a slow crack under the same grips, mean of the specimens; its uncertainty, of packing and of
+  /// the window [J/m2].
+  double quasi_static = 0, quasi_static_uncertainty = 0;
+  double as_paper = 0;  // what the lattice's zone takes, mean of the specimens [J/m2]
   double of_noise = 0, of_packing = 0, of_window = 0, uncertainty = 0;  // of as_paper [J/m2]
   double efficiency = 1;                                                // of the lattice at this velocity
   double corrected = 0, corrected_uncertainty = 0;                      // as_paper / efficiency [J/m2]
@@ -68,6 +71,9 @@ struct Experiment {
   std::vector<double> drawn_speed;  // [m/s] standard deviation of the courses' speeds at each point
   double width = 0;                 // over which release rates are read [m]
   double thickness = 0, rayleigh_speed = 0, mean_radius = 0;
+  /// Of the preset's specimen, by static pulls: E [Pa], nu, and c_R of long waves [m/s]. NaN where it cannot
+  /// be pulled. The velocities above are over the nominal c_R.
+  double own_young_modulus = 0, own_poisson_ratio = 0, own_rayleigh_speed = 0;
   std::vector<CriticalPoint> along;  // by position
   CriticalMean mean;
   /// What the material withstands against v / c_R: as_paper [J/m2] averaged over stretches of the velocity,

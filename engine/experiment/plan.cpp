@@ -58,7 +58,7 @@ std::vector<PlannedPart> planned_parts(const scene::Preset& preset, const Experi
       {.name = "measured crack", .scenes = {scene}},
       {.name = "resampled histories", .scenes = std::vector(noise ? options.resamples : 0, unseen)},
       {.name = "other specimens", .scenes = packings},
-      {.name = "quasi-static", .solutions = static_parts + 1},
+      {.name = "quasi-static", .solutions = options.specimens * (static_parts + 1) + 2},  // and two pulls
       {.name = "lattice efficiency",
        .scenes = steady_cracks(scene, scene::displacement_at_start(scene), slowest, fastest),
        .solutions = 1}};

@@ -95,8 +95,7 @@ std::vector<Wave> cached_waves(const simulation::Prepared& p, const theory::Wave
   const lattice::Lattice plate =
       simulation::free_plate(p, micro, cache, simulation::stage(progress, "packing"));
   const double dt = 0.5 * p.stable.critical * p.lane.front().units.time;
-  std::vector<Wave> waves =
-      measured_waves(plate, dt, own, threads, simulation::stage(progress, "waves"));
+  std::vector<Wave> waves = measured_waves(plate, dt, own, threads, simulation::stage(progress, "waves"));
   base::remember(cache, "constants", key, numbers_of(waves));
   return waves;
 }
@@ -114,6 +113,14 @@ simulation::OwnConstants pulled_constants(const simulation::Prepared& p, const s
                                           int threads) {
   simulation::OwnConstants own = simulation::own_constants(p, cache, told, threads);
   own.young_along *= lane.units.energy, own.young_across *= lane.units.energy;
+  return own;
+}
+
+std::optional<simulation::OwnConstants> known_constants(const simulation::Prepared& p,
+                                                        const simulation::LanePlan& lane,
+                                                        base::Cache& cache) {
+  std::optional<simulation::OwnConstants> own = simulation::known_constants(p, cache);
+  if (own) own->young_along *= lane.units.energy, own->young_across *= lane.units.energy;
   return own;
 }
 

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
+
 namespace rift::measurement {
 
 /// G / G_I0 of the first lane's crack, run through a window infinitely slowly: what two plates at rest, cut
@@ -39,6 +41,10 @@ struct SpecimenProperties {
 simulation::OwnConstants pulled_constants(const simulation::Prepared& prepared,
                                           const simulation::LanePlan& lane, base::Cache& cache,
                                           const base::ProgressCallback& told = {}, int threads = 0);
+
+/// The same where the cache holds it; nothing is computed.
+std::optional<simulation::OwnConstants> known_constants(const simulation::Prepared& prepared,
+                                                        const simulation::LanePlan& lane, base::Cache& cache);
 
 /// Measures the first lane's plate with its beams, or recalls from the cache what was measured of it before.
 /// Throws as prepare() does.

@@ -14,7 +14,7 @@
 namespace rift::scene {
 namespace {
 
-constexpr std::array size_keys{"specimen.elements", "specimen.length", "specimen.height"};
+constexpr std::array keys_of_size{"specimen.elements", "specimen.length", "specimen.height"};
 
 bool follows_from_layers(const Scene& scene) {
   return scene.specimen.shape == packing::Shape::plate && scene.specimen.layers && !scene.specimen.thickness;
@@ -34,7 +34,7 @@ std::string of_override(const Preset& preset, const Scene& own) {
   const double before = thickness_m(own), now = thickness_m(preset.scene);
   if (!differ(now, before)) return {};
   std::vector<std::string> causes;
-  for (const char* key : size_keys) {
+  for (const char* key : keys_of_size) {
     const auto origin = preset.origins.find(key);
     if (origin != preset.origins.end() && origin->second.file == "--set")
       causes.push_back(fmt::format("{} = {}", key, origin->second.value));

@@ -30,16 +30,23 @@ lattice::Lattice free_plate(const Prepared& p, const lattice::MicroMaterial& mic
   return lattice::make_lattice(specimen, micro, p.density);
 }
 
+namespace {
+
+std::string key_of_pulls(const Prepared& p) { return "pulled plate 1 of " + statics_key(p); }
+
+}  // namespace
+
+std::optional<OwnConstants> known_constants(const Prepared& p, base::Cache& cache) {
+  const auto known = base::recall(cache, "constants", key_of_pulls(p));
+  if (!known || known->size() != 4) return {};
+  return OwnConstants{(*known)[0], (*known)[1], (*known)[2], (*known)[3], between_grips(p.lattice)};
+}
+
 OwnConstants own_constants(const Prepared& p, base::Cache& cache, const base::ProgressCallback& told,
                            int threads) {
+  if (const std::optional<OwnConstants> known = known_constants(p, cache)) return *known;
   OwnConstants own;
   own.between_grips = between_grips(p.lattice);
-  const std::string key = "pulled plate 1 of " + statics_key(p);
-  if (const auto known = base::recall(cache, "constants", key); known && known->size() == 4) {
-    own.young_along = (*known)[0], own.poisson_along = (*known)[1];
-    own.young_across = (*known)[2], own.poisson_across = (*known)[3];
-    return own;
-  }
   base::tell_or_stop(told, 0.0, "pulling the plate");
   const lattice::Lattice plate = free_plate(p, p.micro, cache);
   lattice::FreeBody body(plate, threads);
@@ -50,7 +57,7 @@ OwnConstants own_constants(const Prepared& p, base::Cache& cache, const base::Pr
   const calibration::Pulled across = calibration::pull(plate, body, 1, 1.0, half(0.5));
   own.young_along = along.gauge_modulus, own.poisson_along = along.poisson_ratio.y();
   own.young_across = across.gauge_modulus, own.poisson_across = across.poisson_ratio.x();
-  base::remember(cache, "constants", key,
+  base::remember(cache, "constants", key_of_pulls(p),
                  std::array{own.young_along, own.poisson_along, own.young_across, own.poisson_across});
   return own;
 }

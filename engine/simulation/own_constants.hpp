@@ -5,6 +5,7 @@
 #include "engine/lattice/lattice.hpp"
 
 #include <limits>
+#include <optional>
 
 namespace rift::simulation {
 
@@ -36,5 +37,8 @@ lattice::Lattice free_plate(const Prepared& prepared, const lattice::MicroMateri
 /// Throws StaticsError, Interrupted, PackingError where an end holds fewer than three elements.
 OwnConstants own_constants(const Prepared& prepared, base::Cache& cache,
                            const base::ProgressCallback& told = {}, int threads = 0);
+
+/// The same where the cache holds it; nothing is computed.
+std::optional<OwnConstants> known_constants(const Prepared& prepared, base::Cache& cache);
 
 }  // namespace rift::simulation

@@ -19,4 +19,12 @@ struct TransientStretch {
 /// @param v_over_cr  [-]; below 0.1 it is that of 0.1, NaN outside (0, 1]
 std::array<TransientStretch, 2> strip_transient(double v_over_cr);
 
+/// The same over any stretch of the advance from 2 to 3.2 heights; NaN outside. At 0.3, 0.5 and 0.7 c_R (to
+/// 0.01) by finite differences (H/240 cells, release over H/40, plane stress, nu = 0.28), which lose up to
+/// 0.7 per cent to waves of their grid: scaled so that the mean from 2 to 3 heights is strip_transient()'s.
+/// It is up to 5 per cent from 1 at 0.7 c_R. At other velocities strip_transient()'s mean itself
+///   [tests/validation/strip_arrival.py, tests/data/strip_arrival.csv].
+/// @param from, to  advance of the tip over the strip's height
+double strip_arrival(double v_over_cr, double from, double to);
+
 }  // namespace rift::theory

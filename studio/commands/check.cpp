@@ -1,6 +1,7 @@
 #include "engine/base/console.hpp"
 #include "engine/experiment/plan.hpp"
 #include "engine/measurement/specimen_properties.hpp"
+#include "engine/theory/wave_speeds.hpp"
 #include "studio/commands/chosen_claims.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/planned.hpp"
@@ -40,8 +41,10 @@ void print_measured(const Json& j, bool color) {
     const double own = number(fmt::format("own_{}_speed_m_s", kind).c_str()),
                  measured = number(fmt::format("measured_{}_speed_m_s", kind).c_str()),
                  nominal = number(fmt::format("nominal_{}_speed_m_s", kind).c_str());
-    base::print("  {:<16}{:.0f} m/s by its E and ν, {:.0f} by its longest wave; the material has {:.0f}, ratio {:.3f}\n",
-                kind, own, measured, nominal, own / nominal);
+    base::print(
+        "  {:<16}{:.0f} m/s by its E and ν, {:.0f} by its longest wave; the material has {:.0f}, ratio "
+        "{:.3f}\n",
+        kind, own, measured, nominal, own / nominal);
   }
   base::print("  {:<16}{:.3f} mm between the grips' elements: what of the height is strained\n", "height",
               1e3 * number("between_grips_m"));
@@ -57,6 +60,18 @@ void print_measured(const Json& j, bool color) {
         "  {:<16}{:6.1f}   {:.3f}\n", kind, wave.at("wavelength_over_radius").get<double>(),
         wave.at("speed_m_s").get<double>() / number(fmt::format("measured_{}_speed_m_s", kind).c_str()));
   }
+}
+
+/// What the specimen shows of itself where it has been pulled before: check itself stays fast.
+Json known_constants_of(const simulation::Prepared& p, base::Cache& cache) {
+  const auto own = measurement::known_constants(p, p.lane.front(), cache);
+  if (!own) return nullptr;
+  const theory::WaveSpeeds speeds =
+      theory::wave_speeds(own->young_modulus(), own->poisson_ratio(), p.density, theory::Plane::stress);
+  return {{"young_modulus_pa", own->young_modulus()},
+          {"poisson_ratio", own->poisson_ratio()},
+          {"between_grips_m", own->between_grips},
+          {"rayleigh_speed_m_s", speeds.rayleigh}};
 }
 
 struct CheckOptions : SceneOptions {
@@ -99,6 +114,7 @@ ExitCode check_run(const CheckOptions& options, const scene::Preset& preset, boo
       j["measured"]["ratio_quasi_static"] = measurement::quasi_static_ratio(
           prepared, prepared.lane.front().window, session.progress_of("quasi-static"));
     }
+    j["own"] = known_constants_of(prepared, session.cache);
     if (const std::string error = step_error_text(options, preset); !error.empty()) j["step_error"] = error;
     if (is_experiment && experiment::planned_points(preset.scene).empty())
       base::message(

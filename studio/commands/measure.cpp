@@ -1,5 +1,6 @@
 #include "engine/base/files.hpp"
 #include "engine/results/run_folder.hpp"
+#include "engine/scene/units.hpp"
 #include "engine/simulation/record.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
@@ -24,14 +25,28 @@ constexpr std::size_t fields_kept = 12;  // of the way, for the maps
 struct MeasureOptions : SessionOptions {
   std::string run, out;
   std::vector<std::string> against;
+  std::string offset = "0 s";  // of the measured curves' clock
   measurement::InstrumentOptions instruments;
   bool force = false;
 };
+
+/// What is added to the times of measured curves [s].
+double offset_of(const MeasureOptions& options) {
+  const scene::Parsed<double> read = scene::read_quantity(options.offset, scene::Dimension::time);
+  constexpr double largest = 1e6;  // [s]
+  std::string problem = read.problem;
+  if (read.value && !(std::abs(*read.value) <= largest)) problem = "must lie within ±1e6 s";
+  if (!problem.empty())
+    refuse({.file = "rift measure", .key = "--offset", .text = problem, .value = options.offset});
+  return *read.value;
+}
 
 std::string command_text(const MeasureOptions& options) {
   std::string text = "rift measure " + options.run;
   if (options.instruments.lane > 0) text += fmt::format(" --lane {}", options.instruments.lane);
   for (const std::string& file : options.against) text += " --against " + file;
+  if (offset_of(options) != 0.0)
+    text += fmt::format(" --offset '{}'", scene::quantity_text(offset_of(options), scene::Dimension::time));
   return text;
 }
 
@@ -83,21 +98,21 @@ class FieldFile {
 /// on.
 void read_run(const MeasureOptions& options, InstrumentsReport& report, FieldFile& file, Session& session) {
   double next_tip = 0.0;
-  report.seen =
-      measurement::read_instruments(options.run, options.instruments, session.cache,
-                                    session.progress_of_stages(),
-                                    [&](const measurement::Grid& grid, const measurement::SeenField& field) {
-                                      file.append(field_csv_rows(grid, field));
-                                      if (field.tip < next_tip) return;
-                                      report.field.push_back(field);
-                                      next_tip = field.tip + grid.point.back().x() / fields_kept;
-                                    });
+  report.seen = measurement::read_instruments(
+      options.run, options.instruments, session.cache, session.progress_of_stages(),
+      [&](const measurement::Grid& grid, const measurement::SeenField& field) {
+        file.append(field_csv_rows(grid, field));
+        if (field.tip < next_tip) return;
+        report.field.push_back(field);
+        next_tip = field.tip + grid.point.back().x() / fields_kept;
+      });
   session.line.clear();
 }
 
 void lay_over(InstrumentsReport& report, const std::vector<std::string>& files) {
   for (const std::string& file : files)
     for (measurement::Trace& trace : measurement::read_traces(file, report.trace)) {
+      for (double& time : trace.time) time += report.offset;
       for (const measurement::Trace& other : report.measured)
         if (other.name == trace.name) refuse(file, trace.name + " is already given by an earlier file");
       report.measured.push_back(std::move(trace));
@@ -106,6 +121,7 @@ void lay_over(InstrumentsReport& report, const std::vector<std::string>& files) 
 
 ExitCode measure(const MeasureOptions& options) {
   check(options.instruments);
+  const double offset = offset_of(options);
   check_is_run(options.run);
   (void)simulation::preset_of_run(options.run);  // a folder without a run is refused before one is made in it
   base::OwnedFolder owned(folder_of(options), [&](const fs::path& there) {
@@ -114,7 +130,7 @@ ExitCode measure(const MeasureOptions& options) {
   Session session("rift measure", options);
   InstrumentsReport report;
   report.run = options.run, report.command = command_text(options), report.build = build_info();
-  report.lane = options.instruments.lane;
+  report.lane = options.instruments.lane, report.offset = offset;
   const auto work = [&] {
     FieldFile file(owned);
     read_run(options, report, file, session);
@@ -154,6 +170,12 @@ void add_measure(CLI::App& app, ExitCode& exit_code) {
           "--against", options->against,
           "Measured curves to compare with: a CSV file such as \"time [us];grip_force [N]\" (repeatable)")
       ->type_name("FILE");
+  command
+      .add_option("--offset", options->offset,
+                  "Time added to those of the measured curves, where the recorder's clock is not the run's, "
+                  "such as \"-12.5 us\"")
+      ->type_name("TIME")
+      ->capture_default_str();
   command.add_option("--lane", instruments.lane, "Lane that is read")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

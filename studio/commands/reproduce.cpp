@@ -6,6 +6,7 @@
 #include "engine/scene/issue.hpp"
 #include "engine/study/runner.hpp"
 #include "engine/study/store.hpp"
+#include "engine/theory/wave_speeds.hpp"
 #include "studio/commands/chosen_claims.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/draw_claim.hpp"
@@ -20,6 +21,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -61,14 +64,46 @@ void draw_figures(JudgedClaim& claim, const std::vector<NamedChart>& charts, con
   for (const NamedChart& named : charts) claim.figures.push_back({draw_chart(named, folder), named.caption});
 }
 
+/// What the specimens of the study's scenarios show of themselves: each is pulled once, or the cache knows
+/// it.
+class OwnPlates {
+ public:
+  OwnPlates(const claims::PaperStudy& study, Session& session) : study_(study), session_(session) {}
+
+  claims::OwnPlate operator()(const study::SummaryRow& row) {
+    const scene::Scene& scene = study_.preset.study.at(static_cast<std::size_t>(row.row)).scene;
+    const std::string key =
+        simulation::specimen_key(scene) + scene::word_of("material.stiffness", scene.material.stiffness);
+    if (const auto known = known_.find(key); known != known_.end()) return known->second;
+    scene::Preset preset = study_.preset;
+    preset.scene = scene, preset.study.clear();
+    const auto progress = session_.progress_of_stages();
+    const simulation::Prepared plate = simulation::prepare(preset, session_.cache, progress);
+    const simulation::OwnConstants own =
+        measurement::pulled_constants(plate, plate.lane.front(), session_.cache,
+                                      simulation::stage(progress, "static pulls"), session_.options.threads);
+    const theory::WaveSpeeds speeds =
+        theory::wave_speeds(own.young_modulus(), own.poisson_ratio(), plate.density, theory::Plane::stress);
+    return known_[key] = {own.poisson_ratio(), speeds.rayleigh, own.between_grips};
+  }
+
+ private:
+  const claims::PaperStudy& study_;
+  Session& session_;
+  std::map<std::string, claims::OwnPlate> known_;
+};
+
 JudgedClaim judged(const claims::Claim& claim, const claims::PaperStudy& study,
-                   const study::StudyResult& result, int elements, const fs::path& folder) {
+                   const study::StudyResult& result, int elements, const fs::path& folder,
+                   OwnPlates& own_plates) {
   JudgedClaim out;
   out.claim = &claim;
   if (!claim.judge) return out;
-  claims::Evidence bulk{.rows = {}, .elements = elements, .series = [&](const study::SummaryRow& row) {
-                          return study::read_series(folder / row.series);
-                        }};
+  claims::Evidence bulk{
+      .rows = {},
+      .elements = elements,
+      .series = [&](const study::SummaryRow& row) { return study::read_series(folder / row.series); },
+      .own = std::ref(own_plates)};
   claims::Evidence in_situ = bulk;
   for (study::SummaryRow& row : rows_for(claim, study, result)) {
     ++out.scenarios;
@@ -163,13 +198,14 @@ study::StudyResult compute(const ReproduceOptions& options, const claims::PaperS
 void fill(Reproduction& report, const std::vector<const claims::Claim*>& chosen,
           const ReproduceOptions& options, claims::Effort effort, const claims::PaperStudy& study,
           const study::StudyResult& result, Session& session) {
+  OwnPlates own_plates(study, session);
   for (const claims::Claim* claim : chosen) {
     if (claim->calibration && claim->judge) {
       report.claims.push_back(calibrated(*claim, options, effort, session));
       continue;
     }
     session.progress("charts of " + claim->name, 0.0);
-    report.claims.push_back(judged(*claim, study, result, report.elements, options.out));
+    report.claims.push_back(judged(*claim, study, result, report.elements, options.out, own_plates));
   }
   for (JudgedClaim& claim : report.claims)
     if (claim.claim->name == "fig15")

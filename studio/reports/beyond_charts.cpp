@@ -1,4 +1,6 @@
 #include "engine/base/numbers.hpp"
+#include "engine/base/student.hpp"
+#include "engine/claims/broberg_problem.hpp"
 #include "engine/claims/lattice_efficiency.hpp"
 #include "studio/reports/claim_curves.hpp"
 #include "studio/reports/reproduction.hpp"
@@ -8,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -196,6 +199,7 @@ Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool 
       over_efficiency ? "A crack opening in a large plate: release rate over the lattice efficiency"
                       : "A crack opening in a large plate (Broberg's problem)");
   chart.series.resize(1);  // Broberg alone
+  chart.x_label = "crack velocity v / c_R, the specimens' own c_R [-]";
   if (over_efficiency) chart.y_label = "G_{ID} / (G_{I0} η) [-]";
   std::map<double, std::pair<ChartSeries, ChartSeries>> curves;
   double most = 0.0;
@@ -203,14 +207,16 @@ Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool 
   for (const claims::BrobergProblem& p : points) {
     if (p.elements < most) continue;
     auto& [measured, expected] = curves[p.zone];
-    measured.add(p.v, over_efficiency ? p.over_efficiency() : base::mean_of(p.ratio));
-    expected.add(p.v, p.efficiency * p.broberg);
+    const double factor = over_efficiency ? p.broberg : 1.0;
+    const std::vector<double>& numbers = over_efficiency ? p.over_theory : p.ratio;
+    measured.add(p.own_v, factor * base::mean_of(numbers), factor * base::standard_error_of(numbers));
+    expected.add(p.own_v, base::mean_of(p.efficiency) * p.broberg);
   }
   int colour = 0;
   for (auto& [zone, pair] : curves) {
     auto& [measured, expected] = pair;
     measured.label = fmt::format("r_l = {:g}", zone);
-    measured.style = over_efficiency ? Style::line_points : Style::points;
+    measured.style = Style::points;
     measured.colour = expected.colour = colour++;
     chart.series.push_back(measured);
     if (over_efficiency) continue;
@@ -221,29 +227,40 @@ Chart own_problem_chart(const std::vector<claims::BrobergProblem>& points, bool 
   return chart;
 }
 
-/// Ratio over efficiency and Broberg, against the size of the elements, with the straight line on to 0.
+/// Ratio over efficiency and Broberg, against the size of the elements, and the limits at 0; 0.9 c_R, which
+/// is not judged and far off, is left out.
 Chart size_chart(const std::vector<claims::BrobergProblem>& points) {
   Chart chart{.title = "Broberg's problem: release rate over efficiency and theory as elements grow small",
               .x_label = "mean radius over half length R / a [-]",
               .y_label = "G_{ID} / (G_{I0} η Broberg) [-]",
               .x_range = {.min = 0.0}};
+  const auto judged = [](double v) {
+    return std::any_of(std::begin(claims::decided_velocities), std::end(claims::decided_velocities),
+                       [v](double decided) { return std::abs(v - decided) < 1e-6; });
+  };
   std::map<std::pair<double, double>, ChartSeries> curves;
-  for (const claims::BrobergProblem& p : points)
-    curves[{p.v, p.zone}].add(
-        p.radius_m / p.half_length_m, p.over_efficiency() / p.broberg,
-        p.ratio.size() > 1 ? base::deviation_of(p.ratio) / p.efficiency / p.broberg : nothing);
-  for (const claims::Extrapolated& e : claims::extrapolated(points))
-    curves[{e.v, e.zone}].add(0.0, e.limit / e.broberg);
   double farthest = 0.0;
+  for (const claims::BrobergProblem& p : points) {
+    if (!judged(p.v)) continue;
+    curves[{p.v, p.zone}].add(p.radius_over_half_length, base::mean_of(p.over_theory),
+                              base::standard_error_of(p.over_theory));
+    farthest = std::max(farthest, p.radius_over_half_length);
+  }
   int colour = 0;
   for (auto& [place, curve] : curves) {
-    if (curve.x.size() < 2) continue;
-    farthest = std::max(farthest, *std::max_element(curve.x.begin(), curve.x.end()));
     curve.label = fmt::format("{:g} c_R, r_l = {:g}", place.first, place.second);
     curve.style = Style::line_points;
     curve.colour = colour++;
     chart.series.push_back(std::move(curve));
   }
+  ChartSeries limits{.label = "R = 0, both r_l", .style = Style::points, .colour = colour};
+  const std::vector<claims::BrobergLimit> all = claims::broberg_limits(points);
+  for (const claims::BrobergLimit& limit : all)
+    if (judged(limit.v)) {  // side by side
+      limits.add(0.001 + 0.005 * static_cast<double>(limits.x.size()), limit.limit, limit.uncertainty);
+      limits.text.push_back(fmt::format("{:g}", limit.v));
+    }
+  if (!limits.x.empty()) chart.series.push_back(std::move(limits));
   chart.series.push_back(level("Broberg", 1.0, 0.0, farthest));
   return chart;
 }
@@ -251,20 +268,23 @@ Chart size_chart(const std::vector<claims::BrobergProblem>& points) {
 std::vector<NamedChart> own_problems(const claims::Evidence& evidence) {
   const std::vector<claims::BrobergProblem> points = claims::broberg_problem(evidence);
   if (points.empty()) return {};
-  std::vector<NamedChart> charts{{"beyond_broberg",
-                                  "Computed (symbols) and lattice efficiency times Broberg's factor (lines) "
-                                  "with the smallest elements; linear "
-                                  "relaxation, α = 0.",
-                                  own_problem_chart(points, false)},
-                                 {"beyond_broberg_over_efficiency",
-                                  "Computed release rate over the lattice efficiency with the smallest "
-                                  "elements; linear relaxation, α = 0.",
-                                  own_problem_chart(points, true)}};
+  std::vector<NamedChart> charts{
+      {"beyond_broberg",
+       "Computed (symbols) and lattice efficiency of the same beams times Broberg's "
+       "factor (lines) with the smallest elements, over the specimens' own c_R; linear "
+       "relaxation, α = 0; bars: standard uncertainty of the mean.",
+       own_problem_chart(points, false)},
+      {"beyond_broberg_over_efficiency",
+       "Computed release rate over the lattice efficiency of the same beams with "
+       "the smallest elements, over the specimens' own c_R; linear relaxation, α = 0; "
+       "bars: standard uncertainty of the mean.",
+       own_problem_chart(points, true)}};
   if (Chart sizes = size_chart(points); sizes.series.size() > 1)
-    charts.push_back(
-        {"beyond_broberg_size",
-         "Two sizes of elements, and the straight line through them to R = 0; linear relaxation, α = 0.",
-         std::move(sizes)});
+    charts.push_back({"beyond_broberg_size",
+                      "Two sizes of elements, and at the left, side by side, the limits for R = 0 at 0.3, "
+                      "0.5 and 0.7 c_R; linear "
+                      "relaxation, α = 0; bars: standard uncertainty.",
+                      std::move(sizes)});
   return charts;
 }
 

@@ -132,6 +132,10 @@ std::vector<ChartSeries> readings(const ExperimentReport& report, const Along& x
     all.back().name = "G_{IDc}, corrected, ± two standard uncertainties";
     add(band_label, Style::band, 1, paper, [](const Point& p) { return p.uncertainty; });
     all.back().name = "G_{IDc}, uncorrected, ± two standard uncertainties";
+    add(
+        band_label, Style::band, 2, [](const Point& p) { return p.quasi_static; },
+        [](const Point& p) { return p.quasi_static_uncertainty; });
+    all.back().name = "quasi-static G_{I0}, ± two standard uncertainties";
   }
   add("G_{IDc}, corrected", style, 0, corrected);
   add("G_{IDc}, uncorrected", style, 1, paper);
@@ -158,7 +162,7 @@ AxisRange around(const std::vector<experiment::CriticalPoint>& along, const Alon
 }
 
 constexpr const char* quasi_static_text =
-    " G_I0 is that of one packing, between eight positions: it has no band.";
+    " G_I0 is read between eight positions; its band is of packing and window.";
 
 NamedChart rate_chart(const ExperimentReport& report, const char* name, const char* title,
                       const char* x_label, const Along& x, Style style) {
@@ -227,8 +231,8 @@ std::vector<NamedChart> experiment_charts(const ExperimentReport& report) {
       rate_chart(report, "rate_position", "Critical release rate along the crack", "tip position [mm]", mm,
                  Style::line),
       rate_chart(report, "rate_time", "Critical release rate in time", "time [µs]", us, Style::line),
-      rate_chart(report, "rate_velocity", "Critical release rate against velocity", "velocity [nominal c_R]", over_cr,
-                 Style::points),
+      rate_chart(report, "rate_velocity", "Critical release rate against velocity", "velocity [nominal c_R]",
+                 over_cr, Style::points),
       efficiency_chart(report.experiment)};
   if (!report.experiment.application.along.empty()) charts.push_back(application_chart(report.experiment));
   return charts;

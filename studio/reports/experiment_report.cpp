@@ -13,11 +13,12 @@ namespace {
 std::string csv_of(const experiment::Experiment& e) {
   std::string csv =
       "position_m,time_s,crack_velocity_over_cr,g_i0_quasi_static_j_m2,g_idc_j_m2,u_noise_j_m2,u_packing_j_"
-      "m2,u_window_j_m2,u_j_m2,efficiency,g_idc_corrected_j_m2,u_corrected_j_m2,correction_factor\n";
+      "m2,u_window_j_m2,u_j_m2,efficiency,g_idc_corrected_j_m2,u_corrected_j_m2,correction_factor,"
+      "u_quasi_static_j_m2\n";
   for (const experiment::CriticalPoint& p : e.along)
     csv += base::csv_row(p.position, p.time, p.over_cr, p.quasi_static, p.as_paper, p.of_noise, p.of_packing,
                          p.of_window, p.uncertainty, p.efficiency, p.corrected, p.corrected_uncertainty,
-                         p.as_paper / p.quasi_static);
+                         p.as_paper / p.quasi_static, p.quasi_static_uncertainty);
   return csv;
 }
 

@@ -27,7 +27,7 @@ std::string mean_with_band(double rate, double uncertainty) {
 
 /// Over the points: of what the uncertainty is made, and how wrong a quasi-static reading is.
 struct Means {
-  double noise = 0, packing = 0, window = 0, over_static = 0, corrected_over_static = 0;
+  double noise = 0, packing = 0, window = 0, over_static = 0, corrected_over_static = 0, of_static = 0;
 };
 
 Means means_of(const experiment::Experiment& e) {
@@ -35,10 +35,12 @@ Means means_of(const experiment::Experiment& e) {
   for (const experiment::CriticalPoint& p : e.along) {
     m.noise += p.of_noise / p.as_paper, m.packing += p.of_packing / p.as_paper,
         m.window += p.of_window / p.as_paper;
+    m.of_static += p.quasi_static_uncertainty / p.quasi_static;
     m.over_static += p.quasi_static / p.as_paper, m.corrected_over_static += p.quasi_static / p.corrected;
   }
   const auto count = static_cast<double>(e.along.size());
-  for (double* part : {&m.noise, &m.packing, &m.window, &m.over_static, &m.corrected_over_static})
+  for (double* part :
+       {&m.noise, &m.packing, &m.window, &m.over_static, &m.corrected_over_static, &m.of_static})
     *part /= count;
   return m;
 }
@@ -126,6 +128,17 @@ std::string zone_text(const scene::Scene& scene) {
                    : std::string());
 }
 
+/// Which Rayleigh speed the velocities are over, and the specimen's own.
+std::string own_speed_text(const experiment::Experiment& e) {
+  std::string text = fmt::format("over the nominal c_R, {:.0f} m/s", e.rayleigh_speed);
+  if (std::isnan(e.own_rayleigh_speed)) return text + "; the specimen's own was not measured";
+  return text + fmt::format(
+                    "; the specimen's own is {:.0f} m/s (E {:.2f} GPa, ν {:.3f}): over it they are {:.3f} "
+                    "times as large",
+                    e.own_rayleigh_speed, 1e-9 * e.own_young_modulus, e.own_poisson_ratio,
+                    e.rayleigh_speed / e.own_rayleigh_speed);
+}
+
 }  // namespace
 
 Table conclusions(const ExperimentReport& report) {
@@ -141,8 +154,9 @@ Table conclusions(const ExperimentReport& report) {
        {"quasi-static reading",
         fmt::format(
             "the quasi-static G_I0 of this lattice is on average {:.3f} times the corrected G_IDc and "
-            "{:.3f} times the uncorrected one; it is of one packing, scatters with it, and has no band",
-            m.corrected_over_static, m.over_static)}}};
+            "{:.3f} times the uncorrected one; its standard uncertainty, of packing and window, is {:.1f} %",
+            m.corrected_over_static, m.over_static, 100 * m.of_static)},
+       {"velocities", own_speed_text(e)}}};
   if (!report.truth.row.empty()) {
     table.rows.push_back({report.truth_name + ", corrected", truth_text(report, true)});
     table.rows.push_back({report.truth_name + ", uncorrected", truth_text(report, false)});
@@ -155,7 +169,7 @@ Table conclusions(const ExperimentReport& report) {
 
 Table experiment_table(const ExperimentReport& report) {
   Table table{{"tip [mm]", "time [µs]", "v [c_R]", "G_IDc ± 2u, corrected", "uncorrected ± 2u",
-               "efficiency η", "quasi-static G_I0", "uncorrected / quasi-static"},
+               "efficiency η", "quasi-static G_I0 ± 2u", "uncorrected / quasi-static"},
               {}};
   const std::vector<experiment::CriticalPoint>& along = report.experiment.along;
   const std::size_t apart = std::max<std::size_t>(1, along.size() / 12);
@@ -164,7 +178,7 @@ Table experiment_table(const ExperimentReport& report) {
     table.rows.push_back({fmt::format("{:.1f}", 1e3 * p.position), fmt::format("{:.1f}", 1e6 * p.time),
                           fmt::format("{:.3f}", p.over_cr), with_band(p.corrected, p.corrected_uncertainty),
                           with_band(p.as_paper, p.uncertainty), fmt::format("{:.3f}", p.efficiency),
-                          fmt::format("{:.3f}", 1e-3 * p.quasi_static),
+                          with_band(p.quasi_static, p.quasi_static_uncertainty),
                           fmt::format("{:.3f}", p.as_paper / p.quasi_static)});
   }
   return table;
@@ -217,6 +231,7 @@ Json experiment_json(const ExperimentReport& report) {
                      {"time_s", p.time},
                      {"crack_velocity_over_cr", p.over_cr},
                      {"g_i0_quasi_static_j_m2", p.quasi_static},
+                     {"u_quasi_static_j_m2", p.quasi_static_uncertainty},
                      {"g_idc_j_m2", p.as_paper},
                      {"u_j_m2", p.uncertainty},
                      {"efficiency", p.efficiency},
@@ -234,6 +249,10 @@ Json experiment_json(const ExperimentReport& report) {
             {"u_window", m.window},
             {"quasi_static_over_g_idc", m.over_static},
             {"quasi_static_over_g_idc_corrected", m.corrected_over_static},
+            {"rayleigh_speed_m_s", e.rayleigh_speed},
+            {"own_young_modulus_pa", e.own_young_modulus},
+            {"own_poisson_ratio", e.own_poisson_ratio},
+            {"own_rayleigh_speed_m_s", e.own_rayleigh_speed},
             {"ledger_residual", e.worst_residual},
             {"outcome", simulation::name_of(e.outcome)},
             {"wall_s", report.wall_s},

@@ -84,8 +84,9 @@ FieldAgainstBooks field_against_books(const InstrumentsReport& report) {
 
 /// G of the field over stretches of the way, beside what a continuum computation of the same strip has there.
 std::string arriving_text(const measurement::ArrivingStretch& s) {
-  return fmt::format("{:.3f} times G_I0 from {:.4g} to {:.4g} mm; an independent finite-element strip: {:.3f}",
-                     s.over_g_i0, 1e3 * s.from, 1e3 * s.to, s.expected);
+  return fmt::format(
+      "{:.3f} times G_I0 from {:.4g} to {:.4g} mm; an independent finite-element strip: {:.3f}", s.over_g_i0,
+      1e3 * s.from, 1e3 * s.to, s.expected);
 }
 
 /// What was seen, a label and a text a row.
@@ -138,6 +139,8 @@ Table conclusions(const InstrumentsReport& report) {
             "K_I is negative at {} moments: the fit assumes free faces, so only K_II is meaningful there",
             closed));
   if (seen.clock != 0.0) say("clock", history_clock_text(seen.clock));
+  if (report.offset != 0.0)
+    say("measured curves", fmt::format("{:.6g} µs added to their times", 1e6 * report.offset));
   for (const measurement::Trace& measured : report.measured) {
     const auto d = measurement::distance_between(trace_named(report, measured.name), measured);
     say(measured.name, d ? distance_text(measured, *d)
@@ -253,6 +256,7 @@ Json instruments_json(const InstrumentsReport& report) {
           {"g_id_over_field", against.taken},
           {"arriving", arriving},
           {"measured", measured},
+          {"offset_s", report.offset},
           {"along", along}};
 }
 

@@ -21,7 +21,8 @@ struct InstrumentsReport {
   measurement::Instruments seen;
   std::vector<measurement::SeenField> field;  // some, along the way
   std::vector<measurement::Trace> trace;      // of the run
-  std::vector<measurement::Trace> measured;   // laid over
+  std::vector<measurement::Trace> measured;   // laid over, by the run's clock
+  double offset = 0;                          // added to their times [s]
 };
 
 /// Table, and what the instruments and the measured curves come to.

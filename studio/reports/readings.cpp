@@ -19,7 +19,7 @@ using claims::Beams;
 using Json = nlohmann::ordered_json;
 
 constexpr Beams all_beams[] = {Beams::in_situ, Beams::bulk, Beams::matched};
-constexpr const char* page_title = "What the verdicts rest on: all readings, all claims";
+constexpr const char* readings_title = "What the verdicts rest on: all readings, all claims";
 
 /// Of a cell of the matrix.
 const char* short_of(claims::Verdict verdict) {
@@ -187,7 +187,7 @@ void judge_readings(ReadingsReport& report, const claims::Evidence& evidence) {
 }
 
 std::string readings_markdown(const ReadingsReport& r) {
-  std::string text = fmt::format("# {}\n\n{}\n", page_title, preamble(r));
+  std::string text = fmt::format("# {}\n\n{}\n", readings_title, preamble(r));
   for (const Section& s : sections_of(r)) {
     text += fmt::format("\n## {}\n\n", s.title);
     if (*s.note) text += fmt::format("{}\n\n", s.note);
@@ -200,11 +200,11 @@ std::string readings_html(const ReadingsReport& r) {
   std::string body = html_made({r.command, r.build, r.wall_s}) + html_paragraph(preamble(r));
   for (const Section& s : sections_of(r))
     body += html_section(s.title, (*s.note ? html_paragraph(s.note) : std::string{}) + html_table(s.table));
-  return html_page(page_title, body);
+  return html_page(readings_title, body);
 }
 
 std::string readings_text(const ReadingsReport& r, bool color) {
-  std::string text = heading(page_title, color) + "\n" + plain_table(matrix(r), color) + "\n";
+  std::string text = heading(readings_title, color) + "\n" + plain_table(matrix(r), color) + "\n";
   for (const auto& row : verdicts(r).rows) {
     text += heading(row[0], color) + "\n";
     for (std::size_t k = 0; k < std::size(all_beams); ++k)

@@ -137,6 +137,20 @@ std::string window_text(const Json& j) {
                      mm(j.at("window_m")[1]), echo);
 }
 
+/// What the specimen shows of itself, beside the material's.
+std::string own_text(const Json& j) {
+  const Json& own = j.at("own");
+  if (own.is_null())
+    return "not measured: 'rift check --measure' pulls the plate once, and the cache keeps it";
+  const auto number = [&](const char* key) { return own.at(key).get<double>(); };
+  const double nominal = j.at("rayleigh_speed_m_s").get<double>(), rayleigh = number("rayleigh_speed_m_s");
+  return fmt::format(
+      "E {:.3f} GPa, ν {:.3f}, {:.4g} mm between the grips, Rayleigh {:.0f} m/s, {:.3f} of the nominal "
+      "c_R that velocities are over",
+      1e-9 * number("young_modulus_pa"), number("poisson_ratio"), 1e3 * number("between_grips_m"), rayleigh,
+      rayleigh / nominal);
+}
+
 /// The load, and what breaks the beams.
 using Rows = std::vector<std::pair<std::string, std::string>>;
 void add_load(Rows& rows, const Json& j) {
@@ -204,6 +218,7 @@ std::vector<std::pair<std::string, std::string>> dry_run_rows(const Json& j) {
   row("waves",
       fmt::format("dilatational {:.0f}, shear {:.0f}, Rayleigh {:.0f} m/s", number("dilatational_speed_m_s"),
                   number("shear_speed_m_s"), number("rayleigh_speed_m_s")));
+  if (j.contains("own")) row("plate's own", own_text(j));
   add_load(rows, j);
   add_crack(rows, j);
   row("step", fmt::format("{:.3e} s, {:.3g} of the critical step {:.3e} s (guaranteed stable: {:.3e} s)",

@@ -194,7 +194,7 @@ TEST(Accuracy, DoesNotResolveWhatIsBelowTheScatterOfSpecimens) {
   const AccuracyLine& coarse = line_of(a, Factor::elements, "1,000 elements");
   EXPECT_FALSE(coarse.resolved());
   EXPECT_NEAR(coarse.error, 0.1 * 0.75, 1e-9);  // the finest value, not its limit
-  EXPECT_NEAR(coarse.uncertainty, 0.2 * std::sqrt(2.0 / 3.0), 1e-9);
+  EXPECT_NEAR(coarse.uncertainty, 1.32128 * 0.2 * std::sqrt(2.0 / 3.0), 1e-6);  // of three specimens
 }
 
 TEST(Accuracy, PutsThePartsTogetherWithoutTheDeviationOfOneSpecimen) {

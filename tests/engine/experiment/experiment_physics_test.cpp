@@ -40,9 +40,13 @@ TEST(Experiment, ReadsWhatTheCrackReleasesAndCorrectsItByWhatTheLatticeTakes) {
     EXPECT_NEAR(p.corrected * p.efficiency, p.as_paper, 1e-9 * p.as_paper);
     EXPECT_NEAR(p.uncertainty, std::hypot(p.of_noise, p.of_packing, p.of_window), 1e-9);
     EXPECT_LT(p.of_noise, 0.1 * p.as_paper);  // a noise of 0.01 mm is next to nothing
+    EXPECT_GT(p.quasi_static_uncertainty, 0.0);
+    EXPECT_LT(p.quasi_static_uncertainty, p.quasi_static);
     corrected += p.corrected, over_static += p.quasi_static, packing += p.of_packing;
   }
   EXPECT_GT(packing, 0.0);
+  EXPECT_NEAR(e.own_rayleigh_speed / e.rayleigh_speed, 1.0, 0.1);
+  EXPECT_NEAR(e.own_poisson_ratio, 0.28, 0.05);
   // In a strip what arrives at a steady tip is what a slow crack would release (Nilsson 1972).
   EXPECT_NEAR(corrected / over_static, 1.0, 0.2);
 }

@@ -31,6 +31,7 @@ TEST(OwnConstants, AreMeasuredOnceASpecimen) {
   const Prepared p = small_plate();
   const TemporaryFolder folder;
   base::Cache cache{.folder = folder.path(), .notes = {}};
+  EXPECT_FALSE(known_constants(p, cache));
   int told = 0;
   const auto tell = [&](double) { return ++told > 0; };
   const OwnConstants first = own_constants(p, cache, tell);
@@ -38,6 +39,9 @@ TEST(OwnConstants, AreMeasuredOnceASpecimen) {
   told = 0;
   const OwnConstants again = own_constants(p, cache, tell);
   EXPECT_EQ(told, 0);
+  ASSERT_TRUE(known_constants(p, cache));
+  EXPECT_EQ(known_constants(p, cache)->poisson_across, first.poisson_across);
+  EXPECT_EQ(known_constants(p, cache)->between_grips, first.between_grips);
   EXPECT_EQ(first.young_along, again.young_along);
   EXPECT_EQ(first.poisson_across, again.poisson_across);
 }

@@ -150,7 +150,7 @@ TEST(Check, OfAMeasuredCrackTellsTheExperimentToo) {
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* part :
        {"of the critical", "rift experiment ", "--resamples 5 --specimens 2", "measured crack",
-        "resampled histories         5", "other specimens             1", "9 static solutions"})
+        "resampled histories         5", "other specimens             1", "20 static solutions"})
     EXPECT_TRUE(contains(ran.out, part)) << part << "\n" << ran.out;
 }
 
@@ -242,6 +242,19 @@ TEST(Check, KeepsItsPackingForTheRun) {
   const Json done = Json::parse(read_text(plate.out() / "summary.json")).at("scenarios")[0];
   EXPECT_EQ(done.at("packing_from_cache"), true);
   EXPECT_EQ(done.at("prestress_from_cache"), true);
+}
+
+TEST(Check, ShowsTheSpecimensOwnConstantsOnceTheyAreKnown) {
+  const TinyPlate plate;
+  const std::string unseen = "--set specimen.seed=7301";
+  Ran ran = plate.check(unseen);
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.out, "plate's own     not measured: 'rift check --measure'")) << ran.out;
+  ASSERT_EQ(plate.check("--measure " + unseen).exit_code, 0);
+  ran = plate.check(unseen);
+  EXPECT_TRUE(contains(ran.out, "between the grips, Rayleigh ")) << ran.out;
+  const Json own = Json::parse(plate.check("--json --quiet " + unseen).out).at("own");
+  EXPECT_NEAR(own.at("poisson_ratio").get<double>(), 0.28, 0.1);
 }
 
 TEST(Check, MeasuresTheSpecimenItself) {

@@ -53,6 +53,26 @@ TEST(MeasureCommand, LaysMeasuredCurvesOverAndSaysHowFarTheyAre) {
   EXPECT_TRUE(contains(read_text(plate.out() / "measure" / "charts" / "grip_force.csv"), "measured"));
 }
 
+// The recorder began 5 ms before the run.
+TEST(MeasureCommand, ShiftsTheTimesOfMeasuredCurves) {
+  const TinyPlate plate;
+  ASSERT_EQ(plate.run(two_gauges).exit_code, 0);
+  const fs::path curves = plate.path() / "measured.csv";
+  write_text(curves, "time [ms];grip_force [N]\n5;1000\n5.01;900\n");
+  const std::string against = "--json --against '" + curves.string() + "'";
+  Ran ran = measure(plate, against);
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(nlohmann::json::parse(ran.out).at("measured")[0].at("points"), 0);
+  ran = measure(plate, against + " --offset '-5 ms'");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(nlohmann::json::parse(ran.out).at("measured")[0].at("points"), 2);
+  EXPECT_EQ(nlohmann::json::parse(ran.out).at("offset_s"), -5e-3);
+  EXPECT_TRUE(contains(read_text(plate.out() / "measure" / "report.html"), "-5000 µs added to their times"));
+  ran = measure(plate, against + " --offset 5");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(contains(ran.err, "--offset")) << ran.err;
+}
+
 TEST(MeasureCommand, LeavesNothingBehindOfBadInput) {
   const TinyPlate plate;
   ASSERT_EQ(plate.run().exit_code, 0);
