@@ -71,11 +71,33 @@ inline void add_contact_energies(const ViewOf<Form, Real>& p) {
   }
 }
 
+/// Adds what beams that break by themselves have lost of the energies that come out of the walk and of
+/// State::base_energy(): with the loads L of the base state q_0, (1 - s) L . (q + 1/2 q_0)   [J].
+template <class Real, int Width>
+inline void add_softened_base_energies(const BeamView<LinearBeam<Real>>& p) {
+  using D = Pack<double, Width>;
+  for (int b = 0; b < p.softened_beams; ++b) {
+    const auto& row = p.damageable[p.softened[b]];
+    if (row.extra_i < 0) continue;  // the other part's
+    const auto moved = [&](long element, int c) {
+      return 0.5 * p.base[element * 6 + c] +
+             widened<Real, Width>(load<Width>(p.q + (element * 6 + c) * Width));
+    };
+    D work{};
+    for (int c = 0; c < 3; ++c)
+      work += static_cast<double>(row.base[c]) * (moved(row.i, c) - moved(row.j, c)) +
+              static_cast<double>(row.base[3 + c]) * moved(row.i, 3 + c) +
+              static_cast<double>(row.base[6 + c]) * moved(row.j, 3 + c);
+    const D lost = 1.0 - widened<Real, Width>(load<Width>(p.factor + static_cast<long>(row.k) * Width));
+    add_to_account<Width>(chunk_of<Real, Width>(p, row.i), elastic, lost * work);
+  }
+}
+
 /// Adds the elastic energy of the beams to the accounts of their first elements' chunks [J]. In linear
 /// kinematics that of the intact ones comes out of the walk, but for what is the same for all (State::
 /// base_energy()): their work against the base state's forces, which all beams balance, is that of the
 /// damageable ones with the opposite sign.
-template <template <class, int> class Form, class Real, int Width>
+template <template <class, int> class Form, class Real, int Width, bool Breaking>
 inline void add_beam_energies(const ViewOf<Form, Real>& p) {
   using D = Pack<double, Width>;
   if constexpr (!is_linear<Form>) {
@@ -86,6 +108,10 @@ inline void add_beam_energies(const ViewOf<Form, Real>& p) {
         sum += wide_energy<Form, Real, Width>(p, beam->form, i, beam->j);
       add_to_account<Width>(chunk_of<Real, Width>(p, i), elastic, sum);
     }
+  }
+  if constexpr (Breaking) {
+    add_softened_base_energies<Real, Width>(p);
+    return;
   }
   for (int b = 0; b < p.damageable_beams; ++b) {
     const auto& row = p.damageable[b];
@@ -182,7 +208,7 @@ struct ChunkEnergies {
 /// Flattened: every function below is inlined whatever its size. What GCC left as calls (a beam's loads, four
 /// positions) passed its numbers through the stack; one scenario in double is 1.28 times as fast without.
 /// @param[in,out] p  q [m, rad] and v [m/s, rad/s] of the elements, and their accounts [J]
-template <template <class, int> class Form, class Real, int Width, Balance balance>
+template <template <class, int> class Form, class Real, int Width, Balance balance, bool Breaking>
 [[gnu::flatten]] void advance(const ViewOf<Form, Real>& p, const StepConstants& k) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
@@ -193,12 +219,12 @@ template <template <class, int> class Form, class Real, int Width, Balance balan
   if constexpr (of_moment) {
     for (int i = p.begin; i < p.end; i += chunk_size)
       clear(chunk_of<Real, Width>(p, i), spent_damping * Width);
-    add_beam_energies<Form, Real, Width>(p);
+    add_beam_energies<Form, Real, Width, Breaking>(p);
     if (p.contact) add_contact_energies<Form, Real, Width>(p);
   }
   ChunkEnergies<Real, Width> energies;
   // f: balance of forces at q_n, eqs. (3)-(6); d: of it, that of the dampers, eq. (8)
-  walk<Form, Real, Width, balanced>(p, [&](int i, V(&f)[6], int extra, int damped, V(&d)[6]) {
+  walk<Form, Real, Width, balanced, Breaking>(p, [&](int i, V(&f)[6], int extra, int damped, V(&d)[6]) {
     V q[F::numbers], v[6], rate[6];
     load_row<F::numbers, Width>(p.q + static_cast<long>(F::numbers) * Width * i, q);
     load_row<6, Width>(p.v + 6L * Width * i, v);
@@ -264,10 +290,11 @@ template <template <class, int> class Form, class Real, int Width, Balance balan
   });
 }
 
-template <template <class, int> class Form, class Real, int Width>
+template <template <class, int> class Form, class Real, int Width, bool Breaking>
 constexpr Kernel<typename Form<Real, 1>::Row> kernel() {
-  return {advance<Form, Real, Width, Balance::none>, advance<Form, Real, Width, Balance::of_step>,
-          advance<Form, Real, Width, Balance::of_moment>, group_size<Form, Real>};
+  return {advance<Form, Real, Width, Balance::none, Breaking>,
+          advance<Form, Real, Width, Balance::of_step, Breaking>,
+          advance<Form, Real, Width, Balance::of_moment, Breaking>, group_size<Form, Real>};
 }
 
 }  // namespace rift::ensemble::RIFT_INSTRUCTIONS

@@ -44,6 +44,10 @@ struct EnsembleOptions {
   InstructionSet instructions = instruction_set();
   int lanes = 0;         // of the kernel; 0 for the fewest that hold the scenarios
   bool contact = false;  // whether any scenario's faces touch, now or later
+  /// Whether the damageable beams break by themselves (an ensemble sees that from its scenarios): the walk
+  /// has them among the intact ones then, with what is left of each. Linear kinematics, without contact and
+  /// dampers.
+  bool breaking = false;
 };
 
 /// Numbers beyond the last row of state that a kernel may read (columns_of()).
@@ -75,6 +79,12 @@ struct Part {
   /// Evaluates the accounts of this moment and moves the elements to the other rows of state.
   /// @param[out] velocities  of this moment, [element][6][lane], may be null
   virtual void evaluate_energies(StateArrays& state, const StepConstants& constants, double* velocities) = 0;
+  /// Where beams break by themselves: what is left of one in a lane, and the energy of its change since the
+  /// base state above which the walk notes it from now on [J]. @param[in] k  its place among the damageable
+  /// beams, whoever owns its elements
+  virtual void set_left(int k, int lane, double left, double watch_above) = 0;
+  /// Appends the beams of a lane that the walk has noted last, as places among the damageable beams.
+  virtual void add_watched(int lane, std::vector<int>& k) const = 0;
 
   std::vector<int> ghost;  // elements of other parts that it refers to, in the order of their copies' rows
   int first_ghost_row = 0;

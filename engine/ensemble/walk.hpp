@@ -32,15 +32,56 @@ inline EndLoads<Pack<Real, Width>> damper_loads_at(const PartView<Real>& p, cons
   return damper_loads<V>(axis, alpha * d.axial, alpha * d.twist, alpha * d.bend, at_i, at_j);
 }
 
+/// The form of an intact beam of which less than all may be left.
+template <template <class, int> class Form, class Real, int Width, bool Breaking>
+inline auto form_of(const ViewOf<Form, Real>& p, long b) {
+  using F = Form<Real, Width>;
+  const auto form = F::form(p.intact[b].form);
+  if constexpr (Breaking)
+    return F::softened(form, load<Width>(p.left + b * Width));
+  else
+    return form;
+}
+
+/// Whether any number of a pack of whole numbers is not 0.
+template <class V>
+inline bool any_of(V x) {
+  if constexpr (sizeof(V) == 16) {
+    typedef long long Two __attribute__((vector_size(16)));
+    const Two both = (Two)x;
+    return (both[0] | both[1]) != 0;
+  } else {
+    typedef long long Longs __attribute__((vector_size(sizeof(V))));
+    typedef long long Half __attribute__((vector_size(sizeof(V) / 2)));
+    union Halves {
+      Longs whole;
+      Half half[2];
+    } halves{(Longs)x};
+    return any_of(halves.half[0] | halves.half[1]);
+  }
+}
+
+/// Notes the beams of a pack whose energy is above their thresholds: one comparison for all that are far
+/// below.
+/// @param[in] energy  of the change since the base state [J];  @param[in] place  as of WatchedRow
+template <int Size, class Real>
+inline void note_watched(const PartView<Real>& p, long place, Pack<Real, Size> energy) {
+  const auto above = energy > load<Size>(p.watch_above + place * Size);
+  if (__builtin_expect(!any_of(above), 1)) return;
+  std::uint32_t which = 0;
+  for (int k = 0; k < Size; ++k) which |= (above[k] ? 1U : 0U) << k;
+  p.watched[(*p.watched_count)++] = {static_cast<std::int32_t>(place), which};
+}
+
 /// The beams of other parts' elements to this part's: their loads on the second element go into the ring.
 /// A function of its own, as add_extra_forces().
-template <template <class, int> class Form, class Real, int Width, bool Damped>
+template <template <class, int> class Form, class Real, int Width, bool Damped, bool Breaking>
 [[gnu::noinline, gnu::flatten]] void walk_halo(const ViewOf<Form, Real>& p) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
   for (long b = 0; b < p.halo; ++b) {
     const auto& beam = p.intact[b];
-    const auto form = F::form(beam.form);
+    const auto form = form_of<Form, Real, Width, Breaking>(p, b);
     const EndLoads<V> e = F::loads(form, position_at<Form, Real, Width>(p.q, p.halo_i[b]),
                                    position_at<Form, Real, Width>(p.q, beam.j));
     add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
@@ -58,16 +99,17 @@ template <template <class, int> class Form, class Real, int Width, bool Damped>
 /// asks for it. Every element sums in one order, whoever walks. Forces of dampers go through a ring of their
 /// own, since the energy balance asks for them alone; elements without dampers do not see it. Cost O(beams x
 /// lanes); allocates nothing.
-/// @tparam    Damped  whether there may be dampers at all
+/// @tparam    Damped    whether there may be dampers at all
+/// @tparam    Breaking  whether the intact beams break by themselves
 /// @param[in] finish  called with the element, the forces [N] and moments [N m] of its intact beams, its
 /// index
 ///                    among those with additional loads and among those that dampers act on, or -1, and the
 ///                    forces of its intact beams' dampers, where there are any
-template <template <class, int> class Form, class Real, int Width, bool Damped, class Finish>
+template <template <class, int> class Form, class Real, int Width, bool Damped, bool Breaking, class Finish>
 inline void walk_lanes(const ViewOf<Form, Real>& p, const Finish& finish) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
-  walk_halo<Form, Real, Width, Damped>(p);
+  walk_halo<Form, Real, Width, Damped, Breaking>(p);
   long b = p.halo;  // intact beam
   ElementIndex extra{p.extra_element, p.extras}, damped{p.damped_element, p.damped_elements};
   for (int i = p.begin; i < p.end; ++i) {
@@ -78,7 +120,10 @@ inline void walk_lanes(const ViewOf<Form, Real>& p, const Finish& finish) {
     load_row<6, Width>(own, f);
     for (; b < ended; ++b) {
       const auto& beam = p.intact[b];
-      const EndLoads<V> e = F::loads(F::form(beam.form), qi, position_at<Form, Real, Width>(p.q, beam.j));
+      const auto form = form_of<Form, Real, Width, Breaking>(p, b);
+      const auto qj = position_at<Form, Real, Width>(p.q, beam.j);
+      const EndLoads<V> e = F::loads(form, qi, qj);
+      if constexpr (Breaking) note_watched<Width>(p, b, F::energy(form, qi, qj));
       put(f, e);
       add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
     }
@@ -122,7 +167,7 @@ inline void add_group_dampers(const PartView<Real>& p, const Space<Pack<Real, Si
 }
 
 /// The same walk for one scenario alone, a group of beams at once.
-template <template <class, int> class Form, class Real, bool Damped, class Finish>
+template <template <class, int> class Form, class Real, bool Damped, bool Breaking, class Finish>
 inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
   constexpr int Size = group_size<Form, Real>;
   using F = Form<Real, Size>;
@@ -139,6 +184,7 @@ inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
     const auto form = F::form(number);
     add_loads<Size>(p.ring, rows + BeamGroup::slot_i * Size, rows + BeamGroup::slot_j * Size,
                     F::loads(form, F::position(qi), F::position(qj)));
+    if constexpr (Breaking) note_watched<Size>(p, g, F::energy(form, F::position(qi), F::position(qj)));
     if (const long at = Damped && p.group_dampers ? p.group_dampers[g] : -1; at >= 0)
       add_group_dampers<Size>(p, F::initial_axis(form), rows,
                               p.group_damper_rows + at * BeamGroup::damper_rows * Size,
@@ -159,13 +205,14 @@ inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
   }
 }
 
-template <template <class, int> class Form, class Real, int Width, bool Damped, class Finish>
+template <template <class, int> class Form, class Real, int Width, bool Damped, bool Breaking, class Finish>
 inline void walk(const ViewOf<Form, Real>& p, const Finish& finish) {
-  add_extra_forces<Form, Real, Width>(p);
+  add_extra_forces<Form, Real, Width, Breaking>(p);
+  if constexpr (Breaking) *p.watched_count = 0;
   if constexpr (Width == 1)
-    walk_groups<Form, Real, Damped>(p, finish);
+    walk_groups<Form, Real, Damped, Breaking>(p, finish);
   else
-    walk_lanes<Form, Real, Width, Damped>(p, finish);
+    walk_lanes<Form, Real, Width, Damped, Breaking>(p, finish);
 }
 
 }  // namespace rift::ensemble::RIFT_INSTRUCTIONS
