@@ -1,5 +1,6 @@
 #include "engine/ensemble/benchmark.hpp"
 
+#include "engine/ensemble/breaking_beams.hpp"
 #include "engine/ensemble/ensemble.hpp"
 #include "engine/packing/neighbours.hpp"
 #include "engine/reference/plain_simulation.hpp"
@@ -42,7 +43,8 @@ double bytes_of_beam(const BenchCase& c, double beams_per_element) {
   using Real = typename Beam::Number;
   // Velocity, position and, where damped, the dampers' forces of the step before: each read and written.
   const double numbers = 6 + Beam::position_numbers + (c.damped > 0.0 ? 6 : 0);
-  return (row + c.damped * sizeof(Dampers<Real>)) / c.scenarios +
+  const double of_law = c.law ? (c.scenarios == 1 ? 1 : 2) * sizeof(Real) : 0.0;  // threshold; what is left
+  return (row + c.damped * sizeof(Dampers<Real>)) / c.scenarios + of_law +
          2.0 * numbers * sizeof(Real) / beams_per_element;
 }
 
@@ -85,13 +87,24 @@ std::vector<fracture::DamageableBeam> beams_in_the_middle(const lattice::Lattice
                                     lattice, 0.0);
 }
 
+/// Of a law by which every beam may break, at many times the openings of waves().
+constexpr fracture::CohesiveMaterial strong{
+    .release_rate = 1e6, .strength = 1e9, .young_modulus = 1e10, .kappa = 1.0};
+
 std::function<void()> ensemble_step(const BenchCase& c, const lattice::Lattice& lattice) {
-  const auto ensemble = std::make_shared<Ensemble>(lattice, beams_in_the_middle(lattice), time_step,
-                                                   std::vector<fracture::LaneScenario>(c.scenarios),
-                                                   EnsembleOptions{.kinematics = c.kinematics,
-                                                                   .precision = c.precision,
-                                                                   .threads = c.threads,
-                                                                   .instructions = c.instructions});
+  std::vector<fracture::LaneScenario> scenarios(c.scenarios);
+  for (fracture::LaneScenario& scenario : scenarios)
+    if (c.law) scenario.material = strong;
+  const fracture::CrackPath path = fracture::straight_path(lattice.box.length, 0.5 * lattice.box.height);
+  const auto ensemble = std::make_shared<Ensemble>(
+      lattice,
+      c.law ? fracture::breakable_beams(path, lattice, 0.0) : fracture::damageable_beams(path, lattice, 0.0),
+      time_step, scenarios,
+      EnsembleOptions{.kinematics = c.kinematics,
+                      .precision = c.precision,
+                      .threads = c.threads,
+                      .instructions = c.instructions},
+      c.law ? std::make_shared<BreakingBeams>(lattice, time_step) : nullptr);
   ensemble->release_from(waves(lattice));
   if (c.beta != 1.0) ensemble->set_beta(c.beta);
   std::vector<int> crossing(lattice.beam.size(), -1);

@@ -32,6 +32,7 @@ struct BenchCase {
   double damped = 0;   // share of the beams that are damped
   double beta = 1;
   bool balanced = false;        // with a look at the energies after every step
+  bool law = false;             // every beam has a cohesive law and is far below its strength
   bool processor_time = false;  // counted, of all threads, in place of the time that passes
 };
 

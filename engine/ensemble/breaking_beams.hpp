@@ -3,14 +3,14 @@
 #include "engine/ensemble/release.hpp"
 #include "engine/fracture/cohesive_law.hpp"
 
-#include <limits>
 #include <vector>
 
 namespace rift::ensemble {
 
 /// Beams that break by themselves, wherever they are: what is left of each one's stiffness follows from its
 /// own opening, and never rises again   [fracture/cohesive_law.hpp]. All beams but those of a notch are among
-/// the damageable ones; linear kinematics.
+/// the damageable ones; linear kinematics. A step looks at the beams that have begun to soften and at those
+/// that the walk has noted (State::add_watched()); for all others the walk makes one comparison.
 class BreakingBeams : public ReleaseRule {
  public:
   /// @param[in] lattice  which must outlive the rule;  @param[in] dt  step of the ensemble [s]
@@ -26,16 +26,17 @@ class BreakingBeams : public ReleaseRule {
  private:
   struct Lane {
     std::vector<fracture::Softening> beam;  // of the lattice
-    /// Squares of the openings below which a damageable beam loses nothing, somewhat less so that what is
-    /// lost depends on the factors alone [m2].
-    std::vector<double> harmless = {};
+    std::vector<int> softened = {};         // places among the damageable beams, ascending
+    bool known = false;                     // whether `softened` is
   };
-  double harmless_square(const Lane& lane, int beam, double factor) const;
-  void look_at_factors(const State& state, int lane);
+  /// An opening below which a beam loses nothing [m].
+  static double harmless(const fracture::Softening& beam, double factor);
+  void find_softened(const State& state, int lane);
 
   const lattice::Lattice& lattice_;
   double dt_;
   std::vector<Lane> lane_;
+  std::vector<int> looked_at_;
 };
 
 }  // namespace rift::ensemble

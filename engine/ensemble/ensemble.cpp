@@ -7,11 +7,21 @@
 
 namespace rift::ensemble {
 
+namespace {
+
+EnsembleOptions options_for(EnsembleOptions options, const std::vector<fracture::LaneScenario>& scenarios) {
+  options.breaking = scenarios.front().material.has_value();
+  return options;
+}
+
+}  // namespace
+
 Ensemble::Ensemble(const lattice::Lattice& lattice, std::vector<fracture::DamageableBeam> damageable,
                    double dt, const std::vector<fracture::LaneScenario>& scenarios,
                    const EnsembleOptions& options, std::shared_ptr<ReleaseRule> rule)
     : dt_(dt),
-      state_(lattice, std::move(damageable), static_cast<int>(scenarios.size()), options),
+      state_(lattice, std::move(damageable), static_cast<int>(scenarios.size()),
+             options_for(options, scenarios)),
       rule_(std::move(rule)),
       balances_(state_.damageable().size(), state_.lanes(), static_cast<int>(scenarios.size())),
       units_(scenarios.size()),

@@ -49,6 +49,12 @@ struct Linear {
   static Form form(const V* p) { return {{p[0], p[1], p[2]}, p[3], p[4], p[5], p[6]}; }
   static Space<V> initial_axis(const Form& b) { return b.n; }
 
+  /// What is left of a beam where all its stiffnesses are multiplied by `s`.
+  static Form softened(Form b, V s) {
+    b.axial *= s, b.bending *= s, b.twist *= s;
+    return b;
+  }
+
   /// theta_i + theta_j - (2/l) n x d across the axis, which is alpha_i + alpha_j
   static Space<V> bend(const Form& b, const Space<V>& d, const Space<V>& sum) {
     const Space<V> s = plus(sum, -b.c, cross(b.n, d));
@@ -71,8 +77,8 @@ struct Linear {
     const Space<V> d = j.u - i.u, sum = i.theta + j.theta, difference = j.theta - i.theta;
     const V stretch = dot(b.n, d), t = dot(b.n, difference);
     const Space<V> s = bend(b, d, sum);
-    const V bent = 0.75 * dot(s, s) + 0.25 * (dot(difference, difference) - t * t);
-    return 0.5 * b.axial * stretch * stretch + 0.5 * b.twist * t * t + b.bending * bent;
+    const V bent = Real(0.75) * dot(s, s) + Real(0.25) * (dot(difference, difference) - t * t);
+    return Real(0.5) * b.axial * stretch * stretch + Real(0.5) * b.twist * t * t + b.bending * bent;
   }
 
   static FaceGap<V> face_gap(const Form& b, const Position& i, const Position& j) {

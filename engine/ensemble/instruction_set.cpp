@@ -80,14 +80,14 @@ int lanes_for(Precision precision, int scenarios) {
 }
 
 template <class Beam>
-Kernel<Beam> kernel_for(InstructionSet set, int lanes) {
+Kernel<Beam> kernel_for(InstructionSet set, int lanes, bool breaking) {
   Kernel<Beam> found{};
   if constexpr (has_baseline)
-    if (set == InstructionSet::baseline) found = baseline::find_kernel<Beam>(lanes);
+    if (set == InstructionSet::baseline) found = baseline::find_kernel<Beam>(lanes, breaking);
   if constexpr (has_avx2)
-    if (set == InstructionSet::avx2) found = avx2::find_kernel<Beam>(lanes);
+    if (set == InstructionSet::avx2) found = avx2::find_kernel<Beam>(lanes, breaking);
   if constexpr (has_avx512)
-    if (set == InstructionSet::avx512) found = avx512::find_kernel<Beam>(lanes);
+    if (set == InstructionSet::avx512) found = avx512::find_kernel<Beam>(lanes, breaking);
   assert(found.advance);
   return found;
 }
@@ -102,10 +102,10 @@ double multiply_and_add(InstructionSet set, long rounds) {
   return 0.0;
 }
 
-template Kernel<LinearBeam<double>> kernel_for(InstructionSet, int);
-template Kernel<LinearBeam<float>> kernel_for(InstructionSet, int);
-template Kernel<CorotationalBeam<double>> kernel_for(InstructionSet, int);
-template Kernel<CorotationalBeam<float>> kernel_for(InstructionSet, int);
+template Kernel<LinearBeam<double>> kernel_for(InstructionSet, int, bool);
+template Kernel<LinearBeam<float>> kernel_for(InstructionSet, int, bool);
+template Kernel<CorotationalBeam<double>> kernel_for(InstructionSet, int, bool);
+template Kernel<CorotationalBeam<float>> kernel_for(InstructionSet, int, bool);
 template double multiply_and_add<double>(InstructionSet, long);
 template double multiply_and_add<float>(InstructionSet, long);
 

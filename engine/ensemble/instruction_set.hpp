@@ -31,9 +31,10 @@ int lanes_in_register(Precision precision, InstructionSet set);
 /// The fewest lanes there are kernels for that hold `scenarios`, or most_lanes().
 int lanes_for(Precision precision, int scenarios);
 
-/// @param[in] lanes  1 or most_lanes(), a half or a quarter of it
+/// @param[in] lanes     1 or most_lanes(), a half or a quarter of it
+/// @param[in] breaking  whether the intact beams break by themselves; linear ones only
 template <class Beam>
-Kernel<Beam> kernel_for(InstructionSet set, int lanes);
+Kernel<Beam> kernel_for(InstructionSet set, int lanes, bool breaking);
 
 /// Multiplies and adds, `rounds` times in every register; returns the floating-point operations done.
 template <class Real>
@@ -44,19 +45,19 @@ double multiply_and_add(InstructionSet set, long rounds);
 
 namespace baseline {
 template <class Beam>
-Kernel<Beam> find_kernel(int lanes);
+Kernel<Beam> find_kernel(int lanes, bool breaking);
 template <class Real>
 double multiply_and_add(long rounds);
 }  // namespace baseline
 namespace avx2 {
 template <class Beam>
-Kernel<Beam> find_kernel(int lanes);
+Kernel<Beam> find_kernel(int lanes, bool breaking);
 template <class Real>
 double multiply_and_add(long rounds);
 }  // namespace avx2
 namespace avx512 {
 template <class Beam>
-Kernel<Beam> find_kernel(int lanes);
+Kernel<Beam> find_kernel(int lanes, bool breaking);
 template <class Real>
 double multiply_and_add(long rounds);
 }  // namespace avx512

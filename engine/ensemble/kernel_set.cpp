@@ -7,25 +7,25 @@
 namespace rift::ensemble::RIFT_INSTRUCTIONS {
 namespace {
 
-template <template <class, int> class Form, class Real>
+template <template <class, int> class Form, class Real, bool Breaking>
 Kernel<typename Form<Real, 1>::Row> of_lanes(int lanes) {
   constexpr int most = 64 / sizeof(Real);
-  if (lanes == 1) return kernel<Form, Real, 1>();
-  if (lanes == most) return kernel<Form, Real, most>();
-  if (lanes == most / 2) return kernel<Form, Real, most / 2>();
-  if (lanes == most / 4) return kernel<Form, Real, most / 4>();
+  if (lanes == 1) return kernel<Form, Real, 1, Breaking>();
+  if (lanes == most) return kernel<Form, Real, most, Breaking>();
+  if (lanes == most / 2) return kernel<Form, Real, most / 2, Breaking>();
+  if (lanes == most / 4) return kernel<Form, Real, most / 4, Breaking>();
   return {};
 }
 
 }  // namespace
 
 template <class Beam>
-Kernel<Beam> find_kernel(int lanes) {
+Kernel<Beam> find_kernel(int lanes, bool breaking) {
   using Real = typename Beam::Number;
   if constexpr (std::is_same_v<Beam, LinearBeam<Real>>)
-    return of_lanes<Linear, Real>(lanes);
+    return breaking ? of_lanes<Linear, Real, true>(lanes) : of_lanes<Linear, Real, false>(lanes);
   else
-    return of_lanes<Corotational, Real>(lanes);
+    return breaking ? Kernel<Beam>{} : of_lanes<Corotational, Real, false>(lanes);
 }
 
 /// Enough independent chains to hide the latency of any processor so far.
@@ -44,8 +44,8 @@ double multiply_and_add(long rounds) {
   return sum == Real(-1) ? 0.0 : 2.0 * static_cast<double>(rounds) * chains * width;
 }
 
-template Kernel<LinearBeam<RIFT_REAL>> find_kernel(int);
-template Kernel<CorotationalBeam<RIFT_REAL>> find_kernel(int);
+template Kernel<LinearBeam<RIFT_REAL>> find_kernel(int, bool);
+template Kernel<CorotationalBeam<RIFT_REAL>> find_kernel(int, bool);
 template double multiply_and_add<RIFT_REAL>(long);
 
 }  // namespace rift::ensemble::RIFT_INSTRUCTIONS

@@ -88,6 +88,28 @@ inline void add_contact_energies(const ViewOf<Form, Real>& p) {
   }
 }
 
+/// Adds what beams that break by themselves have lost of the energies that come out of the walk and of
+/// State::base_energy(): with the loads L of the base state q_0, (1 - s) L . (q + 1/2 q_0)   [J].
+template <class Real, int Width>
+inline void add_softened_base_energies(const BeamView<LinearBeam<Real>>& p) {
+  using D = Pack<double, Width>;
+  for (int b = 0; b < p.softened_beams; ++b) {
+    const auto& row = p.damageable[p.softened[b]];
+    if (row.extra_i < 0) continue;  // the other part's
+    const auto moved = [&](long element, int c) {
+      return 0.5 * p.base[element * 6 + c] +
+             widened<Real, Width>(load<Width>(p.q + (element * 6 + c) * Width));
+    };
+    D work{};
+    for (int c = 0; c < 3; ++c)
+      work += static_cast<double>(row.base[c]) * (moved(row.i, c) - moved(row.j, c)) +
+              static_cast<double>(row.base[3 + c]) * moved(row.i, 3 + c) +
+              static_cast<double>(row.base[6 + c]) * moved(row.j, 3 + c);
+    const D lost = 1.0 - widened<Real, Width>(load<Width>(p.factor + static_cast<long>(row.k) * Width));
+    add_to_account<Width>(chunk_of<Real, Width>(p, row.i), elastic, lost * work);
+  }
+}
+
 /// Energy of a corotational beam [J], and what it adds to the step correction: dt^2/8 F . F / m alone is that
 /// of forces which change in proportion to the motion; the directions of these change too,
 ///   - 1/2 k e . 1/2 (e(q + dt v) + e(q - dt v) - 2 e(q)) = - dt^2/4 v . K_g v,
@@ -146,8 +168,12 @@ inline void add_corotational_energies(const ViewOf<Form, Real>& p, const StepCon
 /// That of the intact ones comes out of the walk, but for what is the same for all (State::base_energy()):
 /// their work against the base state's forces, which all beams balance, is that of the damageable ones with
 /// the opposite sign.
-template <template <class, int> class Form, class Real, int Width>
+template <template <class, int> class Form, class Real, int Width, bool Breaking>
 inline void add_damageable_energies(const ViewOf<Form, Real>& p) {
+  if constexpr (Breaking) {
+    add_softened_base_energies<Real, Width>(p);
+    return;
+  }
   using D = Pack<double, Width>;
   for (int b = 0; b < p.damageable_beams; ++b) {
     const auto& row = p.damageable[b];
@@ -242,17 +268,18 @@ template <template <class, int> class Form, class Real, int Width>
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
   const V one = splat<V>(Real(1)), half_square = splat<V>(static_cast<Real>(0.5 * k.dt * k.dt));
-  walk<Form, Real, Width, false, Directions::of_moment>(p, [&](int i, V(&f)[6], int extra, int, V(&)[6]) {
-    V q[F::numbers], bend[6];
-    load_row<F::numbers, Width>(p.q + static_cast<long>(F::numbers) * Width * i, q);
-    for (int c = 0; c < 6; ++c) {
-      if (extra >= 0) f[c] += load<Width>(p.extra + (6L * extra + c) * Width);
-      if (extra >= 0 && p.contact) f[c] += load<Width>(p.contact + (6L * extra + c) * Width);
-      bend[c] = half_square * splat<V>(p.per_mass[6L * i + c]) * f[c];
-    }
-    F::drift(q, bend, one);
-    store_row<F::numbers, Width>(p.mean_q + static_cast<long>(F::numbers) * Width * i, q);
-  });
+  walk<Form, Real, Width, false, Directions::of_moment, false>(
+      p, [&](int i, V(&f)[6], int extra, int, V(&)[6]) {
+        V q[F::numbers], bend[6];
+        load_row<F::numbers, Width>(p.q + static_cast<long>(F::numbers) * Width * i, q);
+        for (int c = 0; c < 6; ++c) {
+          if (extra >= 0) f[c] += load<Width>(p.extra + (6L * extra + c) * Width);
+          if (extra >= 0 && p.contact) f[c] += load<Width>(p.contact + (6L * extra + c) * Width);
+          bend[c] = half_square * splat<V>(p.per_mass[6L * i + c]) * f[c];
+        }
+        F::drift(q, bend, one);
+        store_row<F::numbers, Width>(p.mean_q + static_cast<long>(F::numbers) * Width * i, q);
+      });
 }
 
 /// One step of Table 1 of the paper for the elements of a part. `v` holds the velocity after the first half
@@ -265,7 +292,7 @@ template <template <class, int> class Form, class Real, int Width>
 /// Flattened: every function below is inlined whatever its size. What GCC left as calls (a beam's loads, four
 /// positions) passed its numbers through the stack; one scenario in double is 1.28 times as fast without.
 /// @param[in,out] p  q [m, rad] and v [m/s, rad/s] of the elements, and their accounts [J]
-template <template <class, int> class Form, class Real, int Width, Balance balance>
+template <template <class, int> class Form, class Real, int Width, Balance balance, bool Breaking>
 [[gnu::flatten]] void advance(const ViewOf<Form, Real>& p, const StepConstants& k) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
@@ -277,83 +304,85 @@ template <template <class, int> class Form, class Real, int Width, Balance balan
   if constexpr (of_moment) {
     for (int i = p.begin; i < p.end; i += chunk_size)
       clear(chunk_of<Real, Width>(p, i), spent_damping * Width);
-    if constexpr (is_linear<Form>) add_damageable_energies<Form, Real, Width>(p);
+    if constexpr (is_linear<Form>) add_damageable_energies<Form, Real, Width, Breaking>(p);
     if (p.contact) add_contact_energies<Form, Real, Width>(p);
   }
   ChunkEnergies<Real, Width> energies;
   // f: balance of forces at q_n, eqs. (3)-(6); d: of it, that of the dampers, eq. (8)
-  walk<Form, Real, Width, balanced, directions>(p, [&](int i, V(&f)[6], int extra, int damped, V(&d)[6]) {
-    V q[F::numbers], v[6], rate[6];
-    load_row<F::numbers, Width>(p.q + static_cast<long>(F::numbers) * Width * i, q);
-    load_row<6, Width>(p.v + 6L * Width * i, v);
-    if constexpr (of_moment && is_linear<Form>) {
-      V work{};
-      for (int c = 0; c < 6; ++c) work = fma(f[c], q[c], work);
-      energies.elastic += widened<Real, Width>(work);
-    }
-    const auto add = [&](const Real* rows, V(&to)[6]) {
-      for (int c = 0; c < 6; ++c) to[c] += load<Width>(rows + (6L * extra + c) * Width);
-    };
-    if (extra >= 0) add(p.extra, f);
-    const bool with_accounts = balanced && (!of_moment || k.balanced);
-    if (with_accounts) {
-      rates_at<Width>(p, i, rate);
-      if (p.top[i])
-        rate[1] = splat<V>(static_cast<Real>(k.grip_before));  // v is that of the step that begins
-      if (extra >= 0 && p.contact) {
-        V contact[6];
-        const long at = 6L * Width * extra;
-        load_row<6, Width>(p.contact + at, contact);
-        energies.contact += energies.work(contact, p.contact_before + at, rate);
-        store_row<6, Width>(p.next_contact_before + at, contact);
-        for (int c = 0; c < 6; ++c) f[c] += contact[c];
-      }
-      if (damped >= 0) {
-        if (extra >= 0) add(p.damping, d);
-        const long at = 6L * Width * damped;
-        energies.damping += energies.work(d, p.damping_before + at, rate);
-        store_row<6, Width>(p.next_damping_before + at, d);
-        for (int c = 0; c < 6; ++c) f[c] += d[c];
-      }
-      if (p.rate) energies.add_numerical(p, k, i, f, v, rate);
-      if (p.top[i]) energies.pull += widened<Real, Width>(f[1]);
-    }
-    V per_mass[6];
-    for (int c = 0; c < 6; ++c) per_mass[c] = splat<V>(p.per_mass[6L * i + c]);
-    if constexpr (of_moment) {
-      V now[6];
-      for (int c = 0; c < 6; ++c) now[c] = fma(ended * per_mass[c], f[c], v[c]);
-      if (p.velocity)
-        for (int c = 0; c < 6; ++c)
-          store<Width>(p.velocity + (6L * i + c) * Width, widened<Real, Width>(now[c]));
-      energies.add_moment(p, k, i, f, now);
-    }
-    if (with_accounts) {
-      for (int c = 0; c < 6; ++c) {
-        const V a = per_mass[c] * f[c];  // Newton's law
-        v[c] = fma(ended, a, v[c]);      // eq. (2), its second half
-        rate[c] = fma(kick, a, v[c]);
-        v[c] = fma(begun, a, v[c]);  // eq. (2), the first half of the next step
-      }
-      if (p.rate) store_row<6, Width>(p.next_rate + 6L * Width * i, rate);
-    } else {
-      for (int c = 0; c < 6; ++c)
-        rate[c] = v[c] = fma(dt * per_mass[c], f[c], v[c]);  // both halves of eq. (2)
-    }
-    F::drift(q, rate, dt);  // eq. (1)
-    store_row<F::numbers, Width>(p.next_q + static_cast<long>(F::numbers) * Width * i, q);
-    store_row<6, Width>(p.next_v + 6L * Width * i, v);
-    if (balanced && ((i + 1) % chunk_size == 0 || i + 1 == p.end))
-      energies.template close<balance>(chunk_of<Real, Width>(p, i), k);
-  });
+  walk<Form, Real, Width, balanced, directions, Breaking>(
+      p, [&](int i, V(&f)[6], int extra, int damped, V(&d)[6]) {
+        V q[F::numbers], v[6], rate[6];
+        load_row<F::numbers, Width>(p.q + static_cast<long>(F::numbers) * Width * i, q);
+        load_row<6, Width>(p.v + 6L * Width * i, v);
+        if constexpr (of_moment && is_linear<Form>) {
+          V work{};
+          for (int c = 0; c < 6; ++c) work = fma(f[c], q[c], work);
+          energies.elastic += widened<Real, Width>(work);
+        }
+        const auto add = [&](const Real* rows, V(&to)[6]) {
+          for (int c = 0; c < 6; ++c) to[c] += load<Width>(rows + (6L * extra + c) * Width);
+        };
+        if (extra >= 0) add(p.extra, f);
+        const bool with_accounts = balanced && (!of_moment || k.balanced);
+        if (with_accounts) {
+          rates_at<Width>(p, i, rate);
+          if (p.top[i])
+            rate[1] = splat<V>(static_cast<Real>(k.grip_before));  // v is that of the step that begins
+          if (extra >= 0 && p.contact) {
+            V contact[6];
+            const long at = 6L * Width * extra;
+            load_row<6, Width>(p.contact + at, contact);
+            energies.contact += energies.work(contact, p.contact_before + at, rate);
+            store_row<6, Width>(p.next_contact_before + at, contact);
+            for (int c = 0; c < 6; ++c) f[c] += contact[c];
+          }
+          if (damped >= 0) {
+            if (extra >= 0) add(p.damping, d);
+            const long at = 6L * Width * damped;
+            energies.damping += energies.work(d, p.damping_before + at, rate);
+            store_row<6, Width>(p.next_damping_before + at, d);
+            for (int c = 0; c < 6; ++c) f[c] += d[c];
+          }
+          if (p.rate) energies.add_numerical(p, k, i, f, v, rate);
+          if (p.top[i]) energies.pull += widened<Real, Width>(f[1]);
+        }
+        V per_mass[6];
+        for (int c = 0; c < 6; ++c) per_mass[c] = splat<V>(p.per_mass[6L * i + c]);
+        if constexpr (of_moment) {
+          V now[6];
+          for (int c = 0; c < 6; ++c) now[c] = fma(ended * per_mass[c], f[c], v[c]);
+          if (p.velocity)
+            for (int c = 0; c < 6; ++c)
+              store<Width>(p.velocity + (6L * i + c) * Width, widened<Real, Width>(now[c]));
+          energies.add_moment(p, k, i, f, now);
+        }
+        if (with_accounts) {
+          for (int c = 0; c < 6; ++c) {
+            const V a = per_mass[c] * f[c];  // Newton's law
+            v[c] = fma(ended, a, v[c]);      // eq. (2), its second half
+            rate[c] = fma(kick, a, v[c]);
+            v[c] = fma(begun, a, v[c]);  // eq. (2), the first half of the next step
+          }
+          if (p.rate) store_row<6, Width>(p.next_rate + 6L * Width * i, rate);
+        } else {
+          for (int c = 0; c < 6; ++c)
+            rate[c] = v[c] = fma(dt * per_mass[c], f[c], v[c]);  // both halves of eq. (2)
+        }
+        F::drift(q, rate, dt);  // eq. (1)
+        store_row<F::numbers, Width>(p.next_q + static_cast<long>(F::numbers) * Width * i, q);
+        store_row<6, Width>(p.next_v + 6L * Width * i, v);
+        if (balanced && ((i + 1) % chunk_size == 0 || i + 1 == p.end))
+          energies.template close<balance>(chunk_of<Real, Width>(p, i), k);
+      });
 }
 
-template <template <class, int> class Form, class Real, int Width>
+template <template <class, int> class Form, class Real, int Width, bool Breaking>
 constexpr Kernel<typename Form<Real, 1>::Row> kernel() {
-  Kernel<typename Form<Real, 1>::Row> k{.advance = advance<Form, Real, Width, Balance::none>,
-                                        .advance_with_balance = advance<Form, Real, Width, Balance::of_step>,
-                                        .evaluate_energies = advance<Form, Real, Width, Balance::of_moment>,
-                                        .group_size = group_size<Form, Real>};
+  Kernel<typename Form<Real, 1>::Row> k{
+      .advance = advance<Form, Real, Width, Balance::none, Breaking>,
+      .advance_with_balance = advance<Form, Real, Width, Balance::of_step, Breaking>,
+      .evaluate_energies = advance<Form, Real, Width, Balance::of_moment, Breaking>,
+      .group_size = group_size<Form, Real>};
   if constexpr (!is_linear<Form>)
     k.find_means = find_means<Form, Real, Width>,
     k.add_beam_energies = add_corotational_energies<Form, Real, Width>;

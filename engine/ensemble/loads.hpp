@@ -159,6 +159,25 @@ inline void add_damageable_forces(const ViewOf<Form, Real>& p) {
   }
 }
 
+/// Where beams break by themselves the walk has their loads of the change since the base state. Adds what
+/// they no longer bear of the base state's, (s - 1) L_base.
+/// @param[in,out] p  extra [N, N m] of the elements with additional loads
+template <template <class, int> class Form, class Real, int Width>
+inline void add_softened_base(const ViewOf<Form, Real>& p) {
+  using V = Pack<Real, Width>;
+  for (int b = 0; b < p.softened_beams; ++b) {
+    const auto& row = p.damageable[p.softened[b]];
+    const V of_base = load<Width>(p.factor + static_cast<long>(row.k) * Width) - Real(1);
+    const auto part = [&](const Real* base) -> Space<V> {
+      return {of_base * base[0], of_base * base[1], of_base * base[2]};
+    };
+    const EndLoads<V> e{part(row.base), part(row.base + 3), part(row.base + 6)};
+    if (row.extra_i >= 0) add_to<Width>(p.extra + row.extra_i * 6L * Width, [&](V(&f)[6]) { put(f, e); });
+    if (row.extra_j >= 0)
+      add_to<Width>(p.extra + row.extra_j * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
+  }
+}
+
 /// Forces of a beam's dampers, f = 2 alpha sqrt(K M) delta n along its axis n and about it   [paper eq. (8)].
 /// @param[in] at_i, at_j  rates of its ends (q_n - q_{n-1}) / dt [m/s, rad/s]
 template <class V>
@@ -218,10 +237,13 @@ inline void clear(Real* from, long count) {
 
 /// Evaluates all additional loads, before the walk. A function of its own, though advance() is flattened: it
 /// runs once a part and step, and the three of a kernel share it, which saves the compiler half of its time.
-template <template <class, int> class Form, class Real, int Width, Directions directions>
+template <template <class, int> class Form, class Real, int Width, Directions directions, bool Breaking>
 [[gnu::noinline, gnu::flatten]] void add_extra_forces(const ViewOf<Form, Real>& p) {
   clear(p.extra, 6L * Width * p.extras);
-  add_damageable_forces<Form, Real, Width, directions>(p);
+  if constexpr (Breaking)
+    add_softened_base<Form, Real, Width>(p);
+  else
+    add_damageable_forces<Form, Real, Width, directions>(p);
   if (p.loaded_elements > 0) add_outside_forces<Real, Width>(p);
   if (p.contact) {
     clear(p.contact, 6L * Width * p.extras);

@@ -66,6 +66,13 @@ struct BeamGroup {
   static constexpr int ring_row = 8;        // numbers of a row of the rings, six of them used
 };
 
+/// Beams that the walk has found above their thresholds: bit k of `which` is lane k of the intact beam
+/// `place`, or, for one scenario alone, beam k of the group `place`.
+struct WatchedRow {
+  std::int32_t place;
+  std::uint32_t which;
+};
+
 /// A beam that can be damaged.
 template <class Beam>
 struct DamageableRow {
@@ -165,6 +172,14 @@ struct PartView {
   Real* damping;                                   // [extra element][6][lane] of these, null without damping
   const Real *alpha_at_surface, *alpha_elsewhere;  // [lane]
 
+  // Where beams break by themselves: the intact beams are those that are whole or softened.
+  const Real* left;  // [intact beam][lane] what is left of the stiffness; unused in groups, whose numbers
+                     // are of what is left
+  const Real* watch_above;  // [intact beam][lane] or [group][beam]: energies of the change since the base
+                            // state, above which the walk notes a beam [J]
+  WatchedRow* watched;
+  std::int32_t* watched_count;
+
   double* account;   // [chunk][accounts][lane], chunk 0 begins at `begin`
   double* velocity;  // [row][6][lane], where to put the velocities of this moment, or null
 };
@@ -185,6 +200,8 @@ struct BeamView : PartView<typename Beam::Number> {
   const typename Beam::Number* group_damper_number;  // [damped group][BeamGroup::damper_numbers][beam]
   std::int32_t damageable_beams;
   const DamageableRow<Beam>* damageable;
+  std::int32_t softened_beams;  // of them, where beams break by themselves under a strained base state
+  const std::int32_t* softened;
   std::int32_t contacts;
   const ContactRow<Beam>* contact_row;
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <limits>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -13,10 +14,11 @@
 namespace rift::ensemble {
 namespace {
 
-/// Beams that nothing damages, by their first element, then by their second.
+/// Beams that nothing damages, or all but the absent ones where beams break by themselves; by their first
+/// element, then by their second.
 std::vector<int> intact_beams(const RowSource& s) {
   std::vector<char> damageable(s.lattice.beam.size(), 0);
-  for (const fracture::DamageableBeam& d : s.damageable) damageable[d.beam] = 1;
+  for (const fracture::DamageableBeam& d : s.damageable) damageable[d.beam] = d.absent || !s.options.breaking;
   std::vector<int> intact;
   for (int b = 0; b < static_cast<int>(damageable.size()); ++b)
     if (!damageable[b]) intact.push_back(b);
@@ -58,8 +60,12 @@ class PartOf final : public Part {
       : Part(s.options.precision),
         begin_(begin),
         end_(end),
-        kernel_(kernel_for<Beam>(s.options.instructions, s.lanes)) {
+        lanes_(s.lanes),
+        breaking_(s.options.breaking),
+        kernel_(kernel_for<Beam>(s.options.instructions, s.lanes, s.options.breaking)) {
     first_ghost_row = first_row;
+    strained_ =
+        std::any_of(s.base.begin(), s.base.end(), [](const lattice::Vector6& q) { return !q.isZero(0.0); });
     choose_intact(s);
     find_ghosts_and_extras(s);
     make_intact(s);
@@ -67,6 +73,7 @@ class PartOf final : public Part {
     make_loaded(s);
     if (s.options.contact) make_contacts(s);
     if (s.lanes == 1) make_groups(s);
+    if (breaking_) make_breaking(s);
     make_damped(s);
     make_room(s);
   }
@@ -95,6 +102,41 @@ class PartOf final : public Part {
     view.next_damping_before = next_damping_before.data<Real>();
     view.next_contact_before = next_contact_before.data<Real>();
     kernel_.evaluate_energies(view, constants);
+  }
+
+  /// For one scenario the groups hold the stiffnesses that are left: no load more in the walk.
+  void set_left(int k, int lane, double left, double watch_above) override {
+    const std::int32_t place = place_of_[k];
+    if (place < 0) return;
+    watch_above_[static_cast<std::size_t>(place) * lanes_ + lane] = static_cast<Real>(watch_above);
+    if (lanes_ > 1) {
+      left_[static_cast<std::size_t>(place) * lanes_ + lane] = static_cast<Real>(left);
+    } else {
+      constexpr int numbers = beam_numbers<Beam>;
+      const std::size_t size = kernel_.group_size, g = place / size;
+      const BeamStiffness<Real>& whole = intact_[place].form.stiffness;
+      Real* number = &group_number_[(g * numbers + numbers - 3) * size + place % size];
+      const auto s = static_cast<Real>(left);
+      number[0] = whole.axial * s, number[size] = whole.bending * s, number[2 * size] = whole.twist * s;
+    }
+    if (left == 1.0 || row_of_.empty()) return;
+    const auto at = std::lower_bound(softened_.begin(), softened_.end(), row_of_[k]);
+    if (at == softened_.end() || *at != row_of_[k]) softened_.insert(at, row_of_[k]);
+  }
+
+  /// Each beam is its first element's part's.
+  void add_watched(int lane, std::vector<int>& k) const override {
+    for (std::int32_t w = 0; w < watched_count_; ++w) {
+      const auto [place, which] = watched_[w];
+      if (lanes_ > 1) {
+        if ((which >> lane & 1U) != 0) k.push_back(k_of_[place]);
+        continue;
+      }
+      for (int beam = 0; beam < kernel_.group_size; ++beam)
+        if (const std::size_t at = static_cast<std::size_t>(place) * kernel_.group_size + beam;
+            (which >> beam & 1U) != 0 && at >= halo_)
+          k.push_back(k_of_[at]);
+    }
   }
 
  private:
@@ -137,7 +179,7 @@ class PartOf final : public Part {
     };
     for (const int b : beams_) see(s.lattice.ends[b][0], s.lattice.ends[b][1], nullptr);
     for (const fracture::DamageableBeam& d : s.damageable)
-      see(s.lattice.ends[d.beam][0], s.lattice.ends[d.beam][1], &extra_element);
+      if (!breaking_ || strained_) see(s.lattice.ends[d.beam][0], s.lattice.ends[d.beam][1], &extra_element);
     for (const lattice::DampedBeam& d : s.damped) see(d.i, d.j, &damped_element);
     for (int i = begin_; i < end_ && !s.outside.empty(); ++i)
       if (!s.outside[i].isZero(0.0)) extra_element.push_back(i);
@@ -187,9 +229,14 @@ class PartOf final : public Part {
     return &r;
   }
 
+  /// Of beams that break by themselves nothing but the loads of a strained base state.
   void make_damageable(const RowSource& s) {
+    if (breaking_ && !strained_) return;
+    row_of_.assign(breaking_ ? s.damageable.size() : 0, -1);
     for (int k = 0; k < static_cast<int>(s.damageable.size()); ++k) {
+      if (breaking_ && s.damageable[k].absent) continue;
       DamageableRow<Beam>* r = add_row(damageable_, s, k);
+      if (r && breaking_) row_of_[k] = static_cast<std::int32_t>(damageable_.size()) - 1;
       if (!r || s.damageable[k].absent || !linear) continue;
       const int beam = s.damageable[k].beam;
       const auto& [i, j] = s.lattice.ends[beam];
@@ -255,6 +302,22 @@ class PartOf final : public Part {
     for (std::size_t next = size; next <= groups_ * size; next += size)
       group_complete_.push_back(
           next < beams_.size() ? std::clamp(s.lattice.ends[beams_[next]][0], begin_, end_) : end_);
+  }
+
+  /// Places beyond the last beam are never above their thresholds.
+  void make_breaking(const RowSource& s) {
+    std::vector<int> k_of_beam(s.lattice.beam.size(), -1);
+    for (int k = 0; k < static_cast<int>(s.damageable.size()); ++k) k_of_beam[s.damageable[k].beam] = k;
+    place_of_.assign(s.damageable.size(), -1);
+    for (const int beam : beams_) {
+      const int k = k_of_beam[beam];
+      if (k >= 0) place_of_[k] = static_cast<std::int32_t>(k_of_.size());
+      k_of_.push_back(k);
+    }
+    const std::size_t places = lanes_ > 1 ? beams_.size() : groups_ * kernel_.group_size;
+    watch_above_.assign(places * lanes_, std::numeric_limits<Real>::infinity());
+    if (lanes_ > 1) left_.assign(places * lanes_, Real(1));
+    watched_.resize(lanes_ > 1 ? beams_.size() : groups_);
   }
 
   /// The place of an intact beam among the part's.
@@ -351,6 +414,8 @@ class PartOf final : public Part {
     w.damped_beams = count(damped_), w.damped = damped_.data(), w.damping = damping_.data();
     w.alpha_at_surface = state.alpha_at_surface.data<Real>();
     w.alpha_elsewhere = state.alpha_elsewhere.data<Real>();
+    w.left = left_.data(), w.watch_above = watch_above_.data();
+    w.watched = watched_.data(), w.watched_count = &watched_count_;
     w.account = account.data();
     w.halo = count(halo_i_), w.halo_i = halo_i_.data(), w.first = first_.data(), w.intact = intact_.data();
     w.groups = static_cast<std::int32_t>(groups_), w.group_rows = group_rows_.data();
@@ -358,11 +423,14 @@ class PartOf final : public Part {
     w.group_dampers = group_dampers_.data(), w.group_damper_rows = group_damper_rows_.data();
     w.group_damper_number = group_damper_number_.data();
     w.damageable_beams = count(damageable_), w.damageable = damageable_.data();
+    w.softened_beams = count(softened_), w.softened = softened_.data();
     w.contacts = count(contact_row_), w.contact_row = contact_row_.data();
     return w;
   }
 
-  const int begin_, end_;
+  const int begin_, end_, lanes_;
+  const bool breaking_;
+  bool strained_ = false;  // whether the base state is
   const Kernel<Beam> kernel_;
   std::vector<int> beams_;  // intact ones, while the rows are made
   std::size_t halo_ = 0;    // of them
@@ -377,6 +445,14 @@ class PartOf final : public Part {
   std::vector<LoadedRow<Real>> loaded_;
   std::vector<ContactRow<Beam>> contact_row_;
   std::vector<DampedRow<Real>> damped_;
+  // Where beams break by themselves, halo beams among the intact ones:
+  std::vector<std::int32_t> place_of_,
+      k_of_;                            // of a damageable beam among the intact ones, or -1; the reverse
+  std::vector<std::int32_t> row_of_;    // of a damageable beam, or -1; none without a strained base state
+  std::vector<std::int32_t> softened_;  // of damageable_, ascending: less than all was left of them
+  AlignedVector<Real> left_, watch_above_;
+  std::vector<WatchedRow> watched_;
+  std::int32_t watched_count_ = 0;
   AlignedVector<Real> ring_, damping_ring_, extra_, damping_, contact_;  // null where empty
 };
 

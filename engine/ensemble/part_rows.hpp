@@ -46,6 +46,10 @@ struct EnsembleOptions {
   InstructionSet instructions = instruction_set();
   int lanes = 0;         // of the kernel; 0 for the fewest that hold the scenarios
   bool contact = false;  // whether any scenario's faces touch, now or later
+  /// Whether the damageable beams break by themselves (an ensemble sees that from its scenarios): the walk
+  /// has them among the intact ones then, with what is left of each. Linear kinematics, without contact and
+  /// dampers.
+  bool breaking = false;
 };
 
 /// Numbers beyond the last row of state that a kernel may read (columns_of()).
@@ -82,6 +86,12 @@ struct Part {
   /// Adds to these accounts what the beams hold, by the velocities of this moment (StateArrays); does nothing
   /// in linear kinematics, where evaluate_energies() has done so.
   virtual void add_beam_energies(StateArrays& state, const StepConstants& constants) = 0;
+  /// Where beams break by themselves: what is left of one in a lane, and the energy of its change since the
+  /// base state above which the walk notes it from now on [J]. @param[in] k  its place among the damageable
+  /// beams, whoever owns its elements
+  virtual void set_left(int k, int lane, double left, double watch_above) = 0;
+  /// Appends the beams of a lane that the walk has noted last, as places among the damageable beams.
+  virtual void add_watched(int lane, std::vector<int>& k) const = 0;
 
   std::vector<int> ghost;  // elements of other parts that it refers to, in the order of their copies' rows
   int first_ghost_row = 0;

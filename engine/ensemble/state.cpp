@@ -35,6 +35,7 @@ State::State(const lattice::Lattice& lattice, std::vector<fracture::DamageableBe
       arrays_(options.precision),
       cut_(cut_evenly(lattice, options.threads)) {
   assert(scenarios > 0 && scenarios <= lanes_);
+  assert(!options_.breaking || (options_.kinematics == lattice::Kinematics::linear && !options_.contact));
   const std::size_t factors = damageable_.size() * lanes_, n = lattice.mass.size();
   arrays_.factor.resize(factors);
   if (options_.contact) arrays_.slip.resize(3 * factors), arrays_.slip_after.resize(3 * factors);
@@ -66,6 +67,7 @@ void State::set_base(const std::vector<lattice::Vector6>& base) {
   base_ = base;
   find_beams_at_top();
   sum_base_energy();
+  find_base_openings();
   build_parts();
   for (int lane = 0; lane < lanes_; ++lane) put_to_rest(lane);
 }
@@ -91,7 +93,7 @@ void State::sum_base_energy() {
   base_energy_ = 0.0;
   if (options_.kinematics == lattice::Kinematics::corotational) return;
   std::vector<char> intact(lattice_->beam.size(), 1);
-  for (const fracture::DamageableBeam& d : damageable_) intact[d.beam] = 0;
+  for (const fracture::DamageableBeam& d : damageable_) intact[d.beam] = options_.breaking && !d.absent;
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (!intact[b]) continue;
     const auto& [i, j] = lattice_->ends[b];
@@ -127,6 +129,7 @@ void State::build_parts() {
 }
 
 void State::set_damped(const std::vector<lattice::DampedBeam>& damped) {
+  assert(!options_.breaking);
   // What the loads of the last step were: the next step's work is that of both.
   const std::vector<double> contact = by_element(&Part::contact_before, &Part::extra_element);
   const std::vector<double> damping = by_element(&Part::damping_before, &Part::damped_element);
@@ -143,6 +146,18 @@ void State::set_lane(int lane, const fracture::LaneScenario& scenario) {
   arrays_.alpha_elsewhere.set(lane, scenario.alpha_elsewhere);
   arrays_.in_contact.set(lane, scenario.friction ? 1.0 : 0.0);
   arrays_.friction.set(lane, scenario.friction.value_or(0.0));
+  if (!options_.breaking) return;
+  first_opening_.resize(lanes_);
+  first_opening_[lane].clear();
+  const std::vector<fracture::Softening> beams = fracture::softening_of(*lattice_, scenario.material.value());
+  for (const fracture::DamageableBeam& d : damageable_) first_opening_[lane].push_back(beams[d.beam].first);
+  for (int k = 0; k < static_cast<int>(damageable_.size()); ++k) set_left(k, lane);
+}
+
+void State::set_factor(int k, int lane, double factor) {
+  ahead_.reset();
+  arrays_.factor.set(at(k, lane), factor);
+  if (options_.breaking) set_left(k, lane);
 }
 
 void State::put_to_rest(int lane) {
@@ -410,6 +425,8 @@ void State::restore(const NamedNumbers& state) {
   take(state, "velocity", arrays_.v, rows * 6);
   take(state, "rate", arrays_.rate, arrays_.rate.empty() ? 0 : rows * 6);
   take(state, "factor", arrays_.factor, arrays_.factor.size());
+  for (int lane = 0; lane < lanes_ && options_.breaking; ++lane)
+    for (int k = 0; k < static_cast<int>(damageable_.size()); ++k) set_left(k, lane);
   set_by_element(&Part::damping_before, &Part::damped_element,
                  numbers_of(state, "damping_before", damped_.empty() ? 0 : rows * 6));
   if (options_.contact) {

@@ -44,10 +44,7 @@ class State {
   double load(int lane) const { return arrays_.load[lane]; }
   /// What a unit of load has done in the step of `dt` [s] that has just been made [J].
   double work_of_unit_load(int lane, double dt) const;
-  void set_factor(int k, int lane, double factor) {
-    ahead_.reset();
-    arrays_.factor.set(at(k, lane), factor);
-  }
+  void set_factor(int k, int lane, double factor);
   /// Makes room for rates that differ from the velocities, as they do with beta other than 1.
   void keep_rates();
 
@@ -64,15 +61,13 @@ class State {
   lattice::BeamStrain strain(int beam, int lane) const;
   /// Before the step of `dt` [s] that has just been made; in linear kinematics.
   lattice::BeamStrain strain_before(int beam, int lane, double dt) const;
-  /// A damageable beam and its equivalent opening sqrt(2 U / k_a) of the energy U that it would have
-  /// undamaged [m].
-  struct OpenBeam {
-    int k = 0;
-    double opening = 0;
-  };
-  /// The damageable beams in tension whose opening, squared, is above their threshold [m2], ascending; in
-  /// linear kinematics. @param[in] threshold  [damageable]. Cost O(damageable).
-  std::vector<OpenBeam> open_beams(int lane, const std::vector<double>& threshold) const;
+  /// Equivalent opening sqrt(2 U / k_a) of a damageable beam in tension, of the energy U that it would have
+  /// undamaged [m]; 0 of one that is pressed. In linear kinematics.
+  double opening(int k, int lane) const;
+  /// Appends, where beams break by themselves, the whole ones that may have been opened by more than half of
+  /// what softens them as the last step began, in any order, as places among the damageable beams. None that
+  /// was opened by more is missing.
+  void add_watched(int lane, std::vector<int>& k) const;
   /// Energy that a beam would have undamaged [J].
   double beam_energy(int beam, int lane) const {
     return lattice::energy_of(lattice_->beam[beam], strain(beam, lane));
@@ -112,6 +107,7 @@ class State {
   auto of_ends(const Function& function, int beam, int lane) const;
   void find_beams_at_top();
   void sum_base_energy();
+  void find_base_openings();
   void build_parts();
   bool corotational() const { return options_.kinematics == lattice::Kinematics::corotational; }
   using CopyOfRow = std::function<void(std::size_t from, std::size_t to, std::size_t count)>;
@@ -138,8 +134,12 @@ class State {
   };
   std::vector<OpeningRow> opening_row_;  // [damageable]
   template <class Real>
-  void open_beams_among(int first, int last, int lane, const std::vector<double>& threshold,
-                        std::vector<OpenBeam>& open) const;
+  double opening_of(const OpeningRow& beam, int lane) const;
+  // Where beams break by themselves, [damageable]:
+  std::vector<std::vector<double>> first_opening_;  // of each lane: what softens them [m]
+  std::vector<double> base_opening_;                // in the base state [m]
+  double watch_above(int k, int lane) const;
+  void set_left(int k, int lane);
   struct TopBeam {
     int beam, k;  // the latter -1 where nothing damages it
   };

@@ -32,15 +32,57 @@ inline EndLoads<Pack<Real, Width>> damper_loads_at(const PartView<Real>& p, cons
   return damper_loads<V>(axis, alpha * d.axial, alpha * d.twist, alpha * d.bend, at_i, at_j);
 }
 
+/// The form of an intact beam of which less than all may be left.
+template <template <class, int> class Form, class Real, int Width, bool Breaking>
+inline auto form_of(const ViewOf<Form, Real>& p, long b) {
+  using F = Form<Real, Width>;
+  const auto form = F::form(p.intact[b].form);
+  if constexpr (Breaking)
+    return F::softened(form, load<Width>(p.left + b * Width));
+  else
+    return form;
+}
+
+/// Whether any number of a pack of whole numbers is not 0.
+template <class V>
+inline bool any_of(V x) {
+  if constexpr (sizeof(V) == 16) {
+    typedef long long Two __attribute__((vector_size(16)));
+    const Two both = (Two)x;
+    return (both[0] | both[1]) != 0;
+  } else {
+    typedef long long Longs __attribute__((vector_size(sizeof(V))));
+    typedef long long Half __attribute__((vector_size(sizeof(V) / 2)));
+    union Halves {
+      Longs whole;
+      Half half[2];
+    } halves{(Longs)x};
+    return any_of(halves.half[0] | halves.half[1]);
+  }
+}
+
+/// Notes the beams of a pack whose energy is above their thresholds: one comparison for all that are far
+/// below.
+/// @param[in] energy  of the change since the base state [J];  @param[in] place  as of WatchedRow
+template <int Size, class Real>
+inline void note_watched(const PartView<Real>& p, long place, Pack<Real, Size> energy) {
+  const auto above = energy > load<Size>(p.watch_above + place * Size);
+  if (__builtin_expect(!any_of(above), 1)) return;
+  std::uint32_t which = 0;
+  for (int k = 0; k < Size; ++k) which |= (above[k] ? 1U : 0U) << k;
+  p.watched[(*p.watched_count)++] = {static_cast<std::int32_t>(place), which};
+}
+
 /// The beams of other parts' elements to this part's: their loads on the second element go into the ring.
 /// A function of its own, as add_extra_forces().
-template <template <class, int> class Form, class Real, int Width, bool Damped, Directions directions>
+template <template <class, int> class Form, class Real, int Width, bool Damped, Directions directions,
+          bool Breaking>
 [[gnu::noinline, gnu::flatten]] void walk_halo(const ViewOf<Form, Real>& p) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
   for (long b = 0; b < p.halo; ++b) {
     const auto& beam = p.intact[b];
-    const auto form = F::form(beam.form);
+    const auto form = form_of<Form, Real, Width, Breaking>(p, b);
     const EndLoads<V> e = F::loads(form, place_at<Form, Real, Width, directions>(p, p.halo_i[b]),
                                    place_at<Form, Real, Width, directions>(p, beam.j));
     add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&f)[6]) { put_opposite(f, e); });
@@ -60,16 +102,17 @@ template <template <class, int> class Form, class Real, int Width, bool Damped, 
 /// lanes); allocates nothing.
 /// @tparam    Damped      whether there may be dampers at all
 /// @tparam    directions  of the beams' forces
+/// @tparam    Breaking    whether the intact beams break by themselves
 /// @param[in] finish  called with the element, the forces [N] and moments [N m] of its intact beams, its
 /// index
 ///                    among those with additional loads and among those that dampers act on, or -1, and the
 ///                    forces of its intact beams' dampers, where there are any
 template <template <class, int> class Form, class Real, int Width, bool Damped, Directions directions,
-          class Finish>
+          bool Breaking, class Finish>
 inline void walk_lanes(const ViewOf<Form, Real>& p, const Finish& finish) {
   using F = Form<Real, Width>;
   using V = Pack<Real, Width>;
-  walk_halo<Form, Real, Width, Damped, directions>(p);
+  walk_halo<Form, Real, Width, Damped, directions, Breaking>(p);
   long b = p.halo;  // intact beam
   ElementIndex extra{p.extra_element, p.extras}, damped{p.damped_element, p.damped_elements};
   for (int i = p.begin; i < p.end; ++i) {
@@ -80,8 +123,10 @@ inline void walk_lanes(const ViewOf<Form, Real>& p, const Finish& finish) {
     load_row<6, Width>(own, f);
     for (; b < ended; ++b) {
       const auto& beam = p.intact[b];
-      const EndLoads<V> e =
-          F::loads(F::form(beam.form), qi, place_at<Form, Real, Width, directions>(p, beam.j));
+      const auto form = form_of<Form, Real, Width, Breaking>(p, b);
+      const auto qj = place_at<Form, Real, Width, directions>(p, beam.j);
+      const EndLoads<V> e = F::loads(form, qi, qj);
+      if constexpr (Breaking) note_watched<Width>(p, b, F::energy(form, qi, qj));
       put(f, e);
       add_to<Width>(p.ring + beam.slot * 6L * Width, [&](V(&other)[6]) { put_opposite(other, e); });
     }
@@ -140,7 +185,8 @@ inline auto places_of(const PartView<Real>& p, const std::int32_t* rows) {
 }
 
 /// The same walk for one scenario alone, a group of beams at once.
-template <template <class, int> class Form, class Real, bool Damped, Directions directions, class Finish>
+template <template <class, int> class Form, class Real, bool Damped, Directions directions, bool Breaking,
+          class Finish>
 inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
   constexpr int Size = group_size<Form, Real>;
   using F = Form<Real, Size>;
@@ -157,6 +203,7 @@ inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
     const auto form = F::form(number);
     add_loads<Size>(p.ring, rows + BeamGroup::slot_i * Size, rows + BeamGroup::slot_j * Size,
                     F::loads(form, qi, qj));
+    if constexpr (Breaking) note_watched<Size>(p, g, F::energy(form, qi, qj));
     if (const long at = Damped && p.group_dampers ? p.group_dampers[g] : -1; at >= 0)
       add_group_dampers<Size>(p, F::initial_axis(form), rows,
                               p.group_damper_rows + at * BeamGroup::damper_rows * Size,
@@ -178,13 +225,14 @@ inline void walk_groups(const ViewOf<Form, Real>& p, const Finish& finish) {
 }
 
 template <template <class, int> class Form, class Real, int Width, bool Damped, Directions directions,
-          class Finish>
+          bool Breaking, class Finish>
 inline void walk(const ViewOf<Form, Real>& p, const Finish& finish) {
-  add_extra_forces<Form, Real, Width, directions>(p);
+  add_extra_forces<Form, Real, Width, directions, Breaking>(p);
+  if constexpr (Breaking) *p.watched_count = 0;
   if constexpr (Width == 1)
-    walk_groups<Form, Real, Damped, directions>(p, finish);
+    walk_groups<Form, Real, Damped, directions, Breaking>(p, finish);
   else
-    walk_lanes<Form, Real, Width, Damped, directions>(p, finish);
+    walk_lanes<Form, Real, Width, Damped, directions, Breaking>(p, finish);
 }
 
 }  // namespace rift::ensemble::RIFT_INSTRUCTIONS

@@ -67,6 +67,8 @@ void add_kernels(Cases& cases, int elements, int threads) {
     cases.back().damped = 1.0;
     add(linear + ", energies every step", lattice::Kinematics::linear, precision, lanes);
     cases.back().balanced = true;
+    add(linear + ", cohesive law", lattice::Kinematics::linear, precision, lanes);
+    cases.back().law = true;
   }
 }
 
@@ -99,6 +101,7 @@ Cases needs_cases(const BenchOptions& options, int threads) {
     add("damping, all beams", [](ensemble::BenchCase& c) { c.damped = 1.0; });
     add("numerical damping", [](ensemble::BenchCase& c) { c.beta = 0.9; });
     add("energies every step", [](ensemble::BenchCase& c) { c.balanced = true; });
+    add("cohesive law", [](ensemble::BenchCase& c) { c.law = true; });
     add("corotational beams",
         [](ensemble::BenchCase& c) { c.kinematics = lattice::Kinematics::corotational; });
   }

@@ -33,6 +33,7 @@ void add_stability(CLI::App& app, ExitCode& exit_code);
 void add_studio(CLI::App& app, ExitCode& exit_code);
 void add_study(CLI::App& app, ExitCode& exit_code);
 void add_theory(CLI::App& app, ExitCode& exit_code);
+void add_validate(CLI::App& app, ExitCode& exit_code);
 void add_verify(CLI::App& app, ExitCode& exit_code);
 void add_view(CLI::App& app, ExitCode& exit_code);
 void add_watch(CLI::App& app, ExitCode& exit_code);
@@ -42,9 +43,9 @@ ExitCode open_studio();
 
 /// All subcommands, in the order of `rift --help`.
 inline constexpr std::array all_commands = {
-    add_studio, add_run,       add_resume,     add_render,   add_view,      add_watch,
-    add_study,  add_reproduce, add_experiment, add_accuracy, add_stability, add_calibrate,
-    add_pack,   add_check,     add_compare,    add_list,     add_theory,    add_measure,
-    add_export, add_verify,    add_bench,      add_help,     add_manual,    add_completion};
+    add_studio,    add_run,      add_resume,     add_render,    add_view,      add_watch,     add_study,
+    add_reproduce, add_validate, add_experiment, add_accuracy,  add_stability, add_calibrate, add_pack,
+    add_check,     add_compare,  add_list,       add_theory,    add_measure,   add_export,    add_verify,
+    add_bench,     add_help,     add_manual,     add_completion};
 
 }  // namespace rift::studio

@@ -57,6 +57,8 @@ rift study study_release
 rift study study_release --slurm --tasks 4 --time 00:30:00
 rift reproduce fig07 fig13 --quick
 rift reproduce beyond -o beyond
+rift validate --quick
+rift validate borden_branching -o validation
 rift experiment experiment_polymer
 rift experiment experiment_polymer --resamples 4 --specimens 1
 rift accuracy quickstart --quick

@@ -20,6 +20,7 @@ engine/calibration:  base theory packing lattice fracture ensemble scene
 engine/simulation:   base history theory results packing lattice fracture ensemble scene calibration
 engine/measurement:  base history theory results packing lattice fracture ensemble scene calibration simulation
 engine/stability:    base results packing lattice fracture ensemble scene simulation measurement
+engine/validation:   base theory results lattice fracture scene simulation
 engine/experiment:   base history theory results packing lattice fracture ensemble scene calibration simulation measurement
 engine/study:        base history results ensemble scene simulation
 engine/claims:       base theory lattice fracture scene calibration study
@@ -28,14 +29,14 @@ viz:                 base results
 viz/draw:            base results viz
 studio/text:         base theory results scene simulation study
 studio/charts:       base studio/text
-studio/reports:      base history theory results packing lattice fracture ensemble scene calibration simulation measurement stability experiment study claims accuracy studio/text studio/charts
+studio/reports:      base history theory results packing lattice fracture ensemble scene calibration simulation measurement stability validation experiment study claims accuracy studio/text studio/charts
 studio/screen:       base theory results fracture scene simulation studio/text
 studio/workbench:    base history theory results scene simulation study studio/text studio/charts studio/reports studio/screen
 studio/graphics:     base studio/screen
 studio/slurm:        base scene
 studio/view:         base results scene viz studio/screen studio/workbench
 studio/terminal:     base studio/screen studio/workbench studio/graphics
-studio/commands:     base theory results packing lattice ensemble scene calibration simulation measurement stability experiment study claims accuracy viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/graphics studio/slurm studio/view studio/terminal
+studio/commands:     base theory results packing lattice ensemble scene calibration simulation measurement stability validation experiment study claims accuracy viz studio/text studio/charts studio/reports studio/screen studio/workbench studio/graphics studio/slurm studio/view studio/terminal
 studio:              base results scene studio/commands
 '
 

@@ -176,6 +176,67 @@ TEST(BreakingBeams, AreTheSameForAnyThreadsAndWhateverMarchesBesideThem) {
   }
 }
 
+/// The same law, which looks at every beam after every step and leaves all of them to the list of damageable
+/// beams.
+class EveryBeam : public ReleaseRule {
+ public:
+  EveryBeam(std::vector<fracture::Softening> beams, double dt) : beam_(std::move(beams)), dt_(dt) {}
+  void set_lane(int, const fracture::LaneScenario&) override {}
+  void start(int, std::int64_t) override {}
+  void predict_damage(const State&, std::int64_t, std::vector<DamageIncrement>&) override {}
+  void follow_damage(const State& state, std::vector<DamageIncrement>& increments) override {
+    for (int k = 0; k < static_cast<int>(state.damageable().size()); ++k) {
+      const double before = state.factor(k, 0);
+      const int beam = state.damageable()[k].beam;
+      const double after = std::min(before, fracture::stiffness_left(beam_[beam], state.opening(k, 0)));
+      if (after == before) continue;
+      increments.push_back({.k = k, .lane = 0, .before = before, .after = after});
+      increments.back().strain = state.strain_before(beam, 0, dt_);
+    }
+  }
+  void save(NamedNumbers&) const override {}
+  void restore(const State&, const NamedNumbers&) override {}
+
+ private:
+  std::vector<fracture::Softening> beam_;
+  double dt_;
+};
+
+// What is left in the walk and what the walk notes is what looking at every beam gives, from a strained base
+// state and from one at rest.
+TEST(BreakingBeams, InTheWalkAreThoseOfALookAtEveryBeam) {
+  const FreePlate plate;
+  const CohesiveMaterial material = plate.material(1.1, 3.0);
+  lattice::Lattice free = plate.p.lattice;
+  std::fill(free.grip.begin(), free.grip.end(), packing::Grip::none);
+  const double stress = 0.5 * material.strength;
+  for (const bool strained : {true, false}) {
+    const lattice::Lattice& lattice = strained ? plate.p.lattice : free;
+    const std::vector<lattice::Vector6> rest(lattice.centre.size(), lattice::Vector6::Zero());
+    const auto marched = [&](const fracture::LaneScenario& scenario, std::shared_ptr<ReleaseRule> rule) {
+      Ensemble s(lattice, plate.beams, plate.p.step.dt, {scenario}, {.threads = 2}, std::move(rule));
+      if (!strained) s.set_loads(lattice::opposite_tractions(free, 1));
+      s.start_from(strained ? plate.p.displacement : rest);
+      s.start_crack({});
+      for (int n = 0; n < 150; ++n) s.step();
+      return s;
+    };
+    const lattice::StepLoad load{strained ? 0.0 : stress, 0.0};
+    Ensemble walked = marched({.material = material, .load = load},
+                              std::make_shared<BreakingBeams>(lattice, plate.p.step.dt));
+    Ensemble listed =
+        marched({.load = load},
+                std::make_shared<EveryBeam>(fracture::softening_of(lattice, material), plate.p.step.dt));
+    EXPECT_GT(plate.gone(walked, 0), 5) << strained;
+    for (int k = 0; k < static_cast<int>(plate.beams.size()); ++k)
+      ASSERT_NEAR(walked.factor(k, 0), listed.factor(k, 0), 1e-9) << k << ", strained " << strained;
+    const fracture::EnergyBalance a = walked.balance(0), b = listed.balance(0);
+    EXPECT_NEAR(a.elastic, b.elastic, 1e-10 * b.largest);
+    EXPECT_NEAR(a.fracture, b.fracture, 1e-10 * b.largest);
+    EXPECT_NEAR(a.kinetic_translation, b.kinetic_translation, 1e-10 * b.largest);
+  }
+}
+
 TEST(BreakingBeams, GoOnFromWhereTheyWere) {
   const FreePlate plate;
   const fracture::LaneScenario lane{.material = plate.material(1.1, 3.0)};

@@ -22,9 +22,9 @@ if [[ -n $calls ]]; then
   echo "$calls"
   exit 1
 fi
-expected=$((sets * 2 * 2 * 4 * 3))
+expected=$((sets * 3 * 2 * 4 * 3))
 if ((kernels != expected)); then
-  echo "$kernels kernels found, expected $expected: of $sets instruction sets, two forms, two precisions, four numbers of lanes, three kernels each"
+  echo "$kernels kernels found, expected $expected: of $sets instruction sets, two forms and linear beams that break, two precisions, four numbers of lanes, three kernels each"
   exit 1
 fi
 echo "$kernels kernels, no call"

@@ -38,7 +38,7 @@ TEST(Bench, TellsWhatEachPieceCosts) {
   const Ran ran = run_rift("bench --needs --elements 1000 --runs 1 --seconds 0.002 --quiet");
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* piece : {"bare", "damping, 5 % of the beams", "damping, all beams", "numerical damping",
-                            "energies every step", "corotational beams"})
+                            "energies every step", "cohesive law", "corotational beams"})
     EXPECT_TRUE(contains(ran.out, piece)) << piece;
 }
 
