@@ -9,7 +9,7 @@ kernels=0 calls=
 for object in "$@"; do
   found=$("$objdump" -d -r -C --no-show-raw-insn "$object" | awk '
     function report() { if (target != "" && target !~ /^mem(set|cpy)|(add_extra_forces|walk_halo)</) print kernel " calls " target; target = "" }
-    /^[0-9a-f]+ <.*>:$/ { report(); kernel = ""; if (/[ :](advance|add_extra_forces|walk_halo)</) kernel = $0; if (/[ :]advance</) print "kernel"; next }
+    /^[0-9a-f]+ <.*>:$/ { report(); kernel = ""; if (/[ :](advance|find_means|add_extra_forces|walk_halo)</) kernel = $0; if (/[ :]advance</) print "kernel"; next }
     kernel == "" { next }
     /R_X86_64_/ { if (target != "") { target = $0; sub(/.*R_X86_64_[A-Z0-9]+[ \t]+/, "", target) } next }
     { report() }
