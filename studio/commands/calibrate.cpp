@@ -2,6 +2,7 @@
 
 #include "engine/lattice/statics.hpp"
 #include "engine/scene/layers_note.hpp"
+#include "studio/commands/calibrate_toughness.hpp"
 #include "studio/commands/commands.hpp"
 #include "studio/commands/session.hpp"
 #include "studio/reports/calibration_report.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 struct CalibrateOptions : ReportOptions {
   std::string young, poisson;
+  bool toughness = false;
 };
 
 /// The preset, or without one cylinders of the defaults; the material as the options say.
@@ -96,7 +98,14 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
   command.add_option("--young", options->young, "Young's modulus E, such as \"3.2 GPa\"")
       ->type_name("MODULUS");
   command.add_option("--poisson", options->poisson, "Poisson's ratio")->type_name("NUMBER");
-  command.callback([options, &exit_code] { exit_code = calibrate_material(*options); });
+  command
+      .add_flag("--toughness", options->toughness,
+                "The constant kappa of the cohesive law instead, from free cracks in the plate of the preset "
+                "(default: freund_wave)")
+      ->excludes(command.get_option("--young"), command.get_option("--poisson"), command.get_option("--out"));
+  command.callback([options, &exit_code] {
+    exit_code = options->toughness ? calibrate_toughness(*options) : calibrate_material(*options);
+  });
 }
 
 }  // namespace rift::studio
