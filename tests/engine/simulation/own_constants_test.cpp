@@ -1,4 +1,5 @@
 #include "engine/simulation/own_constants.hpp"
+
 #include "engine/base/files.hpp"
 #include "tests/engine/simulation/small_plate.hpp"
 
@@ -8,10 +9,10 @@ namespace {
 // Beams of twice the modulus make a plate of twice E and of the same nu.
 TEST(OwnConstants, GoWithTheBeamsModulus) {
   const auto with = [](const char* modulus) {
-    return own_constants(small_plate({"material.stiffness=explicit",
-                                      std::string("material.micro_young_modulus=") + modulus,
-                                      "material.micro_poisson_ratio=0.3", "material.micro_radius_ratio=0.3"}),
-                         shared_cache());
+    return own_constants(
+        small_plate({"material.stiffness=explicit", std::string("material.micro_young_modulus=") + modulus,
+                     "material.micro_poisson_ratio=0.3", "material.micro_radius_ratio=0.3"}),
+        shared_cache());
   };
   const OwnConstants soft = with("150 GPa"), stiff = with("300 GPa");
   EXPECT_NEAR(stiff.young_modulus() / soft.young_modulus(), 2.0, 1e-6);

@@ -247,7 +247,7 @@ TEST(Check, KeepsItsPackingForTheRun) {
 TEST(Check, ShowsTheSpecimensOwnConstantsOnceTheyAreKnown) {
   const TinyPlate plate;
   const std::string unseen = "--set specimen.seed=7301";
-  Ran ran = plate.check(unseen);
+  Ran ran = plate.check("--no-cache " + unseen);
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_TRUE(contains(ran.out, "plate's own     not measured: 'rift check --measure'")) << ran.out;
   ASSERT_EQ(plate.check("--measure " + unseen).exit_code, 0);
