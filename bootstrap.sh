@@ -111,7 +111,7 @@ install_missing() {
 }
 
 build() { # TARGET...
-  say "building (build/release; some four minutes on two cores the first time)"
+  say "building (build/release; the first time, on two cores, some three minutes for the demo and eight to ten for the tests)"
   cmake --preset release -DRIFT_VIZ="$viz" -DRIFT_KERNELS="$kernels" >/dev/null
   cmake --build --preset release --target "$@"
   ln -sf build/release/studio/rift rift

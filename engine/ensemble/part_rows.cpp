@@ -1,12 +1,13 @@
 #include "engine/ensemble/part_rows.hpp"
 
+#include "engine/ensemble/group_rows.hpp"
+#include "engine/ensemble/watched_beams.hpp"
 #include "engine/fracture/face_contact.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
-#include <limits>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -106,38 +107,20 @@ class PartOf final : public Part {
 
   /// For one scenario the groups hold the stiffnesses that are left: no load more in the walk.
   void set_left(int k, int lane, double left, double watch_above) override {
-    const std::int32_t place = place_of_[k];
+    const std::int32_t place = watched_.place_of(k);
     if (place < 0) return;
-    watch_above_[static_cast<std::size_t>(place) * lanes_ + lane] = static_cast<Real>(watch_above);
-    if (lanes_ > 1) {
-      left_[static_cast<std::size_t>(place) * lanes_ + lane] = static_cast<Real>(left);
-    } else {
-      constexpr int numbers = beam_numbers<Beam>;
-      const std::size_t size = kernel_.group_size, g = place / size;
+    watched_.set(place, lane, left, watch_above);
+    if (lanes_ == 1) {
       const BeamStiffness<Real>& whole = intact_[place].form.stiffness;
-      Real* number = &group_number_[(g * numbers + numbers - 3) * size + place % size];
       const auto s = static_cast<Real>(left);
-      number[0] = whole.axial * s, number[size] = whole.bending * s, number[2 * size] = whole.twist * s;
+      groups_.set_stiffness(place, {whole.axial * s, whole.bending * s, whole.twist * s});
     }
     if (left == 1.0 || row_of_.empty()) return;
     const auto at = std::lower_bound(softened_.begin(), softened_.end(), row_of_[k]);
     if (at == softened_.end() || *at != row_of_[k]) softened_.insert(at, row_of_[k]);
   }
 
-  /// Each beam is its first element's part's.
-  void add_watched(int lane, std::vector<int>& k) const override {
-    for (std::int32_t w = 0; w < watched_count_; ++w) {
-      const auto [place, which] = watched_[w];
-      if (lanes_ > 1) {
-        if ((which >> lane & 1U) != 0) k.push_back(k_of_[place]);
-        continue;
-      }
-      for (int beam = 0; beam < kernel_.group_size; ++beam)
-        if (const std::size_t at = static_cast<std::size_t>(place) * kernel_.group_size + beam;
-            (which >> beam & 1U) != 0 && at >= halo_)
-          k.push_back(k_of_[at]);
-    }
-  }
+  void add_watched(int lane, std::vector<int>& k) const override { watched_.add_noted(lane, halo_, k); }
 
  private:
   bool owns(int element) const { return element >= begin_ && element < end_; }
@@ -273,51 +256,21 @@ class PartOf final : public Part {
     }
   }
 
-  /// What is missing of the last group is the last beam again, without stiffness; elements without intact
-  /// beams still move, with a group of a beam that is not there.
   void make_groups(const RowSource& s) {
-    constexpr int numbers = beam_numbers<Beam>;
-    const std::size_t size = kernel_.group_size;
-    groups_ = std::max<std::size_t>(1, (beams_.size() + size - 1) / size);
-    group_rows_.assign(groups_ * BeamGroup::rows * size, begin_);
-    group_number_.assign(groups_ * numbers * size, 0);
-    for (std::size_t place = 0; place < groups_ * size; ++place) {
-      const std::size_t g = place / size, k = place % size, at = std::min(place + 1, beams_.size());
-      const bool missing = place >= beams_.size();
-      const auto rows = [&](int which) -> std::int32_t& {
-        return group_rows_[(g * BeamGroup::rows + which) * size + k];
-      };
-      rows(BeamGroup::slot_i) = rows(BeamGroup::slot_j) = mask_ + 1;
-      const auto number = [&](int a) -> Real& { return group_number_[(g * numbers + a) * size + k]; };
-      if (at == 0) {
-        number(0) = number(3) = 1;  // an axis and a length
-        continue;
-      }
-      const auto& [i, j] = s.lattice.ends[beams_[at - 1]];
-      rows(BeamGroup::i) = row(i), rows(BeamGroup::j) = row(j);
-      if (!missing) rows(BeamGroup::slot_i) = slot(i), rows(BeamGroup::slot_j) = slot(j);
-      const Real* form = reinterpret_cast<const Real*>(&intact_[at - 1].form);
-      for (int a = 0; a < numbers; ++a) number(a) = missing && a >= numbers - 3 ? Real(0) : form[a];
+    std::vector<BeamPlaces> places;
+    for (const int beam : beams_) {
+      const auto& [i, j] = s.lattice.ends[beam];
+      places.push_back({row(i), row(j), slot(i), slot(j), i});
     }
-    for (std::size_t next = size; next <= groups_ * size; next += size)
-      group_complete_.push_back(
-          next < beams_.size() ? std::clamp(s.lattice.ends[beams_[next]][0], begin_, end_) : end_);
+    groups_.make(kernel_.group_size, intact_, places, mask_ + 1, begin_, end_);
   }
 
-  /// Places beyond the last beam are never above their thresholds.
   void make_breaking(const RowSource& s) {
     std::vector<int> k_of_beam(s.lattice.beam.size(), -1);
     for (int k = 0; k < static_cast<int>(s.damageable.size()); ++k) k_of_beam[s.damageable[k].beam] = k;
-    place_of_.assign(s.damageable.size(), -1);
-    for (const int beam : beams_) {
-      const int k = k_of_beam[beam];
-      if (k >= 0) place_of_[k] = static_cast<std::int32_t>(k_of_.size());
-      k_of_.push_back(k);
-    }
-    const std::size_t places = lanes_ > 1 ? beams_.size() : groups_ * kernel_.group_size;
-    watch_above_.assign(places * lanes_, std::numeric_limits<Real>::infinity());
-    if (lanes_ > 1) left_.assign(places * lanes_, Real(1));
-    watched_.resize(lanes_ > 1 ? beams_.size() : groups_);
+    std::vector<std::int32_t> k_of_place;
+    for (const int beam : beams_) k_of_place.push_back(k_of_beam[beam]);
+    watched_.make(std::move(k_of_place), s.damageable.size(), lanes_, lanes_ == 1 ? kernel_.group_size : 0);
   }
 
   /// The place of an intact beam among the part's.
@@ -344,36 +297,7 @@ class PartOf final : public Part {
                            static_cast<Real>(d.axis.x()), static_cast<Real>(d.axis.y()),
                            static_cast<Real>(d.axis.z()), axial, twist, bend});
     }
-    if (s.lanes == 1) make_group_dampers();
-  }
-
-  /// Beams without dampers in a group with some have none of any strength, whose loads nobody reads.
-  void make_group_dampers() {
-    const std::size_t size = kernel_.group_size;
-    for (std::size_t g = 0; g < groups_; ++g) {
-      const std::size_t first = g * size, last = std::min(first + size, dampers_.size());
-      const auto damped = [](const Dampers<Real>& d) { return d.at_surface >= 0; };
-      if (std::none_of(dampers_.begin() + first, dampers_.begin() + last, damped)) {
-        group_dampers_.push_back(-1);
-        continue;
-      }
-      const std::size_t rows = group_damper_rows_.size(), numbers = group_damper_number_.size();
-      group_dampers_.push_back(static_cast<std::int32_t>(rows / (BeamGroup::damper_rows * size)));
-      group_damper_rows_.resize(rows + BeamGroup::damper_rows * size, mask_ + 1);
-      group_damper_number_.resize(numbers + BeamGroup::damper_numbers * size, 0);
-      for (std::size_t k = 0; k < size; ++k) {
-        std::int32_t* row = &group_damper_rows_[rows + k];
-        row[BeamGroup::at_surface * size] = 0;
-        if (first + k >= last || !damped(dampers_[first + k])) continue;
-        const Dampers<Real>& d = dampers_[first + k];
-        const std::int32_t* slots = &group_rows_[g * BeamGroup::rows * size + k];
-        row[BeamGroup::damper_slot_i * size] = slots[BeamGroup::slot_i * size];
-        row[BeamGroup::damper_slot_j * size] = slots[BeamGroup::slot_j * size];
-        row[BeamGroup::at_surface * size] = d.at_surface;
-        Real* number = &group_damper_number_[numbers + k];
-        number[0] = d.axial, number[size] = d.twist, number[2 * size] = d.bend;
-      }
-    }
+    if (s.lanes == 1) groups_.make_dampers(dampers_);
   }
 
   void make_room(const RowSource& s) {
@@ -414,14 +338,10 @@ class PartOf final : public Part {
     w.damped_beams = count(damped_), w.damped = damped_.data(), w.damping = damping_.data();
     w.alpha_at_surface = state.alpha_at_surface.data<Real>();
     w.alpha_elsewhere = state.alpha_elsewhere.data<Real>();
-    w.left = left_.data(), w.watch_above = watch_above_.data();
-    w.watched = watched_.data(), w.watched_count = &watched_count_;
+    watched_.show(w);
     w.account = account.data();
     w.halo = count(halo_i_), w.halo_i = halo_i_.data(), w.first = first_.data(), w.intact = intact_.data();
-    w.groups = static_cast<std::int32_t>(groups_), w.group_rows = group_rows_.data();
-    w.group_complete = group_complete_.data(), w.group_number = group_number_.data();
-    w.group_dampers = group_dampers_.data(), w.group_damper_rows = group_damper_rows_.data();
-    w.group_damper_number = group_damper_number_.data();
+    groups_.show(w);
     w.damageable_beams = count(damageable_), w.damageable = damageable_.data();
     w.softened_beams = count(softened_), w.softened = softened_.data();
     w.contacts = count(contact_row_), w.contact_row = contact_row_.data();
@@ -437,22 +357,16 @@ class PartOf final : public Part {
   std::int32_t mask_ = 0;
   std::vector<std::int32_t> halo_i_, first_;
   std::vector<IntactRow<Beam>> intact_;
-  std::size_t groups_ = 0;
-  std::vector<std::int32_t> group_rows_, group_complete_, group_dampers_, group_damper_rows_;
-  AlignedVector<Real> group_number_, group_damper_number_;
+  GroupRows<Beam> groups_;              // of one scenario alone
   std::vector<Dampers<Real>> dampers_;  // of the intact beams; none where nothing is damped
   std::vector<DamageableRow<Beam>> damageable_;
   std::vector<LoadedRow<Real>> loaded_;
   std::vector<ContactRow<Beam>> contact_row_;
   std::vector<DampedRow<Real>> damped_;
-  // Where beams break by themselves, halo beams among the intact ones:
-  std::vector<std::int32_t> place_of_,
-      k_of_;                            // of a damageable beam among the intact ones, or -1; the reverse
+  // Where beams break by themselves:
+  WatchedBeams<Real> watched_;
   std::vector<std::int32_t> row_of_;    // of a damageable beam, or -1; none without a strained base state
   std::vector<std::int32_t> softened_;  // of damageable_, ascending: less than all was left of them
-  AlignedVector<Real> left_, watch_above_;
-  std::vector<WatchedRow> watched_;
-  std::int32_t watched_count_ = 0;
   AlignedVector<Real> ring_, damping_ring_, extra_, damping_, contact_;  // null where empty
 };
 
