@@ -67,7 +67,7 @@ TEST(Run, EndsItsTableWithWhatIsLeftOut) {
                        "contact, step energies, gauges\n"));
   for (const char* line : {"with damping a step would take 1.1 to 2.4 times as long\n",
                            "with numerical damping a step would take 1.4 to 1.5 times as long\n",
-                           "with corotation a step would take 2 to 3.2 times as long\n"})
+                           "with corotation a step would take 4.8 to 7 times as long\n"})
     EXPECT_TRUE(contains(out, line)) << line;
 }
 
