@@ -21,7 +21,7 @@ struct InstrumentsReport {
   measurement::Instruments seen;
   std::vector<measurement::SeenField> field;  // some, along the way
   std::vector<measurement::Trace> trace;      // of the run
-  std::vector<measurement::Trace> measured;   // laid over, by the run's clock
+  std::vector<measurement::Trace> measured;   // to compare with, by the run's clock
   double offset = 0;                          // added to their times [s]
 };
 
