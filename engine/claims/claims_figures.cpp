@@ -26,14 +26,19 @@ Selection zone(double ratio) {
 
 constexpr Span all_velocities{};
 
-/// "Less than 6 % of the beams are damped".
+/// "Less than 6 % of the beams are damped", which is said of the paper's plate: in one of fewer elements the
+/// path crosses a larger share of the beams, as one over the square root of their number. Such a plate has
+/// its share scaled to the paper's.
 Judgement few_beams_damped(const Evidence& evidence) {
   std::vector<double> shares;
+  const double smaller = std::min(1.0, evidence.elements / static_cast<double>(paper_elements));
   for (const SummaryRow& row : rows_in(evidence, simple_release("surface")))
-    shares.push_back(row.beams_damped / row.beams);
+    shares.push_back(row.beams_damped / row.beams * std::sqrt(smaller));
   if (shares.empty() || std::isnan(base::mean_of(shares))) return {Verdict::not_decidable, "no result"};
   const double most = *std::max_element(shares.begin(), shares.end());
-  return {yes_or_no(most < 0.06), fmt::format("{:.1f} %", 100.0 * most)};
+  return {yes_or_no(most < 0.06),
+          fmt::format("{:.1f} %{}", 100.0 * most,
+                      smaller < 1 ? fmt::format(", scaled to {} elements", paper_elements) : "")};
 }
 
 Judgement fig01(const Evidence&) {

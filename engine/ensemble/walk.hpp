@@ -69,7 +69,9 @@ inline void note_watched(const PartView<Real>& p, long place, Pack<Real, Size> e
   const auto above = energy > load<Size>(p.watch_above + place * Size);
   if (__builtin_expect(!any_of(above), 1)) return;
   std::uint32_t which = 0;
-  for (int k = 0; k < Size; ++k) which |= (above[k] ? 1U : 0U) << k;
+  // Number by number: GCC 12 with its sanitizers reads every element of `above` as true here.
+  for (int k = 0; k < Size; ++k)
+    if (energy[k] > p.watch_above[place * Size + k]) which |= 1U << k;
   p.watched[(*p.watched_count)++] = {static_cast<std::int32_t>(place), which};
 }
 

@@ -153,8 +153,8 @@ TEST(QuasiConstant, LooksAtTheTrendAlongTheWindowOverItsStandardError) {
   EXPECT_EQ(is_quasi_constant(point).measured, "0.01: +0.100 ± 0.029");
 }
 
-// Our single specimens differ by 0.03 on average, with a deviation of 0.01: the paper's single one may have any
-// of 0.02 to 0.04.
+// Our single specimens differ by 0.03 on average, with a deviation of 0.01: the paper's single one may have
+// any of 0.02 to 0.04.
 TEST(DiffersBy, ComparesANumberOfOneSpecimenWithOurSpreadOfSingleOnes) {
   const Curve reference = off_by(0.0), curve = off_by(0.03, 0.01);
   EXPECT_EQ(differs_by(curve, reference, 0.5, 0.02 + bit).verdict, Verdict::holds);
@@ -321,6 +321,21 @@ TEST(ClaimOfFig5, ReadsTheColumnsOfASeries) {
   };
   EXPECT_EQ(verdict(0.5).verdict, Verdict::holds) << verdict(0.5).measured;
   EXPECT_EQ(verdict(2.0).verdict, Verdict::does_not_hold) << verdict(2.0).measured;
+}
+
+// A plate of a fourth of the elements has its path through twice the share of the beams.
+TEST(Fig08, JudgesTheShareOfDampedBeamsOfThePapersPlate) {
+  const auto measured_with = [](int elements, double share) {
+    SummaryRow row = row_at(0.1, 1, 0.5);
+    row.technique = "simple", row.damping_region = "surface", row.elements = elements;
+    row.damping_alpha = 0.001, row.beams = 1e4, row.beams_damped = share * row.beams;
+    return find_claim("fig08")->judge({.rows = {row}, .elements = elements}).measured;
+  };
+  EXPECT_TRUE(contains(measured_with(20000, 0.053), "damped at the surface (holds): 5.3 %"));
+  EXPECT_TRUE(contains(measured_with(20000, 0.061), "damped at the surface (does not hold): 6.1 %"));
+  EXPECT_TRUE(
+      contains(measured_with(5000, 0.106), "damped at the surface (holds): 5.3 %, scaled to 20000 elements"));
+  EXPECT_TRUE(contains(measured_with(5000, 0.122), "damped at the surface (does not hold): 6.1 %"));
 }
 
 }  // namespace
