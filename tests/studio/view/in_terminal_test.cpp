@@ -59,7 +59,7 @@ TEST(ViewInATerminal, OfKittyOneImageIsThereHoweverManyWereShown) {
   for (int k = 0; k < 8; ++k) {
     screen.type(k % 2 == 0 ? "." : ",");
     ASSERT_TRUE(screen.shows_picture(k + 2));
-    EXPECT_EQ(screen.images_there(), 1);
+    EXPECT_TRUE(screen.has_images(1));
   }
 }
 
@@ -70,10 +70,10 @@ TEST(ViewInATerminal, ThePictureFollowsTheSize) {
   screen.resize(80, 24);
   ASSERT_TRUE(screen.reads_until([&] { return screen.image().width == 800; }));
   EXPECT_EQ(screen.image().height, 380);
-  EXPECT_EQ(screen.images_there(), 1);
+  EXPECT_TRUE(screen.has_images(1));
   screen.resize(20, 5);
   ASSERT_TRUE(screen.shows("20x5 is too small"));
-  EXPECT_EQ(screen.images_there(), 0);
+  EXPECT_TRUE(screen.has_images(0));
 }
 
 TEST(ViewInATerminal, WhatItOnceAnsweredHoldsWhereItIsLateAfterAnotherSize) {
@@ -91,7 +91,7 @@ TEST(ViewInATerminal, HelpIsNotBehindThePicture) {
   ASSERT_TRUE(screen.rests());
   screen.type("?");
   ASSERT_TRUE(screen.shows("keys of this screen"));
-  EXPECT_EQ(screen.images_there(), 0);
+  EXPECT_TRUE(screen.has_images(0));
   const int before = screen.pictures();
   screen.type("?");
   ASSERT_TRUE(screen.shows_picture(before + 1));
@@ -152,7 +152,7 @@ TEST(ViewInATerminal, APanelSwitchesItsPlateBetweenCellsAndPicture) {
   ASSERT_TRUE(screen.shows_picture(1));
   EXPECT_EQ(screen.image().width, 1000) << "the width of the screen";
   screen.type("p");
-  ASSERT_TRUE(screen.reads_until([&] { return screen.images_there() == 0; }));
+  ASSERT_TRUE(screen.has_images(0));
   screen.type("q");
   EXPECT_EQ(screen.exit_code(), 0);
 }

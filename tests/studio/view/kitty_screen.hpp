@@ -37,6 +37,11 @@ class KittyScreen {
   [[nodiscard]] bool shows_picture(int count) {
     return reads_until([&] { return pictures_ >= count; });
   }
+  /// So many are there at once, as soon as what is under way has come: an image is taken away after the one
+  /// that covers it, and a read may end between them.
+  [[nodiscard]] bool has_images(int count) {
+    return reads_until([&] { return images_there() == count; });
+  }
   /// A picture is there, and for a while no other one comes.
   [[nodiscard]] bool rests() {
     int seen = 0;
