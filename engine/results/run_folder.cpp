@@ -193,7 +193,13 @@ RunState inspect_run(const fs::path& folder) {
     state.condition = RunCondition::finished;
   } else {
     state.condition = RunCondition::unfinished;
-    if (state.reason.empty()) state.reason = "the run has not ended: stopped, killed or still going on";
+    if (state.header_json.empty())
+      state.reason = fmt::format(
+          "its journal does not say yet what the run computes; where it was killed there is nothing to "
+          "continue, and 'rift run PRESET --out {} --force' begins it again",
+          folder.string());
+    else if (state.reason.empty())
+      state.reason = "the run has not ended: stopped, killed or still going on";
   }
   return state;
 }

@@ -1,3 +1,4 @@
+#include "engine/results/run_folder.hpp"
 #include "tests/studio/commands/tiny_plate.hpp"
 
 #include <nlohmann/json.hpp>
@@ -65,13 +66,27 @@ TEST(Resume, AfterAKillAtAnyMomentGoesOnToTheSameBytes) {
   for (const char* moment : {"0.02", "0.1", "0.35", "0.6", "0.9", "2"}) {
     twice.begin_anew();
     twice.plate.run_under(std::string("timeout -s KILL ") + moment, twice.slow + "--checkpoint '0.1 s'");
-    if (!fs::exists(twice.plate.out() / "journal.rift")) continue;  // killed before there was a run
+    // Killed before there was a run, or before it had written what it computes.
+    if (results::inspect_run(twice.plate.out()).header_json.empty()) continue;
     const Ran ran = twice.resume();
     EXPECT_EQ(ran.exit_code, 0) << moment << ": " << ran.err;
     twice.expect_same();
     ++resumed;
   }
   EXPECT_GT(resumed, 0);
+}
+
+TEST(Resume, OfAJournalWithoutAHeaderSaysHowToBeginAgain) {
+  const Twice twice;
+  const std::string whole = read_text(twice.whole() / "journal.rift");
+  for (const std::size_t bytes : {0, 8, 16, 40}) {
+    twice.begin_anew();
+    fs::create_directories(twice.plate.out());
+    write_text(twice.plate.out() / "journal.rift", whole.substr(0, bytes));
+    const Ran ran = twice.resume();
+    EXPECT_EQ(ran.exit_code, 1) << bytes;
+    EXPECT_TRUE(contains(ran.err, "there is nothing to continue, and 'rift run PRESET --out")) << ran.err;
+  }
 }
 
 TEST(Resume, StoppedAgainAndAgainItStillComesToTheSameEnd) {
